@@ -8,7 +8,7 @@
 
 namespace viscera::app {
 
-/// The coordinate systems of this program.
+/// The coordinate systems that this program can use, built in or from plugins.
 struct AvailableSystems {
   plugin::Registry registry;
   std::vector<std::string> problems; ///< One sentence for each plugin that was left out.

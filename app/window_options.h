@@ -5,7 +5,7 @@
 
 namespace viscera::app {
 
-/// How the window is started.
+/// The options of the command line with which the window starts.
 struct WindowOptions {
   std::vector<std::string> files; ///< Opened after the window shows.
   std::string sample = "heart";   ///< Shown, and moving if it can, where no file is opened.

@@ -11,7 +11,7 @@
 
 namespace viscera::app::cli {
 
-/// An organ, the handles that it is to be bound to, and how.
+/// The organ, handles, pose and coordinate system that a command was given.
 struct BoundInput {
   std::shared_ptr<const coordinates::CoordinateSystem> system;
   coordinates::BindOptions options;
@@ -20,7 +20,7 @@ struct BoundInput {
   document::Organ organ;
 };
 
-/// ORGAN, `--handles`, `--pose` and the options of the system.
+/// Defines the arguments ORGAN, `--handles`, `--pose` and those of the coordinate system, and reads them.
 class BoundInputOptions {
 public:
   /// Adds them; `--pose` only when the command is about one.
@@ -40,7 +40,7 @@ private:
   SystemOptions system_;
 };
 
-/// An organ's inside, ready for any pose of its handles.
+/// The witness points inside an organ with their coordinates, from which the stress of any pose is computed.
 struct WitnessedOrgan {
   live::WitnessSample sample;
   std::shared_ptr<const deformation::WitnessGradients> gradients; ///< At all points of the sample's mesh.
@@ -48,7 +48,7 @@ struct WitnessedOrgan {
   const deformation::WitnessMesh& mesh() const { return *sample.mesh; }
 };
 
-/// Fills the organ with witness points and ties them to the handles. Adds to `warnings` how the points came
+/// Fills the organ with witness points and binds them to the handles. Adds to `warnings` how the points came
 /// about and which points of the skin have no coordinates. Throws what sampling and binding throw, and
 /// `DataError` when witness points have no coordinates: they would pass for points without stress.
 ///

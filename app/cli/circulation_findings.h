@@ -12,13 +12,14 @@
 
 namespace viscera::app::cli {
 
-/// The indices under the keys of `viscera circulate --json`.
+/// Computed numbers of the circulation as JSON, with the keys of `viscera circulate --json`.
 nlohmann::ordered_json circulationJson(const circulation::Indices& indices);
 
-/// The same as lines for a reader.
+/// Computed numbers of the circulation as lines of text.
 std::string circulationText(const circulation::Indices& indices);
 
-/// One row of `--vary`: the parameter's value and the numbers that answer to it.
+/// One row of the table that `viscera circulate --vary` prints, as JSON: the parameter's value and the
+/// numbers that answer to it.
 nlohmann::ordered_json responseJson(const circulation::ResponsePoint& point);
 
 /// Writes the curves as columns, a header first. Throws `CannotCreateError`.

@@ -16,14 +16,15 @@ class App;
 
 namespace viscera::app::cli {
 
-/// What a command has found out, in both forms, of which the user sees one.
+/// The result of a command, as text for the terminal and as JSON for `--json`; the user sees one of them.
 struct Outcome {
   nlohmann::ordered_json json;       ///< One object; its keys are those of docs/user_guide.md.
   std::string text;                  ///< Lines for a reader, each with its line break.
   std::vector<std::string> warnings; ///< What to be careful about, a sentence each; they go to stderr.
 };
 
-/// What every command works with. Lives as long as the command runs.
+/// Sample organs, coordinate systems, output and progress, which every command gets. Lives as long as the
+/// command runs.
 struct CommandContext {
   Progress& progress;                          ///< Cancelled by Ctrl+C.
   Threads threads;                             ///< As the user wants it.
@@ -31,7 +32,7 @@ struct CommandContext {
   const plugin::Registry& systems;             ///< The coordinate systems that `--system` names.
 };
 
-/// One subcommand: `viscera <name>`.
+/// A subcommand of the program: `viscera <name>`.
 class Command {
 public:
   virtual ~Command() = default;

@@ -11,10 +11,10 @@
 #include "viscera/document/document.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// What commands take as ORGAN and as handle files.
+/// Reads the organs and handles that a command names in its arguments.
 namespace viscera::app::cli {
 
-/// "sample:heart/lv@high" taken apart.
+/// The parts of a reference to a sample organ, such as "sample:heart/lv@high".
 struct SampleReference {
   std::string organ;   ///< "heart"
   std::string surface; ///< "lv"; empty: the outer one.
@@ -31,7 +31,7 @@ bool isSample(const std::string& organ);
 /// Whether ORGAN names one label of a label map ("abdomen.nrrd/liver").
 bool namesLabel(const std::string& organ);
 
-/// "patient.viscera/Liver" taken apart.
+/// The parts of a reference to an organ of a session, such as "patient.viscera/Liver".
 struct SessionReference {
   std::filesystem::path session;
   std::string organ; ///< Its name, or its number in the session's list, from 1.
@@ -53,18 +53,18 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress);
 
-/// All organs of the file or session that ORGAN names, or of which it names one, and which of them is whose
-/// cavity.
+/// All organs of the file or session that the argument ORGAN refers to, each cavity with its organ.
 struct OrgansAround {
   document::OrganList organs;
   std::string name; ///< Behind the slash; empty for a whole file.
 };
 
-/// Reads them. Of a file that cannot be read, and of a sample organ, none: `organInput` says why.
+/// Reads all organs of the file or session that the argument ORGAN refers to. Of a file that cannot be read,
+/// and of a sample organ, none: `organInput` says why.
 OrgansAround organsAround(const std::string& organ, const sample_organs::SampleLibrary& samples,
                           Progress& progress);
 
-/// The rest handles of a file.
+/// The handles of a file, taken as handles at rest.
 struct RigInput {
   coordinates::HandleSet handles;
   std::vector<std::string> labels; ///< One a handle.

@@ -9,10 +9,10 @@
 #include "viscera/core/text.h"
 #include "viscera/medical_io/assess_surface.h"
 
-/// What commands say of what they have found.
+/// Formats the results of commands as text and JSON.
 namespace viscera::app::cli {
 
-/// Lines "label  value" for a reader, the values below each other.
+/// A list of lines "label  value" with the values aligned in a column.
 class Listing {
 public:
   Listing& add(std::string label, std::string value);
@@ -22,13 +22,13 @@ private:
   std::vector<std::pair<std::string, std::string>> lines_;
 };
 
-/// One object a finding: `light`, `text`, `repairs[]`.
+/// The findings of an assessed surface as a JSON array of objects: `light`, `text`, `repairs[]`.
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings);
 
-/// Adds what is doubtful or wrong and has not been said already.
+/// Adds a warning for each finding that is a doubt or a fault, unless the same warning is there already.
 void appendFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings);
 
-/// Removes what is said of a surface that has become another one since.
+/// Removes the warnings about a surface that has been repaired since.
 void removeFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings);
 
 } // namespace viscera::app::cli

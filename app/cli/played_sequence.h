@@ -13,7 +13,7 @@
 
 namespace viscera::app::cli {
 
-/// What of a sequence is asked for on the command line.
+/// The sequence, organ, rate and further options of a command that plays a sequence.
 struct PlayRequest {
   std::string sequence;              ///< "heartbeat", or a `.sequence.json` file.
   std::string organ;                 ///< ORGAN; empty: the one that the sequence is made for.
@@ -25,13 +25,13 @@ struct PlayRequest {
   double ejectionFraction = 0; ///< Of a heart with its chambers; 0: the textbook's.
 };
 
-/// One surface that a sequence moves.
+/// A surface that a sequence moves, with its name.
 struct PlayedSurface {
   std::string name; ///< "outer", "lv", "rv": its column in tables.
   document::OrganId organ;
 };
 
-/// A document for one command: its organs are bound at once, and nobody undoes anything.
+/// A document for the duration of one command, whose organs are bound immediately instead of by a worker.
 class BoundDocument {
 public:
   BoundDocument(const document::Command& filling, CommandContext& context);
@@ -48,7 +48,7 @@ private:
   live::LiveBinding live_;
 };
 
-/// A sequence with what it moves, bound and ready.
+/// A sequence with the organs that it moves, already bound to their handles.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
   document::NewRig rig;                    ///< The handles with their labels and groups.

@@ -5,10 +5,10 @@
 #include "cli/command.h"
 #include "viscera/medical_io/scan.h"
 
-/// What commands take as SCAN, and say of one.
+/// Reads the scan that a command names in its arguments, and describes it.
 namespace viscera::app::cli {
 
-/// SCAN and which of its series and phases.
+/// Defines the argument SCAN with the options for its series and phase, and reads them.
 class ScanInputOptions {
 public:
   void addTo(CLI::App& options);
@@ -25,10 +25,10 @@ private:
   medical_io::ScanOptions chosen_;
 };
 
-/// Adds the sentences of a scan's findings, but for those that are no reason for care (the order of files).
+/// Adds a warning for each finding of a scan, without the harmless ones such as the order of files.
 void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan);
 
-/// What is in a scan, and which other series lie beside it.
+/// Describes the contents of a scan and lists the other series in its folder.
 Outcome describeScan(const std::string& file, const ScanInputOptions& options, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -20,10 +20,11 @@
 
 class vtkImageData;
 
-/// What commands make of session files.
+/// Opens session files for commands.
 namespace viscera::app::cli {
 
-/// What is in a session, with what became of its organs' files. Throws as `document::readSession`.
+/// Describes the contents of a session and says which of its organs' files were found. Throws as
+/// `document::readSession`.
 Outcome describeSession(const std::string& file, CommandContext& context);
 
 /// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
@@ -32,7 +33,7 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
 
-/// A session that is bound, posed and looked at as the window had it, in a program without an event loop.
+/// An opened session with its organs bound and posed as they were saved, for commands without an event loop.
 class PosedSession {
 public:
   /// Poses the organs of `state` as the view shows them. Throws what binding throws.

@@ -11,17 +11,17 @@
 
 namespace viscera::app::cli {
 
-/// Which slice is wanted: "axial:120", "coronal:-40.5", "sagittal:0"; a direction and a place along x, y or z
-/// in mm LPS.
+/// The direction of a slice and its place along x, y or z in mm LPS, as in "axial:120", "coronal:-40.5" or
+/// "sagittal:0".
 struct SliceRequest {
   int direction = 0; ///< Of `slices::sliceDirections`.
   double mm = 0;
 };
 
-/// Reads such a text. Throws `UsageError` for anything else.
+/// Reads a direction and a place from a text such as "axial:120". Throws `UsageError` for anything else.
 SliceRequest sliceRequest(const std::string& text);
 
-/// A slice as a picture, and what `--json` says of its contours (`organ`, `points`, `lengthMm`).
+/// The picture of a slice and its contours as JSON (`organ`, `points`, `lengthMm`).
 struct SliceOutcome {
   vtkSmartPointer<vtkImageData> image;
   nlohmann::ordered_json contours;

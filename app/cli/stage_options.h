@@ -22,7 +22,7 @@ PictureSize pictureSize(const std::string& text);
 /// Room around organs on pictures of several parts.
 inline constexpr double kRoomOnASheet = 0.07;
 
-/// How pictures are taken.
+/// Size, view direction and colours of the pictures that a command renders.
 struct StageOptions {
   PictureSize size{1600, 1000};
   std::string theme = "dark";    ///< Or "light".

@@ -11,7 +11,7 @@
 
 namespace viscera::app::cli {
 
-/// Organs and handles that commands have read and posed themselves, as a presenter takes them.
+/// The organs and handles of a command in one fixed pose, for drawing them with `presentation::Presenter`.
 class StillOrgans final : public live::PosedOrgans {
 public:
   /// The organs at rest, in their order.

@@ -9,7 +9,7 @@
 
 namespace viscera::app::cli {
 
-/// The options `--system`, `--param` and `--cage`, which several commands have.
+/// Defines the options `--system`, `--param` and `--cage` of several commands, and reads them.
 class SystemOptions {
 public:
   void addTo(CLI::App& options);

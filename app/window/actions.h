@@ -12,7 +12,7 @@ class QWidget;
 
 namespace viscera::app {
 
-/// The window's actions by name: each is made once and stands in menus, panels and the list of shortcuts.
+/// A register of the window's actions by name; menus, panels and the list of shortcuts share one action.
 class Actions final : public QObject {
   Q_OBJECT
 

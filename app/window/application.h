@@ -6,8 +6,8 @@
 
 namespace viscera::app {
 
-/// The application of the window: a fault in what an event sets off becomes a message, and the window goes
-/// on. Without this an exception that leaves an event's handler ends the program.
+/// A QApplication that turns an exception in an event handler into a message, after which the window goes on.
+/// Without this an exception that leaves an event's handler ends the program.
 class Application final : public QApplication {
 public:
   using QApplication::QApplication;

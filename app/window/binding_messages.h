@@ -7,8 +7,8 @@
 
 namespace viscera::app {
 
-/// Tells when the handles cannot hold an organ, with what mends it, and takes the message back when it is
-/// mended. What a binding had to cut or leave out is told once.
+/// Shows a message when an organ cannot be bound to its handles, with a remedy, and removes it when the organ
+/// is bound. What a binding had to cut or leave out is told once.
 class BindingMessages final : public QObject {
   Q_OBJECT
 

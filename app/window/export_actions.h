@@ -14,9 +14,8 @@ class Actions;
 class Settings;
 class Workspace;
 
-/// What other programs take of the present pose: displacements, a displacement field, tables of
-/// volumes and of what is measured.
-/// Written by a worker, as a whole or not at all.
+/// The actions that export the present pose for other programs: displacements, a displacement field, tables
+/// of volumes and of what is measured. Written by a worker, as a whole or not at all.
 class ExportActions final : public QObject {
   Q_OBJECT
 

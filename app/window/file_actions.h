@@ -19,8 +19,8 @@ namespace viscera::app {
 
 class Arrival;
 
-/// Files in and out, on a worker: nothing blocks, and what fails leaves the document as it was and says one
-/// thing.
+/// The actions that open and save files. A worker reads and writes, so the window stays usable; a failure
+/// leaves the document unchanged and shows one message.
 class FileActions final : public QObject {
   Q_OBJECT
 

@@ -9,7 +9,7 @@
 
 namespace viscera::app {
 
-/// Places handles around the organs by itself, live while the user is choosing how many.
+/// Places handles around the organs automatically, with a live preview while the user chooses their number.
 class HandlePlacer final : public QObject {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ class ShortcutCard;
 class TourCard;
 class WelcomeCard;
 
-/// What the program tells of itself: the welcome, the tour, the list of keys.
+/// The help of the window: the welcome card, the tour and the list of shortcuts.
 class Help final : public QObject {
   Q_OBJECT
 

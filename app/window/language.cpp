@@ -70,6 +70,10 @@ QString formatDigits(double value, int digits) {
   return QLocale().toString(value, 'g', digits);
 }
 
+char decimalMark() {
+  return QLocale().decimalPoint().toLatin1();
+}
+
 std::optional<double> numberIn(const QString& typed) {
   bool number = false;
   const double value = QLocale().toDouble(typed, &number);

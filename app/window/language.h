@@ -12,13 +12,13 @@ class QTranslator;
 
 namespace viscera::app {
 
-/// A language in which the window can be read.
+/// A language of the window.
 struct Language {
   QString code; ///< Of ISO 639, such as "de"; also the name of its file in resources/translations.
   QString name; ///< In itself: "Deutsch".
 };
 
-/// English first.
+/// All languages of the window, English first.
 const std::vector<Language>& languages();
 
 /// The code of the language that was chosen; when none was, or one that is not there, that of the system;
@@ -29,8 +29,8 @@ QString languageFor(const QString& chosen, const QLocale& system);
 /// and a half here.
 QLocale localeOf(const QString& code);
 
-/// As long as it lives, texts that are made, numbers and dates are in one language. Made before the window,
-/// whose texts stay as they were made.
+/// Sets the language of texts, numbers and dates as long as the object lives. Made before the window, whose
+/// texts stay as they were made.
 ///
 ///     const InstalledLanguage language(languageFor(settings.value("window/language").toString(),
 ///     QLocale::system()));
@@ -46,15 +46,18 @@ private:
   std::vector<std::unique_ptr<QTranslator>> translators_;
 };
 
-/// What the numerical modules say in English, in the language of the window: a name (a phase, a parameter, a
-/// part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h). As
-/// it is when it has no translation.
+/// Translates a name of the numerical modules into the language of the window: a name (a phase, a parameter,
+/// a part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h).
+/// As it is when it has no translation.
 QString inWords(const std::string& name);
 
-/// Numbers as the language of the window writes them: "12,5" in German. With so many decimals, and with so
-/// many significant digits.
+/// Formats a number as the language of the window writes it: "12,5" in German. With so many decimals, and
+/// with so many significant digits.
 QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
+/// What the language of the window writes before decimals, for texts that are drawn: ',' in German.
+char decimalMark();
+
 /// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
 std::optional<double> numberIn(const QString& typed);
 

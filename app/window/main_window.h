@@ -44,7 +44,7 @@ class ViewArea;
 class VolumePanel;
 class WindowLayout;
 
-/// The window: puts the parts together. What the parts do is in the parts.
+/// The main window of the program: creates the parts and connects them. What the parts do is in the parts.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
 

@@ -15,8 +15,8 @@ namespace viscera::app {
 class PanelDock;
 class ScanActions;
 
-/// What stands in which menu, and what the menu Edit does: undo and redo, the list of steps, and selecting
-/// all handles. The other actions are made elsewhere.
+/// Fills the menus of the window, and implements the menu Edit: undo and redo, the list of steps, and
+/// selecting all handles. The other actions are made elsewhere.
 class Menus final : public QObject {
   Q_OBJECT
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
@@ -57,7 +58,7 @@ void PhraseTranslator::readPatterns(const QString& file) {
 
 PhraseTranslator::Form PhraseTranslator::formOf(const QString& source, bool one) {
   static const QRegularExpression choice(QStringLiteral(R"(\{([^{}|]*)\|([^{}|]*)\})"));
-  Form form{source, one, {}, {}};
+  Form form{source, one, false, {}, {}};
   QString text = source;
   text.replace(choice, one ? QStringLiteral("\\1") : QStringLiteral("\\2"));
   int from = 0;
@@ -68,6 +69,9 @@ PhraseTranslator::Form PhraseTranslator::formOf(const QString& source, bool one)
     from = found.capturedEnd();
   }
   form.literals.push_back(text.mid(from));
+  form.joins = std::none_of(form.literals.begin(), form.literals.end(), [](const QString& literal) {
+    return std::any_of(literal.begin(), literal.end(), [](QChar sign) { return sign.isLetter(); });
+  });
   return form;
 }
 
@@ -115,16 +119,20 @@ QString PhraseTranslator::made(const Form& form, const QStringList& parts) const
   return text + pattern.midRef(from);
 }
 
-QString PhraseTranslator::translateWhole(const QString& text) const {
+QString PhraseTranslator::translateWhole(const QString& text, bool joined) const {
   if (const QString exact = QTranslator::translate(kContext, text.toUtf8().constData()); !exact.isEmpty())
     return exact;
   for (const Form& form : forms_)
-    if (const auto parts = partsIn(text, form))
-      return made(form, *parts);
+    if (form.joins == joined)
+      if (const auto parts = partsIn(text, form))
+        return made(form, *parts);
   return {};
 }
 
 QString PhraseTranslator::inWords(const QString& text) const {
+  static const QRegularExpression number(QStringLiteral(R"(^-?\d+\.\d+$)"));
+  if (number.match(text).hasMatch())
+    return QString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());
   const QString found = translate(kMessages, text.toUtf8().constData());
   return found.isEmpty() ? text : found;
 }
@@ -137,12 +145,15 @@ QString PhraseTranslator::translate(const char* context, const char* source, con
   const QString text = QString::fromUtf8(source);
   if (text.isEmpty())
     return {};
-  if (const QString whole = translateWhole(text); !whole.isEmpty())
+  if (const QString whole = translateWhole(text, false); !whole.isEmpty())
     return whole;
   // An error begins with a capital letter, whoever says it (viscera/core/error.h).
   QString small = text;
   small[0] = small[0].toLower();
-  return small == text ? QString() : capitalised(translateWhole(small));
+  if (small != text)
+    if (const QString whole = translateWhole(small, false); !whole.isEmpty())
+      return capitalised(whole);
+  return translateWhole(text, true);
 }
 
 QString messageInWords(const std::string& text) {

@@ -32,8 +32,9 @@ public:
 private:
   /// What one form of a pattern, for one or for several, looks like.
   struct Form {
-    QString source;  ///< Of the pattern, as the file of translations has it.
-    bool one = true; ///< For the number 1, or without any number.
+    QString source;     ///< Of the pattern, as the file of translations has it.
+    bool one = true;    ///< For the number 1, or without any number.
+    bool joins = false; ///< It has no words of its own ("%1: %2"), and would be found in nearly any text.
     QStringList literals;
     std::vector<int> places; ///< Between the literals: 1 to 9; 0 is the number.
   };
@@ -41,7 +42,10 @@ private:
   /// What a text has in the places of a form, in their order; nothing when the form did not make it.
   static std::optional<QStringList> partsIn(const QString& text, const Form& form);
   QString made(const Form& form, const QStringList& parts) const;
-  QString translateWhole(const QString& text) const;
+  /// By the exact text, else by the first pattern that gives it: of those with words, or of those that only
+  /// join their parts.
+  QString translateWhole(const QString& text, bool joined) const;
+  /// A part of a text: in words where it has a translation, a number with the decimal mark of the language.
   QString inWords(const QString& text) const;
 
   std::vector<Form> forms_; ///< Those with more letters of their own come first.

@@ -10,7 +10,7 @@
 
 namespace viscera::app {
 
-/// What moves handles in the pose, whether by mouse or by number: it keeps the locked volumes, mirrors where
+/// Moves handles in the pose, for the mouse and for typed numbers: it keeps the locked volumes, mirrors where
 /// that is wanted, and makes one undo step of every gesture.
 class PoseEditor final : public QObject {
   Q_OBJECT

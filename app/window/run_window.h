@@ -6,7 +6,8 @@ class QApplication;
 
 namespace viscera::app {
 
-/// What has to be said before the QApplication is made: the surface format that VTK needs, high density.
+/// Sets up what has to be set before the QApplication is created: the surface format that VTK needs, high
+/// density.
 void prepareForApplication();
 
 /// Name, version, and the plurals of the English texts.

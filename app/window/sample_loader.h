@@ -16,8 +16,8 @@
 
 namespace viscera::app {
 
-/// Brings the sample organs into the document, with the handles and the motion they have. Making one for the
-/// first time takes seconds: it is a task with progress that can be cancelled.
+/// Loads sample organs into the document, with their handles and their motion. Making one for the first time
+/// takes seconds: it is a task with progress that can be cancelled.
 class SampleLoader final : public QObject {
   Q_OBJECT
 

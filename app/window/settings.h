@@ -10,7 +10,8 @@
 
 namespace viscera::app {
 
-/// What the window remembers, as INI under `$XDG_CONFIG_HOME/viscera`. Passed to whoever needs it.
+/// The user's settings of the window, an INI file under `$XDG_CONFIG_HOME/viscera`. Passed to whoever needs
+/// it.
 class Settings {
 public:
   /// Keeps everything in `file`; an empty name keeps nothing (tests, screenshots).

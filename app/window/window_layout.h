@@ -19,9 +19,9 @@ namespace viscera::app {
 
 class PanelDock;
 
-/// Where the panels stand around the view: docks that the user may move, which the settings remember. Those
-/// that a mode has no use for fold away in it, unless the user has shown them there; what he has hidden stays
-/// hidden.
+/// Arranges the panels around the view as docks that the user may move, and saves their places in the
+/// settings. Panels that a mode does not need are hidden in it, unless the user has shown them there; what
+/// the user has hidden stays hidden.
 class WindowLayout final : public QObject {
   Q_OBJECT
 

@@ -15,8 +15,8 @@
 
 namespace viscera::app {
 
-/// The open document and everything that works on it, for all parts of the window. Parts read the document
-/// and change it by `perform` only; what goes wrong becomes a message over the view.
+/// The open document with its binding, workers and messages, shared by all parts of the window. Parts read
+/// the document and change it by `perform` only; what goes wrong becomes a message over the view.
 class Workspace final : public QObject {
   Q_OBJECT
 
@@ -99,11 +99,11 @@ private:
 /// "83.4 ml", "938 ml": three or four significant digits.
 QString formatMilliliters(double milliliters);
 
-/// What went wrong, where, and what to try, as sentences.
+/// The text of an error for the user: what went wrong, where, and what to try.
 QString sentenceOf(const Error& error);
-/// What a module says, in the language of the window and as a sentence: with a capital and a full stop.
+/// Translates a message of a numerical module and makes a sentence of it: with a capital and a full stop.
 QString asSentence(const std::string& utf8);
-/// The change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".
+/// Formats the change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".
 QString formatChange(const live::OrganVolume& volume);
 QString formatRelativeChange(const live::OrganVolume& volume);
 

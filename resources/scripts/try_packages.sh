@@ -77,7 +77,7 @@ inside() {
 say "== Install"
 inside 'apt-get --quiet update' >"$work/apt.log" 2>&1
 inside 'dpkg-query --show --showformat "\${Package}\n" | sort >/before'
-inside 'apt-get --quiet --yes install --no-install-recommends /packages/*.deb xvfb xauth' >>"$work/apt.log" 2>&1 ||
+inside 'apt-get --quiet --yes install --no-install-recommends /packages/*.deb qttranslations5-l10n xvfb xauth' >>"$work/apt.log" 2>&1 ||
   fail "The packages do not install; apt-get says: $(tail -n 20 "$work/apt.log")"
 say "$(inside 'dpkg-query --show --showformat "\${Package}\n" | sort | comm -13 /before - | wc -l') packages were installed"
 
@@ -89,9 +89,12 @@ inside 'viscera systems | grep localised-s-celestial'
 inside 'test -s /usr/share/man/man1/viscera-play.1.gz -o -n "$(grep -rl path-exclude /etc/dpkg/dpkg.cfg.d)"'
 
 say "== The window, under Xvfb"
-inside 'cd /tmp && xvfb-run -s "-screen 0 1600x1000x24" viscera --fresh-settings --window-size 1280x800 --mode play --screenshot window.png &&
-  test "$(stat -c %s window.png)" -gt 50000 && ls -l window.png'
-cp "$fresh/tmp/window.png" "$packages/window.png"
+for language in en de es fr ca; do
+  inside 'cd /tmp && xvfb-run -s "-screen 0 1600x1000x24" viscera --fresh-settings --language '"$language"' \
+    --window-size 1280x800 --mode play --screenshot window.png && test "$(stat -c %s window.png)" -gt 50000'
+  cp "$fresh/tmp/window.png" "$packages/window_$language.png"
+  say "$packages/window_$language.png"
+done
 
 say "== Python"
 inside 'python3 -c "

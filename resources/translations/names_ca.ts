@@ -4,12 +4,20 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>&quot;%1&quot; has no planar form</source>
+        <translation>«%1» no té forma plana</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>«%1» és %2 en lloc de «%3»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
         <translation>«%1» no és ni cert ni fals</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>«%1» no és un punt de referència de la seqüència %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a list</source>
@@ -20,12 +28,24 @@
         <translation>«%1» no és un text</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
+        <translation>«%1» considera tots els punts alhora, cosa que les coordenades planes no fan</translation>
+    </message>
+    <message>
         <source>&quot;version&quot; is not a positive whole number</source>
         <translation>«version» no és un nombre enter positiu</translation>
     </message>
     <message>
+        <source>%1 and %2 are at one place: %3 from each other</source>
+        <translation>%1 i %2 són al mateix lloc: a %3 l’un de l’altre</translation>
+    </message>
+    <message>
         <source>%1 and %2 more</source>
         <translation>%1 i %2 més</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % of the cycle: %3</source>
+        <translation>%1 al %2 % del cicle: %3</translation>
     </message>
     <message>
         <source>%1 gives another surface than the one that was saved</source>
@@ -36,12 +56,48 @@
         <translation>%1 ha canviat des que es va desar la sessió</translation>
     </message>
     <message>
+        <source>%1 has no volume in %2</source>
+        <translation>%1 no té volum a la %2</translation>
+    </message>
+    <message>
+        <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
+        <translation>%1 té a la %2 altres triangles que a la primera: les superfícies s’ajusten per les seves distàncies, que no veuen el moviment al llarg de la paret</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 és a més de mil quilòmetres</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>%1 is not a value for parameter %2</source>
+        <translation>%1 no és un valor per al paràmetre %2</translation>
+    </message>
+    <message>
+        <source>%1 is out of range for parameter %2</source>
+        <translation>%1 és fora de l’interval del paràmetre %2</translation>
+    </message>
+    <message>
+        <source>%1 ml cannot be reached</source>
+        <translation>no es poden assolir %1 ml</translation>
+    </message>
+    <message>
+        <source>%1 need tetrahedra, which cannot be made here</source>
+        <translation>%1: necessiten tetràedres, que aquí no es poden fer</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates</source>
+        <translation>%1 de %2 vèrtexs no tenen coordenades</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates in the cage</source>
+        <translation>%1 de %2 vèrtexs no tenen coordenades a la gàbia</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie in no group's region</source>
+        <translation>%1 de %2 vèrtexs no són a la regió de cap grup</translation>
     </message>
     <message>
         <source>%1 of more than 1 GB cannot be kept in a session file</source>
@@ -52,8 +108,24 @@
         <translation>%1 files</translation>
     </message>
     <message>
+        <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
+        <translation>%1 toca la vora de la imatge a la %2 i no en d’altres, de manera que els seus volums quedarien retallats</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
+        <translation>%1 toca la vora de la imatge a la %2: el que queda fora no és al seu volum</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
+        <translation>%1 toca la vora de la imatge en totes les fases: el que queda fora no és al seu volum</translation>
+    </message>
+    <message>
         <source>%1 voxels</source>
         <translation>%1 vòxels</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 of them crumbs of less than 2 % of its area</source>
@@ -62,6 +134,10 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modificat</translation>
+    </message>
+    <message>
+        <source>%1, handle &quot;%2&quot;</source>
+        <translation>%1, tirador «%2»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -76,12 +152,53 @@
         <translation>%1, clau a %2 s</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, línia %2</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>%1: %2 lie outside the handles' hull, by up to %3 mm</source>
+        <translation>%1: %2 són fora de l’envolupant dels tiradors, fins a %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {hole|holes} closed by {a flat cap|flat caps}</source>
+        <translation>
+            <numerusform>%1: %n forat tancat amb una tapa plana</numerusform>
+            <numerusform>%1: %n forats tancats amb tapes planes</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
         <translation>%1: «%2» és desconegut i no es tornarà a desar</translation>
+    </message>
+    <message>
+        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
+        <translation>%1: punts que coincideixen a la primera fase se separen després fins a %2 mm; es mouen com un de sol</translation>
+    </message>
+    <message>
+        <source>%1; it looks like %2</source>
+        <translation>%1; sembla %2</translation>
+    </message>
+    <message>
+        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
+        <translation>%1; s’han llegit els talls %2 a %3 de %4, que són uniformes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
+        <translation>
+            <numerusform>%2 trossos, %n vòxel a part del més gran</numerusform>
+            <numerusform>%2 trossos, %n vòxels a part del més gran</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
+        <translation>
+            <numerusform>%2 trossos, s’omet %n vòxel a part del més gran</numerusform>
+            <numerusform>%2 trossos, s’ometen %n vòxels a part del més gran</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
@@ -95,6 +212,13 @@
         <translation>
             <numerusform>%n aresta de vora: la superfície és oberta i no té volum</numerusform>
             <numerusform>%n arestes de vora: la superfície és oberta i no té volum</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the given points {is|are} not in it</source>
+        <translation>
+            <numerusform>%n dels punts donats no hi és</numerusform>
+            <numerusform>%n dels punts donats no hi són</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -112,6 +236,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {file is a copy|files are copies} of another one and left out</source>
+        <translation>
+            <numerusform>%n fitxer és còpia d’un altre i s’omet</numerusform>
+            <numerusform>%n fitxers són còpies d’un altre i s’ometen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {file is|files are} damaged and left out (%2: %3)</source>
+        <translation>
+            <numerusform>%n fitxer està malmès i s’omet (%2: %3)</numerusform>
+            <numerusform>%n fitxers estan malmesos i s’ometen (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is|handles are} too few</source>
+        <translation>
+            <numerusform>%n tirador és massa poc</numerusform>
+            <numerusform>%n tiradors són massa pocs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle|handles}</source>
         <translation>
             <numerusform>%n tirador</numerusform>
@@ -119,10 +264,101 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle|handles} cannot form %2 groups</source>
+        <translation>
+            <numerusform>%n tirador no pot formar %2 grups</numerusform>
+            <numerusform>%n tiradors no poden formar %2 grups</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} whose label another one has got a new one</source>
+        <translation>
+            <numerusform>%n tirador amb l’etiqueta d’un altre n’ha rebut una de nova</numerusform>
+            <numerusform>%n tiradors amb l’etiqueta d’un altre n’han rebut una de nova</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} without a label got one</source>
+        <translation>
+            <numerusform>%n tirador sense etiqueta n’ha rebut una</numerusform>
+            <numerusform>%n tiradors sense etiqueta n’han rebut una</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line or point cell|line or point cells} ignored</source>
+        <translation>
+            <numerusform>%n cel·la de línia o punt omesa</numerusform>
+            <numerusform>%n cel·les de línia o punt omeses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {mask is|masks are} empty (%2)</source>
+        <translation>
+            <numerusform>%n màscara és buida (%2)</numerusform>
+            <numerusform>%n màscares són buides (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
             <numerusform>%n parell de triangles es travessa: el mode de tensió potser haurà de reparar abans la superfície</numerusform>
             <numerusform>%n parells de triangles es travessen: el mode de tensió potser haurà de reparar abans la superfície</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <translation>
+            <numerusform>s’omet %n imatge de la sèrie d’un altre eco</numerusform>
+            <numerusform>s’ometen %n imatges de la sèrie d’un altre eco</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <translation>
+            <numerusform>s’omet %n imatge de la sèrie que és en una altra direcció</numerusform>
+            <numerusform>s’ometen %n imatges de la sèrie que són en una altra direcció</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {place has|places have} more than one slice (%2); the one with the lowest number was read</source>
+        <translation>
+            <numerusform>%n posició té més d’un tall (%2); s’ha llegit el de número més baix</numerusform>
+            <numerusform>%n posicions tenen més d’un tall (%2); s’ha llegit el de número més baix</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that repeats|points that repeat} another merged</source>
+        <translation>
+            <numerusform>%n punt que en repeteix un altre fusionat</numerusform>
+            <numerusform>%n punts que en repeteixen d’altres fusionats</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points} without a triangle dropped</source>
+        <translation>
+            <numerusform>%n punt sense triangle omès</numerusform>
+            <numerusform>%n punts sense triangle omesos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
+        <translation>
+            <numerusform>%n polígon dividit en ventall, cosa errònia on no és convex</numerusform>
+            <numerusform>%n polígons dividits en ventall, cosa errònia on no són convexos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} no voxels (%2)</source>
+        <translation>
+            <numerusform>%n segment no té vòxels (%2)</numerusform>
+            <numerusform>%n segments no tenen vòxels (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice is|slices are} missing between slice %2 (%3) and the next, which are %4 mm apart in place of %5 mm</source>
+        <translation>
+            <numerusform>falta %n tall entre el tall %2 (%3) i el següent, que disten %4 mm en lloc de %5 mm</numerusform>
+            <numerusform>falten %n talls entre el tall %2 (%3) i el següent, que disten %4 mm en lloc de %5 mm</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -146,6 +382,35 @@
             <numerusform>S’ometen %n triangles sense àrea o repetits.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} with a repeated corner dropped</source>
+        <translation>
+            <numerusform>%n triangle amb un vèrtex repetit omès</numerusform>
+            <numerusform>%n triangles amb un vèrtex repetit omesos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex lies|vertices lie} outside the hull of the sequence's handles</source>
+        <translation>
+            <numerusform>%n vèrtex és fora de l’envolupant dels tiradors de la seqüència</numerusform>
+            <numerusform>%n vèrtexs són fora de l’envolupant dels tiradors de la seqüència</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex|vertices} cannot be divided among %2 groups</source>
+        <translation>
+            <numerusform>%n vèrtex no es pot repartir entre %2 grups</numerusform>
+            <numerusform>%n vèrtexs no es poden repartir entre %2 grups</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>0 starts from all ones, others from random numbers</source>
+        <translation>0 parteix de tot uns, altres de nombres aleatoris</translation>
+    </message>
+    <message>
+        <source>19 of 20 adults have %1 to %2 ml</source>
+        <translation>19 de cada 20 adults tenen de %1 a %2 ml</translation>
+    </message>
     <message>
         <source>A cavity has to come after the organ that it is in</source>
         <translation>Una cavitat ha d’anar després de l’òrgan on és</translation>
@@ -157,6 +422,10 @@
     <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adult sa estirat.</translation>
+    </message>
+    <message>
+        <source>A place in the cycle lies between 0 and 1</source>
+        <translation>Un punt del cicle és entre 0 i 1</translation>
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
@@ -179,8 +448,16 @@
         <translation>Una sessió s’obre sola</translation>
     </message>
     <message>
+        <source>A slice cannot be read, so the series is not opened: %1</source>
+        <translation>No es pot llegir un tall, així que la sèrie no s’obre: %1</translation>
+    </message>
+    <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
         <translation>Un ventricle esquerre rígid que es relaxa lentament: es buida bé i només s’omple a una pressió alta.</translation>
+    </message>
+    <message>
+        <source>A ventricle's volume is not positive</source>
+        <translation>El volum d’un ventricle no és positiu</translation>
     </message>
     <message>
         <source>A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to the lungs. Its wall has more muscle and is no thicker.</source>
@@ -239,6 +516,10 @@
     <message>
         <source>An angle needs three points, any other measurement two</source>
         <translation>Un angle necessita tres punts, qualsevol altra mesura dos</translation>
+    </message>
+    <message>
+        <source>An ejection fraction of %1 is none of a heart</source>
+        <translation>Cap cor té una fracció d’ejecció de %1</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -345,6 +626,10 @@
         <translation>Base</translation>
     </message>
     <message>
+        <source>Bending the image</source>
+        <translation>Es deforma la imatge</translation>
+    </message>
+    <message>
         <source>Bending the scan</source>
         <translation>Es deforma l’exploració</translation>
     </message>
@@ -363,6 +648,10 @@
     <message>
         <source>Binding %1</source>
         <translation>Vinculació de %1</translation>
+    </message>
+    <message>
+        <source>Binding the space between the handles</source>
+        <translation>S’enllaça l’espai entre els tiradors</translation>
     </message>
     <message>
         <source>Body</source>
@@ -746,14 +1035,78 @@
         <translation>Tiradors interns de cada capa</translation>
     </message>
     <message>
+        <source>It cannot be opened: %1</source>
+        <translation>No es pot obrir: %1</translation>
+    </message>
+    <message>
         <source>It cannot be read</source>
         <translation>No es pot llegir</translation>
+    </message>
+    <message>
+        <source>It cannot be read to its end</source>
+        <translation>No es pot llegir fins al final</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Es travessa ella mateixa, en %n parell de triangles</numerusform>
             <numerusform>Es travessa ella mateixa, en %n parells de triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
+        <translation>No descriu una lliçó: falta «%1»</translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
+        <translation>No descriu una lliçó: hi ha un text, un nombre o una llista on va una altra cosa</translation>
+    </message>
+    <message>
+        <source>It does not fit into memory</source>
+        <translation>No cap a la memòria</translation>
+    </message>
+    <message>
+        <source>It does not say how long one cycle lasts</source>
+        <translation>No indica quant dura un cicle</translation>
+    </message>
+    <message numerus="yes">
+        <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
+        <translation>
+            <numerusform>No indica el temps de la seva %n fase; es numera</numerusform>
+            <numerusform>No indica els temps de les seves %n fases; es numeren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as milliseconds</source>
+        <translation>No indica la unitat dels seus temps; es prenen com a mil·lisegons</translation>
+    </message>
+    <message>
+        <source>It has %1 labels; a mask in a folder has one</source>
+        <translation>Té %1 etiquetes; una màscara d’una carpeta en té una</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes; a label map has one</source>
+        <translation>Té %1 volums; un mapa d’etiquetes en té un</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles} in place of %2</source>
+        <translation>
+            <numerusform>Té %n tirador en lloc de %2</numerusform>
+            <numerusform>Té %n tiradors en lloc de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a sequence needs four at least</source>
+        <translation>
+            <numerusform>Té %n tirador; una seqüència en necessita almenys quatre</numerusform>
+            <numerusform>Té %n tiradors; una seqüència en necessita almenys quatre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {phase|phases}; a motion needs four at least</source>
+        <translation>
+            <numerusform>Té %n fase; un moviment en necessita almenys quatre</numerusform>
+            <numerusform>Té %n fases; un moviment en necessita almenys quatre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -764,20 +1117,124 @@
         </translation>
     </message>
     <message>
+        <source>It has more than %1 files</source>
+        <translation>Té més de %1 fitxers</translation>
+    </message>
+    <message>
+        <source>It has more than 32767 voxels along a side, which NIfTI cannot hold</source>
+        <translation>Té més de 32767 vòxels al llarg d’un costat, cosa que NIfTI no admet</translation>
+    </message>
+    <message>
         <source>It has no &quot;%1&quot;</source>
         <translation>Hi falta «%1»</translation>
+    </message>
+    <message>
+        <source>It has no DICOM files with images</source>
+        <translation>No té fitxers DICOM amb imatges</translation>
+    </message>
+    <message>
+        <source>It has no label %1</source>
+        <translation>No té l’etiqueta %1</translation>
+    </message>
+    <message>
+        <source>It has no labelled voxel: all are 0</source>
+        <translation>No té cap vòxel etiquetat: tots són 0</translation>
+    </message>
+    <message>
+        <source>It has no phase %1; it has %2</source>
+        <translation>No té la fase %1; en té %2</translation>
+    </message>
+    <message>
+        <source>It has no series %1</source>
+        <translation>No té la sèrie %1</translation>
+    </message>
+    <message>
+        <source>It has no series %1; it is one scan</source>
+        <translation>No té la sèrie %1; és una sola exploració</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan</source>
+        <translation>No té talls d’una exploració</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan: %1 %2</source>
+        <translation>No té talls d’una exploració: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>No té la superfície «%1»</translation>
     </message>
     <message>
+        <source>It has no triangles</source>
+        <translation>No té triangles</translation>
+    </message>
+    <message>
+        <source>It has several labels: %1</source>
+        <translation>Hi ha diverses etiquetes: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel (%1)</source>
+        <translation>Té diversos valors per vòxel (%1)</translation>
+    </message>
+    <message>
         <source>It has to be a text</source>
         <translation>Ha de ser un text</translation>
     </message>
     <message>
+        <source>It has to be positive</source>
+        <translation>Ha de ser positiu</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: it has more than %1 different values</source>
+        <translation>Conté una imatge, no etiquetes: té més de %1 valors diferents</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: one of its values is %1</source>
+        <translation>Conté una imatge, no etiquetes: un dels valors és %1</translation>
+    </message>
+    <message>
         <source>It holds less than %1</source>
         <translation>Conté menys de %1</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 masks</source>
+        <translation>Conté més de %1 màscares</translation>
+    </message>
+    <message>
+        <source>It holds neither surfaces nor label maps</source>
+        <translation>No conté ni superfícies ni mapes d’etiquetes</translation>
+    </message>
+    <message>
+        <source>It holds no label map</source>
+        <translation>No conté cap mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>It holds no points</source>
+        <translation>No conté punts</translation>
+    </message>
+    <message>
+        <source>It holds no triangle that has three different corners</source>
+        <translation>No conté cap triangle amb tres vèrtexs diferents</translation>
+    </message>
+    <message>
+        <source>It holds no triangles</source>
+        <translation>No conté triangles</translation>
+    </message>
+    <message>
+        <source>It holds no triangles, only points</source>
+        <translation>No conté triangles, només punts</translation>
+    </message>
+    <message>
+        <source>It holds only empty masks</source>
+        <translation>Només conté màscares buides</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file without an image</source>
+        <translation>És un fitxer DICOM sense imatge</translation>
+    </message>
+    <message>
+        <source>It is a folder, not a file</source>
+        <translation>És una carpeta, no un fitxer</translation>
     </message>
     <message>
         <source>It is a scan and no organ</source>
@@ -792,6 +1249,10 @@
         <translation>Està malmès: el seu SHA-256 no és %1</translation>
     </message>
     <message>
+        <source>It is named %1 but looks like %2</source>
+        <translation>Es diu %1, però sembla %2</translation>
+    </message>
+    <message>
         <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
         <translation>No és ni «embedded» ni «linked»</translation>
     </message>
@@ -804,6 +1265,14 @@
         <translation>No és un fitxer de tipus %1: el seu «format» no és «%2»</translation>
     </message>
     <message>
+        <source>It is not a NIfTI image: its header is not one</source>
+        <translation>No és una imatge NIfTI: la capçalera no ho és</translation>
+    </message>
+    <message>
+        <source>It is not a file of several volumes</source>
+        <translation>No és un fitxer de diversos volums</translation>
+    </message>
+    <message>
         <source>It is not a file that can be read</source>
         <translation>No és un fitxer que es pugui llegir</translation>
     </message>
@@ -812,8 +1281,28 @@
         <translation>No és un nombre finit</translation>
     </message>
     <message>
+        <source>It is not a handle file</source>
+        <translation>No és un fitxer de tiradors</translation>
+    </message>
+    <message>
         <source>It is not a list of three numbers</source>
         <translation>No és una llista de tres nombres</translation>
+    </message>
+    <message>
+        <source>It is not a regular file</source>
+        <translation>No és un fitxer normal</translation>
+    </message>
+    <message>
+        <source>It is not a scan that Viscera knows</source>
+        <translation>No és una exploració que Viscera conegui</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan</source>
+        <translation>No és un tall d’una exploració</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan: it %1</source>
+        <translation>No és un tall d’una exploració: %1</translation>
     </message>
     <message>
         <source>It is not a text</source>
@@ -840,16 +1329,60 @@
         <translation>No és JSON complet: %1</translation>
     </message>
     <message>
+        <source>It is not complete JSON: the mistake is in line %1</source>
+        <translation>No és JSON complet: l’error és a la línia %1</translation>
+    </message>
+    <message>
+        <source>It is not convex at its triangle %1</source>
+        <translation>No és convexa al triangle %1</translation>
+    </message>
+    <message>
+        <source>It is not finite</source>
+        <translation>No és finita</translation>
+    </message>
+    <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>És de la versió %1; aquest programa llegeix fins a la %2</translation>
+    </message>
+    <message>
+        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
+        <translation>És la meitat d’una imatge NIfTI amb els vòxels; la capçalera, %1, no és al costat</translation>
+    </message>
+    <message>
+        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
+        <translation>És la capçalera d’una imatge NIfTI de dos fitxers; el dels vòxels, %1, no és al costat</translation>
+    </message>
+    <message>
+        <source>It is too large: %1 points</source>
+        <translation>És massa gran: %1 punts</translation>
     </message>
     <message>
         <source>It is too long</source>
         <translation>És massa llarg</translation>
     </message>
     <message>
+        <source>It leads to more than 20 million points</source>
+        <translation>Dona lloc a més de 20 milions de punts</translation>
+    </message>
+    <message>
+        <source>It mixes surfaces and label maps</source>
+        <translation>Barreja superfícies i mapes d’etiquetes</translation>
+    </message>
+    <message>
+        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
+        <translation>Anomena el tirador %1, que no és entre «handles»</translation>
+    </message>
+    <message>
+        <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
+        <translation>Sembla que és en RAS mentre que %1 és en LPS, o al revés: és a l’altra banda del centre del pacient</translation>
+    </message>
+    <message>
         <source>Its axes lie in one plane</source>
         <translation>Els seus eixos són en un pla</translation>
+    </message>
+    <message>
+        <source>Its grid is sheared: its axes are not at right angles</source>
+        <translation>La seva quadrícula està cisallada: els eixos no formen angles rectes</translation>
     </message>
     <message>
         <source>Keep as before</source>
@@ -1027,8 +1560,16 @@
         <translation>Màxim</translation>
     </message>
     <message>
+        <source>Maximum of %1 mm</source>
+        <translation>Màxim de %1 mm</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Mitjana</translation>
+    </message>
+    <message>
+        <source>Mean of %1 mm</source>
+        <translation>Mitjana de %1 mm</translation>
     </message>
     <message>
         <source>Mean value</source>
@@ -1129,8 +1670,24 @@
         <translation>Sistema nerviós</translation>
     </message>
     <message>
+        <source>No cavity is a ventricle by its name</source>
+        <translation>Cap cavitat és un ventricle pel seu nom</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Cap exploració té %1 vòxels al llarg d’un eix</translation>
+    </message>
+    <message>
+        <source>No surface is chosen</source>
+        <translation>No hi ha cap superfície triada</translation>
+    </message>
+    <message>
+        <source>No voxel has a label in %1</source>
+        <translation>Cap vòxel té etiqueta a la %1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>No hi ha res enregistrat</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -1143,6 +1700,10 @@
     <message>
         <source>Of the random numbers</source>
         <translation>Dels nombres aleatoris</translation>
+    </message>
+    <message>
+        <source>Only label maps have labels</source>
+        <translation>Només els mapes d’etiquetes tenen etiquetes</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1162,6 +1723,10 @@
     <message>
         <source>Open scan %1</source>
         <translation>Obre l’exploració %1</translation>
+    </message>
+    <message>
+        <source>Open sequence %1</source>
+        <translation>Obre la seqüència %1</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -1527,6 +2092,10 @@
         <translation>Pell i greix</translation>
     </message>
     <message>
+        <source>Slice %1 (%2) is shifted sideways against those below it</source>
+        <translation>El tall %1 (%2) està desplaçat lateralment respecte als inferiors</translation>
+    </message>
+    <message>
         <source>Small bowel</source>
         <translation>Intestí prim</translation>
     </message>
@@ -1545,6 +2114,10 @@
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
         <translation>Solucions de l’equació de Laplace en una gàbia de qualsevol forma; locals, i sense lòbuls negatius</translation>
+    </message>
+    <message>
+        <source>Some files say that they are in RAS and this one does not say what it is in</source>
+        <translation>Alguns fitxers indiquen que són en RAS i aquest no indica els seus eixos</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -1630,6 +2203,10 @@
         <translation>Cua</translation>
     </message>
     <message>
+        <source>Take handles of %1</source>
+        <translation>Pren els tiradors de %1</translation>
+    </message>
+    <message>
         <source>Take the cage %1</source>
         <translation>Pren la gàbia %1</translation>
     </message>
@@ -1638,8 +2215,28 @@
         <translation>Tamponament</translation>
     </message>
     <message>
+        <source>TetGen cannot fill this surface (%1)</source>
+        <translation>TetGen no pot omplir aquesta superfície (%1)</translation>
+    </message>
+    <message>
         <source>TetGen placed no point inside the surface</source>
         <translation>TetGen no ha posat cap punt dins de la superfície</translation>
+    </message>
+    <message>
+        <source>TetGen wanted more than %1 MB of memory</source>
+        <translation>TetGen ha demanat més de %1 MB de memòria</translation>
+    </message>
+    <message>
+        <source>TetGen was not done after %1 s</source>
+        <translation>TetGen no havia acabat després de %1 s</translation>
+    </message>
+    <message>
+        <source>TetGen's program %1 cannot be started: %2</source>
+        <translation>no es pot iniciar el programa %1 de TetGen: %2</translation>
+    </message>
+    <message>
+        <source>Textbook heartbeat</source>
+        <translation>Batec del llibre de text</translation>
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
@@ -1650,6 +2247,10 @@
         <translation>La gàbia anomena un tirador que no hi és</translation>
     </message>
     <message>
+        <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
+        <translation>La cavitat %1 no és dins de la superfície exterior %2: el %3 % en queda fora</translation>
+    </message>
+    <message>
         <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
         <translation>El centre de totes les respostes positives, per mostreig; tan bones com el nombre de mostres</translation>
     </message>
@@ -1658,8 +2259,28 @@
         <translation>Les coordenades clàssiques d’una gàbia tancada; positives on la gàbia és convexa</translation>
     </message>
     <message>
+        <source>The files' names are not in the order of the slices; they were put in order by position</source>
+        <translation>Els noms dels fitxers no segueixen l’ordre dels talls; s’han ordenat per posició</translation>
+    </message>
+    <message>
+        <source>The grid of %1 is another one than that of the first phase</source>
+        <translation>La quadrícula de la %1 no és la de la primera fase</translation>
+    </message>
+    <message>
+        <source>The heart rate has to be a positive number of beats a minute</source>
+        <translation>La freqüència cardíaca ha de ser un nombre positiu de batecs per minut</translation>
+    </message>
+    <message>
+        <source>The label &quot;%1&quot; is missing in %2</source>
+        <translation>Falta l’etiqueta «%1» a la %2</translation>
+    </message>
+    <message>
         <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
         <translation>El mapa d’etiquetes de %1 té una altra quadrícula (%2) que l’exploració (%3); cadascun és on diu el seu fitxer, i res no es remostreja</translation>
+    </message>
+    <message>
+        <source>The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours %2 mm at most</source>
+        <translation>L’última fase no torna a la primera: disten %1 mm de mitjana, les veïnes %2 mm com a màxim</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
@@ -1694,6 +2315,10 @@
         <translation>La sortida de l’estómac</translation>
     </message>
     <message>
+        <source>The period is not a positive time</source>
+        <translation>El període no és un temps positiu</translation>
+    </message>
+    <message>
         <source>The points of n-space that the wire connects</source>
         <translation>Els punts de l’espai n-dimensional que uneix el fil</translation>
     </message>
@@ -1706,6 +2331,18 @@
         <translation>La postura té una posició que no és un nombre finit o és massa lluny</translation>
     </message>
     <message>
+        <source>The program ffmpeg could not write the movie</source>
+        <translation>El programa ffmpeg no ha pogut escriure la pel·lícula</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg could not write the movie: %1</source>
+        <translation>El programa ffmpeg no ha pogut escriure la pel·lícula: %1</translation>
+    </message>
+    <message>
+        <source>The rate is out of range</source>
+        <translation>La freqüència és fora de l’interval</translation>
+    </message>
+    <message>
         <source>The sequence moves %1 handles, but there are %2</source>
         <translation>La seqüència mou %1 tiradors, però n’hi ha %2</translation>
     </message>
@@ -1713,9 +2350,35 @@
         <source>The sequence was made for another place of a handle</source>
         <translation>La seqüència es va fer per a una altra posició d’un tirador</translation>
     </message>
+    <message numerus="yes">
+        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <translation>
+            <numerusform>La sèrie té imatges de diverses mides: s’omet %n imatge de %2 i es llegeixen les de %3</numerusform>
+            <numerusform>La sèrie té imatges de diverses mides: s’ometen %n imatges de %2 i es llegeixen les de %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <translation>
+            <numerusform>La sèrie té píxels de diverses mides: s’omet %n imatge de %2 mm i es llegeixen les de %3 mm</numerusform>
+            <numerusform>La sèrie té píxels de diverses mides: s’ometen %n imatges de %2 mm i es llegeixen les de %3 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1 degrees against the way they are stacked (a tilted gantry); the shear is kept</source>
+        <translation>Els talls estan inclinats %1 graus respecte a l’apilament (gantry inclinat); es conserva la cisalla</translation>
+    </message>
     <message>
         <source>The smallest number is raised as high as it goes; positive, with kinks</source>
         <translation>El nombre més petit s’eleva tant com es pot; positives, amb plecs</translation>
+    </message>
+    <message>
+        <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
+        <translation>La separació és desigual entre el tall %1 (%2) i el següent, que disten %3 mm en lloc de %4 mm (%5 %)</translation>
+    </message>
+    <message>
+        <source>The speed is out of range</source>
+        <translation>La velocitat és fora de l’interval</translation>
     </message>
     <message>
         <source>The surface has no triangle</source>
@@ -1734,12 +2397,20 @@
         <translation>El radi de la tesi; es cancel·la en les coordenades i no canvia res</translation>
     </message>
     <message>
+        <source>The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms</source>
+        <translation>Els temps de les fases no augmenten dins d’un període de %1 ms: la %2 és a %3 ms</translation>
+    </message>
+    <message>
         <source>The tip of the heart</source>
         <translation>La punta del cor</translation>
     </message>
     <message>
         <source>The top of the fundus</source>
         <translation>El punt més alt del fundus</translation>
+    </message>
+    <message>
+        <source>The volume of %1 jumps from %2 to %3 ml between %4 and %5</source>
+        <translation>El volum de %1 salta de %2 a %3 ml entre la %4 i la %5</translation>
     </message>
     <message>
         <source>The width has to be positive</source>
@@ -1774,6 +2445,14 @@
         <translation>Aquests vèrtexs per envoltar no existeixen</translation>
     </message>
     <message>
+        <source>There are no volumes to compute an ejection fraction from</source>
+        <translation>No hi ha volums per calcular una fracció d’ejecció</translation>
+    </message>
+    <message>
+        <source>There is no %1</source>
+        <translation>No existeix la %1</translation>
+    </message>
+    <message>
         <source>There is no file to open</source>
         <translation>No hi ha cap fitxer per obrir</translation>
     </message>
@@ -1788,6 +2467,18 @@
     <message>
         <source>There is no scan to close</source>
         <translation>No hi ha cap exploració per tancar</translation>
+    </message>
+    <message>
+        <source>There is no sequence that could move these handles</source>
+        <translation>No hi ha cap seqüència que pugui moure aquests tiradors</translation>
+    </message>
+    <message>
+        <source>There is no sequence whose rate could be set</source>
+        <translation>No hi ha cap seqüència la freqüència de la qual es pugui ajustar</translation>
+    </message>
+    <message>
+        <source>There is no series</source>
+        <translation>No hi ha cap sèrie</translation>
     </message>
     <message>
         <source>There is no stress map yet</source>
@@ -1810,8 +2501,23 @@
         <translation>Aquest punt no existeix</translation>
     </message>
     <message>
+        <source>There is no surface &quot;%1&quot;</source>
+        <translation>No hi ha cap superfície «%1»</translation>
+    </message>
+    <message>
         <source>There is no type of samples &quot;%1&quot;</source>
         <translation>No existeix el tipus de mostres «%1»</translation>
+    </message>
+    <message>
+        <source>There is no volume in it</source>
+        <translation>No conté cap volum</translation>
+    </message>
+    <message numerus="yes">
+        <source>There {is|are} %n {time|times} for %2 phases</source>
+        <translation>
+            <numerusform>Hi ha %n temps per a %2 fases</numerusform>
+            <numerusform>Hi ha %n temps per a %2 fases</numerusform>
+        </translation>
     </message>
     <message>
         <source>Thickening</source>
@@ -1824,6 +2530,10 @@
     <message>
         <source>Time (s)</source>
         <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Tracing the displacement field</source>
+        <translation>Es calcula el camp de desplaçaments</translation>
     </message>
     <message>
         <source>Transverse colon</source>
@@ -1957,6 +2667,54 @@
         <translation>Punts testimoni de %1</translation>
     </message>
     <message>
+        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <translation>%1 de %2 ml no és de mida natural: %3</translation>
+    </message>
+    <message>
+        <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
+        <translation>un fitxer .fcsv és una sola llista: els %1 grups i els seus colors no es conserven (.mrk.json els conserva)</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer fiducial table</source>
+        <translation>una taula de fiducials de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer markups file</source>
+        <translation>un fitxer de marques de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>un fitxer JSON</translation>
+    </message>
+    <message>
+        <source>a NIfTI image</source>
+        <translation>una imatge NIfTI</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <translation>una superfície PLY</translation>
+    </message>
+    <message>
+        <source>a VTK XML file that holds no surface</source>
+        <translation>un fitxer VTK XML sense superfície</translation>
+    </message>
+    <message>
+        <source>a VTK XML surface</source>
+        <translation>una superfície VTK XML</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>un arxiu ZIP</translation>
+    </message>
+    <message>
+        <source>a binary glTF scene</source>
+        <translation>una escena glTF binària</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una gàbia és una superfície gruixuda: preneu-ne una de %1 vèrtexs com a màxim</translation>
     </message>
@@ -1969,6 +2727,14 @@
         <translation>una envolupant convexa necessita almenys 4 punts, n’hi ha %1</translation>
     </message>
     <message>
+        <source>a curve needs one number for each time</source>
+        <translation>una corba necessita un nombre per a cada temps</translation>
+    </message>
+    <message>
+        <source>a curve needs one y for each x</source>
+        <translation>una corba necessita una y per a cada x</translation>
+    </message>
+    <message>
         <source>a displacement</source>
         <translation>un desplaçament</translation>
     </message>
@@ -1977,16 +2743,52 @@
         <translation>una quadrícula de distàncies amb aquest pas és massa gran</translation>
     </message>
     <message>
+        <source>a glTF scene</source>
+        <translation>una escena glTF</translation>
+    </message>
+    <message>
+        <source>a gzip-compressed file</source>
+        <translation>un fitxer comprimit amb gzip</translation>
+    </message>
+    <message>
         <source>a handle of a recorded key</source>
         <translation>un tirador d’una clau registrada</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <translation>un fitxer VTK antic</translation>
+    </message>
+    <message>
+        <source>a locked volume must be positive</source>
+        <translation>un volum bloquejat ha de ser positiu</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
         <translation>una part de l’exploració no és sobre cap òrgan</translation>
     </message>
     <message>
+        <source>a phase has not all surfaces</source>
+        <translation>una fase no té totes les superfícies</translation>
+    </message>
+    <message>
         <source>a point of its surface</source>
         <translation>un punt de la seva superfície</translation>
+    </message>
+    <message>
+        <source>a point of the centreline lies %1 outside the organ</source>
+        <translation>un punt de la línia central és %1 fora de l’òrgan</translation>
+    </message>
+    <message>
+        <source>a point of the divided cage is not on the cage</source>
+        <translation>un punt de la gàbia dividida no és sobre la gàbia</translation>
+    </message>
+    <message>
+        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>un polígon es refereix al punt %1, però n’hi ha %2 (comptats des de 0)</translation>
+    </message>
+    <message>
+        <source>a pose of %1 handles does not fit witness points of %2</source>
+        <translation>una postura de %1 tiradors no correspon a punts testimoni de %2</translation>
     </message>
     <message>
         <source>a recorded key</source>
@@ -1997,8 +2799,20 @@
         <translation>una observació sobre ell no és UTF-8</translation>
     </message>
     <message>
+        <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
+        <translation>una superfície de %1 vèrtexs i %2 triangles és massa petita per a tiradors</translation>
+    </message>
+    <message>
         <source>a surface without triangles has no inside</source>
         <translation>una superfície sense triangles no té interior</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that does not exist</source>
+        <translation>un tetràedre té un vèrtex que no existeix</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that is none of the %1 points</source>
+        <translation>un tetràedre té un vèrtex que no és cap dels %1 punts</translation>
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
@@ -2009,16 +2823,60 @@
         <translation>un triangle anomena un tirador que no hi és</translation>
     </message>
     <message>
+        <source>a triangle refers to a point that is not there</source>
+        <translation>un triangle es refereix a un punt que no existeix</translation>
+    </message>
+    <message>
+        <source>add a group that encloses them, or put handles around them into a group</source>
+        <translation>afegiu un grup que els envolti, o poseu en un grup tiradors que els envoltin</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>afegiu tiradors, o col·loqueu-los automàticament</translation>
+    </message>
+    <message>
+        <source>add its file, or remove those of the other surfaces in that phase</source>
+        <translation>afegiu-ne el fitxer, o traieu els de les altres superfícies d’aquella fase</translation>
+    </message>
+    <message>
+        <source>add the enclosing handles, or move handles outward until they surround the organ</source>
+        <translation>afegiu els tiradors envolupants, o moveu tiradors cap enfora fins que envoltin l’òrgan</translation>
     </message>
     <message>
         <source>added by automatic grouping</source>
         <translation>afegit per l’agrupació automàtica</translation>
     </message>
     <message>
+        <source>all handles lie in one plane</source>
+        <translation>tots els tiradors són en un pla</translation>
+    </message>
+    <message>
+        <source>all handles lie on one line</source>
+        <translation>tots els tiradors són en una recta</translation>
+    </message>
+    <message>
+        <source>all of it is a cavity</source>
+        <translation>tot és cavitat</translation>
+    </message>
+    <message>
         <source>all points lie in one plane</source>
         <translation>tots els punts són en un pla</translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation>una imatge NRRD</translation>
+    </message>
+    <message>
+        <source>an OBJ surface</source>
+        <translation>una superfície OBJ</translation>
+    </message>
+    <message>
+        <source>an OFF surface</source>
+        <translation>una superfície OFF</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <translation>una superfície STL</translation>
     </message>
     <message>
         <source>an angle has three points, any other measurement two</source>
@@ -2033,8 +2891,40 @@
         <translation>antre</translation>
     </message>
     <message>
+        <source>as in --period-ms 829</source>
+        <translation>com a --period-ms 829</translation>
+    </message>
+    <message>
+        <source>ask for a volume nearer to that at rest, or let more handles compensate</source>
+        <translation>demaneu un volum més proper al de repòs, o deixeu que compensin més tiradors</translation>
+    </message>
+    <message>
+        <source>ask for at least %1</source>
+        <translation>demaneu-ne almenys %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer groups</source>
+        <translation>demaneu menys grups</translation>
+    </message>
+    <message>
+        <source>ask for fewer witness points</source>
+        <translation>demaneu menys punts testimoni</translation>
+    </message>
+    <message>
+        <source>ask for fewer, or put them nearer to the surface</source>
+        <translation>demaneu-ne menys, o poseu-los més a prop de la superfície</translation>
+    </message>
+    <message>
+        <source>at least %1 are needed</source>
+        <translation>se’n necessiten almenys %1</translation>
+    </message>
+    <message>
         <source>atrial systole</source>
         <translation>sístole auricular</translation>
+    </message>
+    <message>
+        <source>bind by way of the deformation module, or choose another system</source>
+        <translation>enllaceu mitjançant el mòdul deformation, o trieu un altre sistema</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -2045,8 +2935,28 @@
         <translation>cos</translation>
     </message>
     <message>
+        <source>bounded biharmonic weights</source>
+        <translation>pesos biharmònics acotats</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
+        <translation>pel nom va a l’esquerra del pacient, però és a la dreta (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2</source>
+        <translation>pel nom va a la dreta del pacient, però és a l’esquerra (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>call the left ventricle's cavity LV and the right one's RV</source>
+        <translation>anomeneu LV la cavitat del ventricle esquerre i RV la del dret</translation>
+    </message>
+    <message>
         <source>cannot be opened: %1</source>
         <translation>no es pot obrir: %1</translation>
+    </message>
+    <message>
+        <source>cannot draw without a display: %1</source>
+        <translation>no es pot dibuixar sense pantalla: %1</translation>
     </message>
     <message>
         <source>cannot place %1 witness points</source>
@@ -2061,20 +2971,80 @@
         <translation>comproveu-ne els permisos</translation>
     </message>
     <message>
+        <source>check its scale and its number format</source>
+        <translation>comproveu-ne l’escala i el format dels nombres</translation>
+    </message>
+    <message>
         <source>check its unit; coordinates are in mm</source>
         <translation>comproveu-ne la unitat; les coordenades són en mm</translation>
+    </message>
+    <message>
+        <source>check that its surface is closed and outward</source>
+        <translation>comproveu que la seva superfície és tancada i orientada cap enfora</translation>
+    </message>
+    <message>
+        <source>check that its triangles face outward and that its holes are small</source>
+        <translation>comproveu que els seus triangles miren cap enfora i que els seus forats són petits</translation>
+    </message>
+    <message>
+        <source>check that the segmentation was saved</source>
+        <translation>comproveu que la segmentació es va desar</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>comproveu que hi ha espai al disc</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>comproveu que teniu permís de lectura</translation>
+    </message>
+    <message>
+        <source>check the disk or the connection</source>
+        <translation>comproveu el disc o la connexió</translation>
     </message>
     <message>
         <source>check the name</source>
         <translation>comproveu el nom</translation>
     </message>
     <message>
+        <source>check the name and the folder</source>
+        <translation>comproveu el nom i la carpeta</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>comproveu el camí</translation>
+    </message>
+    <message>
+        <source>check their order, and the period</source>
+        <translation>comproveu-ne l’ordre i el període</translation>
+    </message>
+    <message>
+        <source>check this phase, or leave it out</source>
+        <translation>comproveu aquesta fase, o ometeu-la</translation>
+    </message>
+    <message>
+        <source>check what the file is and where it came from</source>
+        <translation>comproveu què és el fitxer i d’on ve</translation>
+    </message>
+    <message>
+        <source>check whether one of them is mislabelled, or leave it out</source>
+        <translation>comproveu si una d’elles està mal etiquetada, o ometeu-la</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>trieu de %1 a %2</translation>
     </message>
     <message>
+        <source>choose %1 to %2 a minute</source>
+        <translation>trieu de %1 a %2 per minut</translation>
+    </message>
+    <message>
         <source>choose a closed surface</source>
         <translation>trieu una superfície tancada</translation>
+    </message>
+    <message>
+        <source>choose a file that Viscera has saved as .sequence.json</source>
+        <translation>trieu un fitxer que Viscera hagi desat com a .sequence.json</translation>
     </message>
     <message>
         <source>choose a file that Viscera has saved as .viscera</source>
@@ -2089,6 +3059,18 @@
         <translation>trieu un pas més gran</translation>
     </message>
     <message>
+        <source>choose a sequence first</source>
+        <translation>trieu primer una seqüència</translation>
+    </message>
+    <message>
+        <source>choose a sequence, and use its handles</source>
+        <translation>trieu una seqüència i feu servir els seus tiradors</translation>
+    </message>
+    <message>
+        <source>choose a surface that has some</source>
+        <translation>trieu una superfície que en tingui</translation>
+    </message>
+    <message>
         <source>choose a volume nearer to the present one, or let more handles compensate</source>
         <translation>trieu un volum més proper a l’actual, o deixeu compensar més tiradors</translation>
     </message>
@@ -2097,12 +3079,32 @@
         <translation>trieu-ne un altre</translation>
     </message>
     <message>
+        <source>choose at least one</source>
+        <translation>trieu-ne almenys una</translation>
+    </message>
+    <message>
+        <source>choose it again in Play mode</source>
+        <translation>torneu-lo a triar en el mode Reprodueix</translation>
+    </message>
+    <message>
+        <source>choose it on the organ; check the axes (RAS or LPS) too</source>
+        <translation>trieu-lo sobre l’òrgan; comproveu també els eixos (RAS o LPS)</translation>
+    </message>
+    <message>
+        <source>choose more than 0 and up to 10 times</source>
+        <translation>trieu més de 0 i fins a 10 vegades</translation>
+    </message>
+    <message>
         <source>choose one of them</source>
         <translation>trieu-ne un</translation>
     </message>
     <message>
         <source>choose organ, axis or cluster</source>
         <translation>trieu organ, axis o cluster</translation>
+    </message>
+    <message>
+        <source>choose the two ends of the organ</source>
+        <translation>trieu els dos extrems de l’òrgan</translation>
     </message>
     <message>
         <source>choose two ends of one surface</source>
@@ -2117,12 +3119,52 @@
         <translation>tanqueu-ne primer els forats</translation>
     </message>
     <message>
+        <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
+        <translation>tanqueu-ne els forats, per exemple amb viscera convert ENTRADA SORTIDA --fill-holes; una superfície oberta no té volum per conservar</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>tanqueu altres programes, o treballeu amb menys òrgans o superfícies més gruixudes</translation>
     </message>
     <message>
+        <source>compare it with the example in docs/lessons.md</source>
+        <translation>compareu-lo amb l’exemple de docs/lessons.md</translation>
+    </message>
+    <message>
+        <source>compensating handles</source>
+        <translation>tiradors que compensen</translation>
+    </message>
+    <message>
         <source>coordinates need at least four handles, there are %1</source>
         <translation>les coordenades necessiten almenys quatre tiradors, n’hi ha %1</translation>
+    </message>
+    <message>
+        <source>copy its contents to a file first</source>
+        <translation>copieu-ne primer el contingut en un fitxer</translation>
+    </message>
+    <message>
+        <source>copy the file anew, or take it out of the folder to read the others</source>
+        <translation>torneu a copiar el fitxer, o traieu-lo de la carpeta per llegir els altres</translation>
+    </message>
+    <message>
+        <source>crop the image to the organs</source>
+        <translation>retalleu la imatge als òrgans</translation>
+    </message>
+    <message>
+        <source>crop the images to the organ</source>
+        <translation>retalleu les imatges a l’òrgan</translation>
+    </message>
+    <message>
+        <source>crop the scan to the organs</source>
+        <translation>retalleu l’exploració als òrgans</translation>
+    </message>
+    <message>
+        <source>deeper ones would push folds of the surface into one another</source>
+        <translation>unes de més profundes empenyerien els plecs de la superfície els uns contra els altres</translation>
+    </message>
+    <message>
+        <source>derivatives at the witness points</source>
+        <translation>derivades als punts testimoni</translation>
     </message>
     <message>
         <source>diastasis</source>
@@ -2133,8 +3175,16 @@
         <translation>diàstole</translation>
     </message>
     <message>
+        <source>displacement fields cannot be written as &quot;%1&quot;</source>
+        <translation>els camps de desplaçaments no es poden escriure com a «%1»</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distància</translation>
+    </message>
+    <message>
+        <source>does not fit into memory</source>
+        <translation>no cap a la memòria</translation>
     </message>
     <message>
         <source>does not lie between 0 and 1</source>
@@ -2153,20 +3203,88 @@
         <translation>volum telesistòlic</translation>
     </message>
     <message>
+        <source>ends the cycle at another volume than it begins</source>
+        <translation>acaba el cicle amb un altre volum que el del començament</translation>
+    </message>
+    <message>
+        <source>even so, folds of the surface meet when they pass</source>
+        <translation>tot i així, els plecs de la superfície es toquen quan passen</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>espiració</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same axes</source>
+        <translation>exporteu totes les superfícies d’un pacient amb els mateixos eixos</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
+        <translation>exporteu totes les superfícies d’un pacient de la mateixa manera (viscera convert --space LPS)</translation>
+    </message>
+    <message>
+        <source>export it as a surface</source>
+        <translation>exporteu-lo com a superfície</translation>
+    </message>
+    <message>
+        <source>export it as a surface of triangles</source>
+        <translation>exporteu-la com a superfície de triangles</translation>
+    </message>
+    <message>
+        <source>export or copy the file again</source>
+        <translation>torneu a exportar o copiar el fitxer</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>torneu a exportar la superfície</translation>
     </message>
     <message>
+        <source>filling the handles with tetrahedra</source>
+        <translation>ompliment dels tiradors amb tetràedres</translation>
+    </message>
+    <message>
         <source>filling the organ with tetrahedra</source>
         <translation>ompliment de l’òrgan amb tetràedres</translation>
     </message>
     <message>
+        <source>finding landmarks</source>
+        <translation>cerca de punts de referència</translation>
+    </message>
+    <message>
+        <source>folded where it is hatched</source>
+        <translation>plegat on és ratllat</translation>
+    </message>
+    <message>
         <source>fundus</source>
         <translation>fundus</translation>
+    </message>
+    <message>
+        <source>fundus, centreline from the fundus down, body in between, pylorus</source>
+        <translation>fundus, línia central des del fundus avall, cos al mig, pílor</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>indiqueu un nombre de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give a whole number from %1 to %2</source>
+        <translation>indiqueu un nombre enter de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give apex and base too</source>
+        <translation>indiqueu també apex i base</translation>
+    </message>
+    <message>
+        <source>give both, or none to have them computed</source>
+        <translation>indiqueu-los tots dos, o cap perquè es calculin</translation>
+    </message>
+    <message>
+        <source>give every handle a label of its own</source>
+        <translation>doneu a cada tirador una etiqueta pròpia</translation>
+    </message>
+    <message>
+        <source>give fundus and pylorus too</source>
+        <translation>indiqueu també fundus i pylorus</translation>
     </message>
     <message>
         <source>give it another one</source>
@@ -2175,6 +3293,30 @@
     <message>
         <source>give it one</source>
         <translation>doneu-n’hi un</translation>
+    </message>
+    <message>
+        <source>give one between 0.1 and 0.8</source>
+        <translation>indiqueu-ne una entre 0,1 i 0,8</translation>
+    </message>
+    <message>
+        <source>give one for each phase</source>
+        <translation>indiqueu-ne un per a cada fase</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>indiqueu un de: %1</translation>
+    </message>
+    <message>
+        <source>give points of the centreline yourself</source>
+        <translation>indiqueu vós mateix punts de la línia central</translation>
+    </message>
+    <message>
+        <source>give the outer surface the labels of its cavities too, as in EPI=1,2,3</source>
+        <translation>doneu a la superfície exterior també les etiquetes de les seves cavitats, com a EPI=1,2,3</translation>
+    </message>
+    <message>
+        <source>grid inside the surface</source>
+        <translation>quadrícula dins de la superfície</translation>
     </message>
     <message>
         <source>group</source>
@@ -2197,8 +3339,43 @@
         <translation>tiradors %1 i %2</translation>
     </message>
     <message>
+        <source>handles cannot be written as &quot;%1&quot;</source>
+        <translation>els tiradors no es poden escriure com a «%1»</translation>
+    </message>
+    <message>
+        <source>handles come from .mrk.json or .fcsv files</source>
+        <translation>els tiradors venen de fitxers .mrk.json o .fcsv</translation>
+    </message>
+    <message>
+        <source>harmonic coordinates</source>
+        <translation>coordenades harmòniques</translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n {column|columns}</source>
+        <translation>
+            <numerusform>té %n columna</numerusform>
+            <numerusform>té %n columnes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>has a volume that is not positive</source>
+        <translation>té un volum que no és positiu</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>manté</translation>
+    </message>
+    <message>
+        <source>holds something that is not a number</source>
+        <translation>conté alguna cosa que no és un nombre</translation>
+    </message>
+    <message>
+        <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
+        <translation>si no és un cicle sencer, indiqueu que es reprodueixi un cop (--once); si ho és, afegiu les fases que falten</translation>
+    </message>
+    <message>
+        <source>images cannot be written as &quot;%1&quot;</source>
+        <translation>les imatges no es poden escriure com a «%1»</translation>
     </message>
     <message>
         <source>in</source>
@@ -2209,6 +3386,44 @@
         <translation>inspiració</translation>
     </message>
     <message>
+        <source>install Viscera again, or name it in VISCERA_TETGEN_WORKER</source>
+        <translation>torneu a instal·lar Viscera, o indiqueu-lo a VISCERA_TETGEN_WORKER</translation>
+    </message>
+    <message>
+        <source>install ffmpeg, or write an .ogv</source>
+        <translation>instal·leu ffmpeg, o escriviu un .ogv</translation>
+    </message>
+    <message>
+        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
+        <translation>instal·leu libegl1 i libgl1-mesa-dri, o executeu-lo amb una pantalla</translation>
+    </message>
+    <message>
+        <source>is not a file that can be read</source>
+        <translation>no és un fitxer que es pugui llegir</translation>
+    </message>
+    <message>
+        <source>is not later than the line before</source>
+        <translation>no és posterior a la línia anterior</translation>
+    </message>
+    <message numerus="yes">
+        <source>is not manifold at %n {edge|edges}</source>
+        <translation>
+            <numerusform>no és una varietat en %n aresta</numerusform>
+            <numerusform>no és una varietat en %n arestes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>is open at %n {edge|edges}</source>
+        <translation>
+            <numerusform>és oberta en %n aresta</numerusform>
+            <numerusform>és oberta en %n arestes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>is too thin in places for a surface with the volume of its voxels</source>
+        <translation>és en alguns llocs massa prim per a una superfície amb el volum dels seus vòxels</translation>
+    </message>
+    <message>
         <source>isovolumic contraction</source>
         <translation>contracció isovolumètrica</translation>
     </message>
@@ -2217,12 +3432,28 @@
         <translation>relaxació isovolumètrica</translation>
     </message>
     <message>
+        <source>it crashed</source>
+        <translation>ha fallat</translation>
+    </message>
+    <message>
         <source>it does not lie within the period</source>
         <translation>no és dins del període</translation>
     </message>
     <message>
+        <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
+        <translation>no indica on són els costats del pacient; els eixos es prenen com a dreta, davant i amunt</translation>
+    </message>
+    <message>
         <source>it follows no handles, so nothing can change its volume</source>
         <translation>no segueix cap tirador, així que res no pot canviar el seu volum</translation>
+    </message>
+    <message>
+        <source>it gave up</source>
+        <translation>s’ha rendit</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>té %1</translation>
     </message>
     <message>
         <source>it has %1 triangles</source>
@@ -2233,8 +3464,20 @@
         <translation>no té nom</translation>
     </message>
     <message>
+        <source>it has no organ for each surface, or no phases</source>
+        <translation>no té un òrgan per a cada superfície, o no té fases</translation>
+    </message>
+    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>no és almenys un mil·lisegon després de la clau anterior</translation>
+    </message>
+    <message>
+        <source>it is not a record of a measured motion</source>
+        <translation>no és un registre d’un moviment mesurat</translation>
+    </message>
+    <message>
+        <source>it may be mirrored</source>
+        <translation>potser és reflectit</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
@@ -2257,12 +3500,24 @@
         <translation>els seus tiradors no són els del conjunt, cada un un cop i en el seu ordre</translation>
     </message>
     <message>
+        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
+        <translation>la capçalera està malmesa: una imatge té de 2 a 7 dimensions, no %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its size along %1 is %2</source>
+        <translation>la capçalera està malmesa: la mida al llarg de %1 és %2</translation>
+    </message>
+    <message>
         <source>its id is another thing's, too</source>
         <translation>el seu identificador és també el d’una altra cosa</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
         <translation>el seu identificador no és un nombre enter d’1 a 2^52</translation>
+    </message>
+    <message>
+        <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
+        <translation>les seves etiquetes són les d’un cor: el múscul i les cambres en formen la superfície exterior, cada cambra és una cavitat</translation>
     </message>
     <message>
         <source>its name is not UTF-8</source>
@@ -2277,12 +3532,24 @@
         <translation>el seu òrgan superior no és abans que ell</translation>
     </message>
     <message>
+        <source>its points and triangles are no lists of threes</source>
+        <translation>els seus punts i triangles no són llistes de trios</translation>
+    </message>
+    <message>
         <source>its position</source>
         <translation>la seva posició</translation>
     </message>
     <message>
         <source>its position at rest</source>
         <translation>la seva posició en repòs</translation>
+    </message>
+    <message>
+        <source>its sform and qform place the image differently; the sform is used</source>
+        <translation>la sform i la qform col·loquen la imatge de manera diferent; es fa servir sform</translation>
+    </message>
+    <message>
+        <source>its sform is singular or not finite and is not used</source>
+        <translation>la sform és singular o no és finita i no es fa servir</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -2308,6 +3575,14 @@
         <translation>els seus dos extrems són en peces separades</translation>
     </message>
     <message>
+        <source>its unit is the metre; converted to mm</source>
+        <translation>la seva unitat és el metre; convertit a mm</translation>
+    </message>
+    <message>
+        <source>its unit is the micrometre; converted to mm</source>
+        <translation>la seva unitat és el micròmetre; convertit a mm</translation>
+    </message>
+    <message>
         <source>its value is not a finite number</source>
         <translation>el seu valor no és un nombre finit</translation>
     </message>
@@ -2316,24 +3591,108 @@
         <translation>el seu volum només es pot mantenir quan està vinculat als tiradors presents</translation>
     </message>
     <message>
+        <source>its volume is another one</source>
+        <translation>el seu volum n’és un altre</translation>
+    </message>
+    <message>
         <source>its volume is not locked any more: the surface is open now</source>
         <translation>el seu volum ja no està bloquejat: ara la superfície és oberta</translation>
+    </message>
+    <message>
+        <source>its voxels are more than 1000 km away</source>
+        <translation>els seus vòxels són a més de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels lie elsewhere than those of the other masks</source>
+        <translation>els seus vòxels són en un altre lloc que els de les altres màscares</translation>
     </message>
     <message>
         <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
         <translation>els seus pesos no són un lloc d’un triangle: han de ser almenys 0 i sumar 1</translation>
     </message>
     <message>
+        <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
+        <translation>conserveu el més gran, per exemple amb viscera convert ENTRADA SORTIDA --keep-largest</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clau</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>clau %1</translation>
+    </message>
+    <message>
+        <source>known endings: %1</source>
+        <translation>extensions conegudes: %1</translation>
+    </message>
+    <message>
+        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
+        <translation>extensions conegudes: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
+    </message>
+    <message>
+        <source>label it in every phase, or leave this phase out</source>
+        <translation>etiqueteu-lo en totes les fases, o ometeu aquesta fase</translation>
+    </message>
+    <message>
+        <source>label the points %1</source>
+        <translation>anomeneu els punts %1</translation>
+    </message>
+    <message>
+        <source>leave it out for surfaces</source>
+        <translation>ometeu-ho per a superfícies</translation>
+    </message>
+    <message>
+        <source>leave the landmarks out</source>
+        <translation>ometeu els punts de referència</translation>
+    </message>
+    <message>
+        <source>leave two: the instant, and the volume in ml</source>
+        <translation>deixeu-ne dues: l’instant i el volum en ml</translation>
     </message>
     <message>
         <source>lengthen the period first</source>
         <translation>allargueu primer el període</translation>
     </message>
     <message>
+        <source>let its name end in .mrk.json or .fcsv</source>
+        <translation>feu que el nom acabi en .mrk.json o .fcsv</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii.gz, .nii or .nrrd</source>
+        <translation>feu que el nom acabi en .nii.gz, .nii o .nrrd</translation>
+    </message>
+    <message>
+        <source>let its name end in .nrrd or .mha</source>
+        <translation>feu que el nom acabi en .nrrd o .mha</translation>
+    </message>
+    <message>
+        <source>let more handles compensate, or ask for a volume nearer to the present one</source>
+        <translation>deixeu que compensin més tiradors, o demaneu un volum més proper a l’actual</translation>
+    </message>
+    <message>
+        <source>let the last volume be the first one</source>
+        <translation>feu que l’últim volum sigui igual al primer</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>lineal</translation>
+    </message>
+    <message>
+        <source>load a closed surface</source>
+        <translation>carregueu una superfície tancada</translation>
+    </message>
+    <message>
+        <source>looking for folds</source>
+        <translation>cerca de plecs</translation>
+    </message>
+    <message>
+        <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
+        <translation>feu els tiradors amb aquesta gàbia: viscera handles ÒRGAN --cage FITXER</translation>
+    </message>
+    <message>
+        <source>measured motion</source>
+        <translation>moviment mesurat</translation>
     </message>
     <message>
         <source>measurement</source>
@@ -2356,20 +3715,112 @@
         <translation>moveu-ne un fora del pla</translation>
     </message>
     <message>
+        <source>move or delete one of them</source>
+        <translation>moveu o suprimiu-ne un</translation>
+    </message>
+    <message>
         <source>move or remove one of them</source>
         <translation>moveu-ne o traieu-ne un</translation>
+    </message>
+    <message>
+        <source>move some off the line</source>
+        <translation>traieu-ne alguns de la recta</translation>
+    </message>
+    <message>
+        <source>move some off the plane, or add enclosing handles</source>
+        <translation>traieu-ne alguns del pla, o afegiu tiradors envolupants</translation>
     </message>
     <message>
         <source>move the vertices there apart, or take another cage</source>
         <translation>separeu-hi els vèrtexs, o preneu una altra gàbia</translation>
     </message>
     <message>
+        <source>movies of this kind cannot be written</source>
+        <translation>no es poden escriure pel·lícules d’aquest tipus</translation>
+    </message>
+    <message>
+        <source>name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase</source>
+        <translation>indiqueu un NIfTI 4D, un .seq.nrrd de 3D Slicer o un fitxer per a cada fase</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>indiqueu un fitxer que hi hagi</translation>
+    </message>
+    <message>
+        <source>name a folder with one file for each phase</source>
+        <translation>indiqueu una carpeta amb un fitxer per a cada fase</translation>
+    </message>
+    <message>
+        <source>name a folder with one mask for each organ, such as liver.nii.gz</source>
+        <translation>indiqueu una carpeta amb una màscara per a cada òrgan, com liver.nii.gz</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle</source>
+        <translation>indiqueu totes les fases del cicle</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
+        <translation>indiqueu totes les fases del cicle; una sola imatge d’un cor amb cavitats pot bategar com al llibre de text (--textbook; a la finestra, ajustar una seqüència a un òrgan)</translation>
+    </message>
+    <message>
+        <source>name compensating handles</source>
+        <translation>indiqueu tiradors que compensin</translation>
+    </message>
+    <message>
+        <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
+        <translation>indiqueu instants de 0 a 1, o escriviu «time_s» a sobre per a segons</translation>
+    </message>
+    <message>
         <source>name it %1</source>
         <translation>anomeneu-lo %1</translation>
     </message>
     <message>
+        <source>name its files, a folder, or a file of several volumes</source>
+        <translation>indiqueu-ne els fitxers, una carpeta o un fitxer amb diversos volums</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series</source>
+        <translation>indiqueu la carpeta d’una sèrie de TC o RM</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series, or one of its files</source>
+        <translation>indiqueu la carpeta d’una sèrie de TC o RM, o un dels seus fitxers</translation>
+    </message>
+    <message>
+        <source>name the folder of one patient</source>
+        <translation>indiqueu la carpeta d’un sol pacient</translation>
+    </message>
+    <message>
+        <source>name the folder, or another file in it</source>
+        <translation>indiqueu la carpeta, o un altre fitxer que hi hagi</translation>
+    </message>
+    <message>
+        <source>names an instant outside the cycle</source>
+        <translation>anomena un instant fora del cicle</translation>
+    </message>
+    <message>
+        <source>no EGL platform works without a window system</source>
+        <translation>cap plataforma EGL funciona sense sistema de finestres</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.2 context</source>
+        <translation>sense context OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>no compensation within %1 mm restores the volume</source>
+        <translation>cap compensació dins de %1 mm restableix el volum</translation>
+    </message>
+    <message>
         <source>no edge joins more than two triangles</source>
         <translation>cap aresta uneix més de dos triangles</translation>
+    </message>
+    <message>
+        <source>no handle is left to compensate the change of volume</source>
+        <translation>no queda cap tirador que compensi el canvi de volum</translation>
+    </message>
+    <message>
+        <source>no handle is left to make up for the volume</source>
+        <translation>no queda cap tirador que compensi el volum</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -2384,12 +3835,35 @@
         <translation>cap superfície té tants triangles</translation>
     </message>
     <message>
+        <source>no witness point lies inside</source>
+        <translation>cap punt testimoni és a dins</translation>
+    </message>
+    <message>
+        <source>nothing that Viscera knows</source>
+        <translation>res que Viscera conegui</translation>
+    </message>
+    <message>
         <source>one of its points</source>
         <translation>un dels seus punts</translation>
+    </message>
+    <message numerus="yes">
+        <source>only %n {handle|handles}</source>
+        <translation>
+            <numerusform>només %n tirador</numerusform>
+            <numerusform>només %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
+        <translation>obriu un fitxer NIfTI, NRRD o MetaImage, o una sèrie DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
         <translation>obriu-la al costat dels òrgans (Fitxer &gt; Obre una exploració), o feu-ne primer un mapa d’etiquetes, amb 3D Slicer o TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>open it by itself, or remove it from the folder</source>
+        <translation>obriu-lo tot sol, o traieu-lo de la carpeta</translation>
     </message>
     <message>
         <source>open one first</source>
@@ -2398,6 +3872,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>obriu els altres fitxers després</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from the image</source>
+        <translation>obriu la segmentació feta a partir de la imatge</translation>
     </message>
     <message>
         <source>organ</source>
@@ -2416,6 +3894,10 @@
         <translation>paràmetre %1</translation>
     </message>
     <message>
+        <source>parameters: %1</source>
+        <translation>paràmetres: %1</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>pausa</translation>
     </message>
@@ -2424,24 +3906,88 @@
         <translation>tensió màxima al llarg de la seqüència</translation>
     </message>
     <message>
+        <source>phase %1</source>
+        <translation>fase %1</translation>
+    </message>
+    <message>
+        <source>phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it out</source>
+        <translation>la fase %1 s’ajusta molt pitjor que les veïnes (%2 contra %3 mm): reviseu-ne les dades, o ometeu-la</translation>
+    </message>
+    <message>
+        <source>phase %1: %2</source>
+        <translation>fase %1: %2</translation>
+    </message>
+    <message>
         <source>pick the point on the surface again</source>
         <translation>torneu a triar el punt de la superfície</translation>
+    </message>
+    <message>
+        <source>pictures of different sizes do not fit on one sheet</source>
+        <translation>imatges de mides diferents no caben en un mateix full</translation>
     </message>
     <message>
         <source>place handles around it</source>
         <translation>col·loqueu tiradors al voltant</translation>
     </message>
     <message>
+        <source>place more handles</source>
+        <translation>col·loqueu més tiradors</translation>
+    </message>
+    <message>
         <source>place some first</source>
         <translation>col·loqueu-ne primer</translation>
+    </message>
+    <message>
+        <source>place some points and save them again</source>
+        <translation>poseu alguns punts i torneu-los a desar</translation>
+    </message>
+    <message>
+        <source>place the handle again</source>
+        <translation>torneu a col·locar el tirador</translation>
+    </message>
+    <message>
+        <source>placing handles</source>
+        <translation>col·locació de tiradors</translation>
+    </message>
+    <message>
+        <source>play at least one whole beat</source>
+        <translation>reproduïu almenys un batec sencer</translation>
+    </message>
+    <message>
+        <source>play at the rate that the times are for</source>
+        <translation>reproduïu a la freqüència per a la qual valen els temps</translation>
     </message>
     <message>
         <source>point %1 has a coordinate that is not a finite number</source>
         <translation>el punt %1 té una coordenada que no és un nombre finit</translation>
     </message>
     <message>
+        <source>point %1 lies more than 1000 km away: the file is damaged</source>
+        <translation>el punt %1 és a més de 1000 km: el fitxer està malmès</translation>
+    </message>
+    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>ho causen punts que coincideixen o gairebé plans</translation>
+    </message>
+    <message>
+        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>el polígon %1 es refereix al punt %2, però n’hi ha %3 (comptats des de 0)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder</source>
+        <translation>poseu els dos fitxers en una carpeta</translation>
+    </message>
+    <message>
+        <source>put it into the middle of the stomach</source>
+        <translation>poseu-lo al mig de l’estómac</translation>
+    </message>
+    <message>
+        <source>put masks of one image into a folder of their own</source>
+        <translation>poseu les màscares d’una mateixa imatge en una carpeta pròpia</translation>
+    </message>
+    <message>
+        <source>put those of one kind into a folder of their own</source>
+        <translation>poseu els d’un tipus en una carpeta pròpia</translation>
     </message>
     <message>
         <source>pylorus</source>
@@ -2456,16 +4002,48 @@
         <translation>ompliment ràpid</translation>
     </message>
     <message>
+        <source>reaches the edge of the image, which may cut it off</source>
+        <translation>arriba a la vora de la imatge, que potser el retalla</translation>
+    </message>
+    <message>
+        <source>record a pose first</source>
+        <translation>enregistreu primer una postura</translation>
+    </message>
+    <message>
+        <source>record and save the sequence again</source>
+        <translation>torneu a enregistrar i desar la seqüència</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>rectangle</translation>
+    </message>
+    <message>
+        <source>reduce the surface first</source>
+        <translation>reduïu primer la superfície</translation>
+    </message>
+    <message>
+        <source>reduce the surfaces first</source>
+        <translation>reduïu primer les superfícies</translation>
     </message>
     <message>
         <source>reduced ejection</source>
         <translation>ejecció reduïda</translation>
     </message>
     <message>
+        <source>remove one of the two</source>
+        <translation>traieu-ne un dels dos</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>traieu-ne un</translation>
+    </message>
+    <message>
         <source>remove one of them from the file</source>
         <translation>traieu-ne un del fitxer</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>canvieu-li el nom perquè acabi en %1</translation>
     </message>
     <message>
         <source>repair the surface</source>
@@ -2484,20 +4062,68 @@
         <translation>reparació de la superfície</translation>
     </message>
     <message>
+        <source>resample all phases to one grid, in the same axes</source>
+        <translation>remostregeu totes les fases en una mateixa quadrícula, amb els mateixos eixos</translation>
+    </message>
+    <message>
+        <source>resample the images to an upright grid</source>
+        <translation>remostregeu les imatges en una quadrícula recta</translation>
+    </message>
+    <message>
+        <source>restore its definition from the installation</source>
+        <translation>restaureu-ne la definició des de la instal·lació</translation>
+    </message>
+    <message>
+        <source>restoring the volume would move a handle by %1 mm</source>
+        <translation>restablir el volum mouria un tirador %1 mm</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, and so are front and back: the files seem to be in RAS</source>
+        <translation>dreta i esquerra estan canviades, i també davant i darrere: els fitxers semblen ser en RAS</translation>
+    </message>
+    <message>
         <source>right and left are exchanged, front and back are not: mirrored</source>
         <translation>dreta i esquerra estan intercanviades, davant i darrere no: emmirallat</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged: the files may be in RAS, or mirrored</source>
+        <translation>dreta i esquerra estan canviades: potser els fitxers són en RAS o reflectits</translation>
     </message>
     <message>
         <source>save it as a file of its own first</source>
         <translation>deseu-lo primer en un fitxer propi</translation>
     </message>
     <message>
+        <source>save it as a label map</source>
+        <translation>deseu-lo com a mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>save it with one value a voxel</source>
+        <translation>deseu-la amb un valor per vòxel</translation>
+    </message>
+    <message>
         <source>save often, or make room there</source>
         <translation>deseu sovint, o feu-hi lloc</translation>
     </message>
     <message>
+        <source>save one of them, or follow the motion over all of them with viscera track</source>
+        <translation>deseu-ne un, o seguiu el moviment per tots amb viscera track</translation>
+    </message>
+    <message>
+        <source>say it with --period-ms, or the rate with --rate</source>
+        <translation>indiqueu-ho amb --period-ms, o la freqüència amb --rate</translation>
+    </message>
+    <message>
+        <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
+        <translation>indiqueu quines superfícies formen, com a --surface LV=1 --surface RV=2 --surface EPI=1,2,3, amb totes les etiquetes dins de l’exterior</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>suau</translation>
+    </message>
+    <message>
+        <source>sort the lines by their instants</source>
+        <translation>ordeneu les línies pels instants</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -2508,12 +4134,48 @@
         <translation>volum sistòlic</translation>
     </message>
     <message>
+        <source>surfaces at rest</source>
+        <translation>superfícies en repòs</translation>
+    </message>
+    <message>
+        <source>surfaces cannot be written as &quot;%1&quot;</source>
+        <translation>les superfícies no es poden escriure com a «%1»</translation>
+    </message>
+    <message>
+        <source>system parameter %1</source>
+        <translation>paràmetre %1 del sistema</translation>
+    </message>
+    <message>
+        <source>system parameters</source>
+        <translation>paràmetres del sistema</translation>
+    </message>
+    <message>
         <source>systole</source>
         <translation>sístole</translation>
     </message>
     <message>
         <source>take a backup of the file, or begin a new session with the organs' own files</source>
         <translation>preneu una còpia de seguretat del fitxer, o comenceu una sessió nova amb els fitxers dels òrgans</translation>
+    </message>
+    <message>
+        <source>take a cage that surrounds the organ, or the handles' convex hull as the cage</source>
+        <translation>preneu una gàbia que envolti l’òrgan, o l’envolupant convexa dels tiradors com a gàbia</translation>
+    </message>
+    <message>
+        <source>take a closed cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>preneu una gàbia tancada o cap: aleshores l’envolupant convexa dels tiradors és la gàbia</translation>
+    </message>
+    <message>
+        <source>take a convex cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>preneu una gàbia convexa o cap: aleshores l’envolupant convexa dels tiradors és la gàbia</translation>
+    </message>
+    <message>
+        <source>take a larger one</source>
+        <translation>preneu-ne un de més gran</translation>
+    </message>
+    <message>
+        <source>take another positivity</source>
+        <translation>trieu una altra positivitat</translation>
     </message>
     <message>
         <source>take the sequence's own handles</source>
@@ -2524,44 +4186,242 @@
         <translation>contracció antral terminal</translation>
     </message>
     <message>
+        <source>tetrahedron %1 has a corner that does not exist</source>
+        <translation>el tetràedre %1 té un vèrtex que no existeix</translation>
+    </message>
+    <message>
+        <source>tetrahedron %1 is flat or turned around</source>
+        <translation>el tetràedre %1 és pla o està invertit</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no es poden calcular els tetràedres de Delaunay de %1 punts</translation>
+    </message>
+    <message>
+        <source>the biharmonic energy cannot be factorised</source>
+        <translation>l’energia biharmònica no es pot factoritzar</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>la gàbia</translation>
+    </message>
+    <message>
+        <source>the context cannot be used without a surface</source>
+        <translation>el context no es pot fer servir sense superfície</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no es pot calcular l’envolupant convexa de %1 punts</translation>
     </message>
     <message>
+        <source>the directions and spacing of its voxels enclose no volume</source>
+        <translation>les direccions i la separació dels seus vòxels no tanquen cap volum</translation>
+    </message>
+    <message>
+        <source>the directions, spacing or origin of its voxels are not finite</source>
+        <translation>les direccions, la separació o l’origen dels seus vòxels no són finits</translation>
+    </message>
+    <message>
+        <source>the driver's OpenGL is older than 3.2</source>
+        <translation>l’OpenGL del controlador és anterior a 3.2</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a label map</source>
+        <translation>l’extensió «%1» no és d’un mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a surface file</source>
+        <translation>l’extensió «%1» no és d’un fitxer de superfície</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el fitxer no indica els seus eixos: se suposa LPS</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
+        <translation>
+            <numerusform>el fitxer està tallat: té %n byte, una capçalera NIfTI sola en té 348</numerusform>
+            <numerusform>el fitxer està tallat: té %n bytes, una capçalera NIfTI sola en té 348</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
+        <translation>el fitxer està tallat: la capçalera promet %1 bytes de vòxels, n’hi ha %2</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its packed data end too early</source>
+        <translation>el fitxer està tallat: les dades comprimides acaben massa aviat</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el fitxer és buit</translation>
+    </message>
+    <message>
+        <source>the file may be in RAS, or mirrored</source>
+        <translation>potser el fitxer és en RAS o reflectit</translation>
+    </message>
+    <message>
+        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
+        <translation>el fitxer indica que els eixos són %1, que Viscera no coneix; se suposa LPS</translation>
     </message>
     <message>
         <source>the file states its axes: %1</source>
         <translation>el fitxer indica els seus eixos: %1</translation>
     </message>
     <message>
+        <source>the first one is 0</source>
+        <translation>la primera és 0</translation>
+    </message>
+    <message>
+        <source>the first one there is: &quot;%1&quot;</source>
+        <translation>la primera que hi ha: «%1»</translation>
+    </message>
+    <message>
+        <source>the first phase</source>
+        <translation>la primera fase</translation>
+    </message>
+    <message>
+        <source>the folder for the frames cannot be written</source>
+        <translation>no es pot escriure a la carpeta dels fotogrames</translation>
+    </message>
+    <message>
+        <source>the frame rate has to be positive</source>
+        <translation>la freqüència de fotogrames ha de ser positiva</translation>
+    </message>
+    <message>
+        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
+        <translation>els fotogrames d’una pel·lícula han de tenir la mateixa mida: aquest fa %1 x %2, el primer %3 x %4</translation>
+    </message>
+    <message>
         <source>the handle %1 comes twice</source>
         <translation>el tirador %1 apareix dues vegades</translation>
+    </message>
+    <message>
+        <source>the handle %1 is in two groups</source>
+        <translation>el tirador %1 és en dos grups</translation>
     </message>
     <message>
         <source>the handles enclose nothing: %1</source>
         <translation>els tiradors no envolten res: %1</translation>
     </message>
     <message>
+        <source>the handles that may compensate cannot restore the volume</source>
+        <translation>els tiradors que poden compensar no poden restablir el volum</translation>
+    </message>
+    <message>
+        <source>the handles' tetrahedra</source>
+        <translation>els tetràedres dels tiradors</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>l’identificador %1 apareix dues vegades</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; comes twice</source>
+        <translation>l’etiqueta «%1» apareix dues vegades</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>l’etiqueta «%1» no és un punt de referència de la seqüència %2</translation>
+    </message>
+    <message>
+        <source>the landmark &quot;%1&quot; comes twice</source>
+        <translation>el punt de referència «%1» apareix dues vegades</translation>
+    </message>
+    <message>
+        <source>the landmark lies %1 outside the organ</source>
+        <translation>el punt de referència és %1 fora de l’òrgan</translation>
+    </message>
+    <message>
+        <source>the landmark's position is not a finite number</source>
+        <translation>la posició del punt de referència no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>the landmarks are not in order along the stomach</source>
+        <translation>els punts de referència no estan en ordre al llarg de l’estómac</translation>
+    </message>
+    <message>
+        <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
+        <translation>l’última fase és igual a la primera i s’omet: la fase %1 tornaria a ser la fase 1</translation>
     </message>
     <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>els límits de temps i memòria han de ser més grans que 0</translation>
     </message>
     <message>
+        <source>the locked volumes cannot be kept</source>
+        <translation>els volums bloquejats no es poden conservar</translation>
+    </message>
+    <message>
+        <source>the middle line that was computed leaves the organ</source>
+        <translation>la línia central calculada surt de l’òrgan</translation>
+    </message>
+    <message>
+        <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
+        <translation>el moviment és el del llibre de text, ajustat a una imatge: no és el propi d’aquest pacient</translation>
+    </message>
+    <message>
+        <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
+        <translation>el moviment d’un òrgan no es pot refer: no se sap com es va fer</translation>
+    </message>
+    <message>
+        <source>the movie cannot be written</source>
+        <translation>no es pot escriure la pel·lícula</translation>
+    </message>
+    <message>
+        <source>the movie has no frame</source>
+        <translation>la pel·lícula no té cap fotograma</translation>
+    </message>
+    <message>
+        <source>the name of a sequence file ends in .sequence.json</source>
+        <translation>el nom d’un fitxer de seqüència acaba en .sequence.json</translation>
+    </message>
+    <message>
         <source>the name of a session file ends in .viscera</source>
         <translation>el nom d’un fitxer de sessió acaba en .viscera</translation>
     </message>
     <message>
+        <source>the names of its labels are those of %1</source>
+        <translation>els noms de les seves etiquetes són els de %1</translation>
+    </message>
+    <message>
+        <source>the number of groups must be at least 1, not %1</source>
+        <translation>el nombre de grups ha de ser almenys 1, no %1</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as long as that of an adult; check its unit</source>
+        <translation>l’òrgan és %1 vegades tan llarg com el d’un adult; comproveu-ne la unitat</translation>
+    </message>
+    <message>
+        <source>the organ is in %1 pieces</source>
+        <translation>l’òrgan és en %1 trossos</translation>
+    </message>
+    <message>
+        <source>the organ is inside out or flat</source>
+        <translation>l’òrgan és girat de dins enfora o pla</translation>
+    </message>
+    <message numerus="yes">
+        <source>the organ is open: %n boundary {edge|edges}</source>
+        <translation>
+            <numerusform>l’òrgan és obert: %n aresta de vora</numerusform>
+            <numerusform>l’òrgan és obert: %n arestes de vora</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the organ that it is a cavity of is not before it</source>
         <translation>l’òrgan de què és cavitat no és abans</translation>
+    </message>
+    <message>
+        <source>the outline of %1 vertices cannot follow %2</source>
+        <translation>el contorn de %1 vèrtexs no en pot seguir %2</translation>
+    </message>
+    <message>
+        <source>the overlap of groups must lie between 0 and 1</source>
+        <translation>el solapament dels grups ha de ser entre 0 i 1</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged</source>
+        <translation>les dades comprimides estan malmeses</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -2572,12 +4432,63 @@
         <translation>el període no és un nombre positiu de segons</translation>
     </message>
     <message>
+        <source>the picture cannot be written</source>
+        <translation>no es pot escriure la imatge</translation>
+    </message>
+    <message>
+        <source>the picture does not exist</source>
+        <translation>la imatge no existeix</translation>
+    </message>
+    <message>
+        <source>the picture is not of three channels of 8 bits</source>
+        <translation>la imatge no té tres canals de 8 bits</translation>
+    </message>
+    <message>
+        <source>the points to show are %1, the surface has %2</source>
+        <translation>els punts a mostrar són %1, la superfície en té %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
+        <translation>
+            <numerusform>la postura té %n tirador, l’òrgan està enllaçat a %2</numerusform>
+            <numerusform>la postura té %n tiradors, l’òrgan està enllaçat a %2</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the pose has another number of handles than the document</source>
         <translation>la postura té un altre nombre de tiradors que el document</translation>
     </message>
     <message>
+        <source>the position is not finite</source>
+        <translation>la posició no és finita</translation>
+    </message>
+    <message>
+        <source>the position of the handle %1 in %2 is not finite</source>
+        <translation>la posició del tirador %1 a %2 no és finita</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
+        <translation>aquest tipus de pel·lícula necessita el programa ffmpeg, que no està instal·lat</translation>
+    </message>
+    <message>
         <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
         <translation>la qualitat dels tetràedres és una raó d’1,1 (millor) a 10</translation>
+    </message>
+    <message>
+        <source>the reply is cut short</source>
+        <translation>la resposta està tallada</translation>
+    </message>
+    <message>
+        <source>the reply is damaged</source>
+        <translation>la resposta està malmesa</translation>
+    </message>
+    <message>
+        <source>the right ventricle is too small to eject as much as the left one</source>
+        <translation>el ventricle dret és massa petit per ejectar tant com l’esquerre</translation>
+    </message>
+    <message>
+        <source>the sample organ has no surface &quot;%1&quot;</source>
+        <translation>l’òrgan d’exemple no té cap superfície «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -2592,6 +4503,18 @@
         <translation>la mida és plausible: %1</translation>
     </message>
     <message>
+        <source>the sizes of its voxels are missing, zero or not finite</source>
+        <translation>les mides dels seus vòxels falten, són zero o no són finites</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; has two files of one phase</source>
+        <translation>la superfície «%1» té dos fitxers d’una mateixa fase</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; is missing in phase number %2</source>
+        <translation>falta la superfície «%1» a la fase número %2</translation>
+    </message>
+    <message>
         <source>the surface consists of %1 separate pieces</source>
         <translation>la superfície consta de %1 peces separades</translation>
     </message>
@@ -2600,12 +4523,32 @@
         <translation>la superfície no es travessa ella mateixa</translation>
     </message>
     <message>
+        <source>the surface encloses nothing that witness points could lie in</source>
+        <translation>la superfície no tanca res on hi pugui haver punts testimoni</translation>
+    </message>
+    <message>
         <source>the surface has %1 usable triangles, so it encloses nothing</source>
         <translation>la superfície té %1 triangles utilitzables, així que no tanca res</translation>
     </message>
     <message>
         <source>the surface has no such triangle</source>
         <translation>la superfície no té aquest triangle</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or is flat, so it encloses nothing</source>
+        <translation>la superfície no té triangles o és plana, així que no tanca res</translation>
+    </message>
+    <message>
+        <source>the surface has room for %1 of %2 handles</source>
+        <translation>la superfície té lloc per a %1 de %2 tiradors</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
+        <translation>la superfície fa %1 mm, i cap òrgan no els fa; les coordenades es prenen com a mil·límetres</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
+        <translation>la superfície fa %1 mm, i cap òrgan no els fa; les coordenades es prenen com a mil·límetres, però poden ser %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -2618,6 +4561,13 @@
     <message>
         <source>the surface is of one piece</source>
         <translation>la superfície és d’una peça</translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges})</source>
+        <translation>
+            <numerusform>la superfície és oberta (%n aresta de vora)</numerusform>
+            <numerusform>la superfície és oberta (%n arestes de vora)</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
@@ -2634,6 +4584,10 @@
         </translation>
     </message>
     <message>
+        <source>the tetrahedra do not determine the coordinates</source>
+        <translation>els tetràedres no determinen les coordenades</translation>
+    </message>
+    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>els triangles al voltant d’un forat no giren tots en el mateix sentit, així que no es pot tancar</translation>
     </message>
@@ -2642,20 +4596,88 @@
         <translation>els triangles miren cap enfora</translation>
     </message>
     <message>
+        <source>the values to show are %1, the surface has %2 vertices</source>
+        <translation>els valors a mostrar són %1, la superfície té %2 vèrtexs</translation>
+    </message>
+    <message>
+        <source>the values to show are %1, the tissue has %2 points</source>
+        <translation>els valors a mostrar són %1, el teixit té %2 punts</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>el volum no es pot mantenir aquí: %1</translation>
+    </message>
+    <message>
+        <source>the waves are %1 % as deep as in an adult: %2</source>
+        <translation>les ones tenen el %1 % de la profunditat que en un adult: %2</translation>
     </message>
     <message>
         <source>the weights of a measured point are no place in its triangle</source>
         <translation>els pesos d’un punt mesurat no són un lloc del seu triangle</translation>
     </message>
     <message>
+        <source>there are %1</source>
+        <translation>n’hi ha %1</translation>
+    </message>
+    <message>
+        <source>there are no points to group handles around</source>
+        <translation>no hi ha punts al voltant dels quals agrupar tiradors</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra in it; the surface may be open</source>
+        <translation>no conté tetràedres; potser la superfície és oberta</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>hi ha: %1</translation>
+    </message>
+    <message>
         <source>there is no %1 &quot;%2&quot;</source>
         <translation>«%2» no és un valor de %1</translation>
     </message>
     <message>
+        <source>there is no colour map of this name</source>
+        <translation>no hi ha cap escala de colors amb aquest nom</translation>
+    </message>
+    <message>
+        <source>there is no coordinate system &quot;%1&quot;</source>
+        <translation>no hi ha cap sistema de coordenades «%1»</translation>
+    </message>
+    <message>
+        <source>there is no handle %1</source>
+        <translation>no hi ha cap tirador %1</translation>
+    </message>
+    <message>
+        <source>there is no handle at vertex %1</source>
+        <translation>no hi ha cap tirador al vèrtex %1</translation>
+    </message>
+    <message>
         <source>there is no organ %1</source>
         <translation>no hi ha cap òrgan %1</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>no hi ha cap paràmetre %1</translation>
+    </message>
+    <message>
+        <source>there is no picture to put on the sheet</source>
+        <translation>no hi ha cap imatge per posar al full</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot;</source>
+        <translation>no hi ha cap seqüència «%1»</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot; for other organs</source>
+        <translation>no hi ha cap seqüència «%1» per a altres òrgans</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existeix aquest fitxer</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existeix aquest fitxer ni aquesta carpeta</translation>
     </message>
     <message>
         <source>there is no such slice</source>
@@ -2664,6 +4686,14 @@
     <message>
         <source>there is no triangle %1</source>
         <translation>no hi ha cap triangle %1</translation>
+    </message>
+    <message>
+        <source>there is no triangle to write</source>
+        <translation>no hi ha cap triangle per escriure</translation>
+    </message>
+    <message>
+        <source>there is no view of this name</source>
+        <translation>no hi ha cap vista amb aquest nom</translation>
     </message>
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
@@ -2678,8 +4708,36 @@
         <translation>simplificació de la superfície</translation>
     </message>
     <message>
+        <source>this EGL knows no desktop OpenGL</source>
+        <translation>aquest EGL no coneix OpenGL d’escriptori</translation>
+    </message>
+    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>és un error del programa; si us plau, comuniqueu-lo</translation>
+    </message>
+    <message>
+        <source>this is not a PNG picture</source>
+        <translation>això no és una imatge PNG</translation>
+    </message>
+    <message>
+        <source>this system has no parameters</source>
+        <translation>aquest sistema no té paràmetres</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
+        <translation>falten punts de referència: hi ha %1, però ni fundus ni pylorus</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but no %2</source>
+        <translation>falten punts de referència: hi ha %1, però no %2</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is right but neither apex nor base</source>
+        <translation>falten punts de referència: hi ha right, però ni apex ni base</translation>
+    </message>
+    <message>
+        <source>track surfaces that are not within each other one by one</source>
+        <translation>seguiu d’una en una les superfícies que no són les unes dins de les altres</translation>
     </message>
     <message>
         <source>triangle %1</source>
@@ -2688,6 +4746,22 @@
     <message>
         <source>triangle %1 refers to vertex %2, but there are %3</source>
         <translation>el triangle %1 es refereix al vèrtex %2, però n’hi ha %3</translation>
+    </message>
+    <message>
+        <source>try another resolution</source>
+        <translation>proveu una altra resolució</translation>
+    </message>
+    <message>
+        <source>try another resolution, or a cage without needle-like triangles</source>
+        <translation>proveu una altra resolució, o una gàbia sense triangles en forma d’agulla</translation>
+    </message>
+    <message>
+        <source>turn its triangles around, as viscera convert IN OUT --orient does</source>
+        <translation>gireu-ne els triangles, per exemple amb viscera convert ENTRADA SORTIDA --orient</translation>
+    </message>
+    <message>
+        <source>turn the surface outward, or choose a target above 0 ml</source>
+        <translation>orienteu la superfície cap enfora, o trieu un objectiu més gran que 0 ml</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -2718,8 +4792,20 @@
         <translation>actualitzeu Viscera</translation>
     </message>
     <message>
+        <source>use .ogv, .mp4, .gif, or a folder for PNG frames</source>
+        <translation>feu servir .ogv, .mp4, .gif o una carpeta per a fotogrames PNG</translation>
+    </message>
+    <message>
         <source>use a pose of the same handles</source>
         <translation>feu servir una postura dels mateixos tiradors</translation>
+    </message>
+    <message>
+        <source>use anterior, posterior, left, right, superior or inferior</source>
+        <translation>feu servir anterior, posterior, left, right, superior o inferior</translation>
+    </message>
+    <message>
+        <source>use images that show all of it in every phase</source>
+        <translation>feu servir imatges que el mostrin sencer en totes les fases</translation>
     </message>
     <message>
         <source>use one of %1</source>
@@ -2728,6 +4814,14 @@
     <message>
         <source>use one of: %1</source>
         <translation>feu servir un de: %1</translation>
+    </message>
+    <message>
+        <source>use one of: heartbeat, peristalsis, breathing</source>
+        <translation>feu servir una de: heartbeat, peristalsis, breathing</translation>
+    </message>
+    <message>
+        <source>use viridis or diverging</source>
+        <translation>feu servir viridis o diverging</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -2770,8 +4864,16 @@
         <translation>ona al cos</translation>
     </message>
     <message>
+        <source>what TetGen made is not a filling of this surface: %1</source>
+        <translation>el que ha fet TetGen no és un ompliment d’aquesta superfície: %1</translation>
+    </message>
+    <message>
         <source>what is measured on it is now at the nearest places of that surface</source>
         <translation>el que s’hi ha mesurat és ara als llocs més propers d’aquesta superfície</translation>
+    </message>
+    <message>
+        <source>witness point %1 has a coordinate that is not finite</source>
+        <translation>el punt testimoni %1 té una coordenada que no és finita</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -2839,6 +4941,38 @@
     <message>
         <source>These two probes have a profile already</source>
         <translation>Aquestes dues sondes ja tenen un perfil</translation>
+    </message>
+    <message>
+        <source>witness points on a grid</source>
+        <translation>punts testimoni en una quadrícula</translation>
+    </message>
+    <message>
+        <source>women and men have on average %1 to %2 ml</source>
+        <translation>dones i homes tenen de mitjana de %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>write an .ogv instead</source>
+        <translation>escriviu un .ogv en lloc seu</translation>
+    </message>
+    <message>
+        <source>write it as .nrrd</source>
+        <translation>escriviu-la com a .nrrd</translation>
+    </message>
+    <message>
+        <source>write lines of the instant and the volume in ml</source>
+        <translation>escriviu línies amb l’instant i el volum en ml</translation>
+    </message>
+    <message>
+        <source>write the instant and the volume in ml, as in 0.25,98.5</source>
+        <translation>escriviu l’instant i el volum en ml, com a 0.25,98.5</translation>
+    </message>
+    <message>
+        <source>write volumes in ml</source>
+        <translation>escriviu els volums en ml</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>escriptura de la pel·lícula</translation>
     </message>
 </context>
 </TS>

@@ -4,12 +4,20 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>&quot;%1&quot; has no planar form</source>
+        <translation>„%1“ hat keine ebene Form</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>„%1“ ist %2 statt „%3“</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
         <translation>„%1“ ist weder wahr noch falsch</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>„%1“ ist keine Landmarke der Sequenz %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a list</source>
@@ -20,12 +28,24 @@
         <translation>„%1“ ist kein Text</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
+        <translation>„%1“ betrachtet alle Punkte gemeinsam, was ebene Koordinaten nicht tun</translation>
+    </message>
+    <message>
         <source>&quot;version&quot; is not a positive whole number</source>
         <translation>„version“ ist keine positive ganze Zahl</translation>
     </message>
     <message>
+        <source>%1 and %2 are at one place: %3 from each other</source>
+        <translation>%1 und %2 liegen an einer Stelle: %3 voneinander entfernt</translation>
+    </message>
+    <message>
         <source>%1 and %2 more</source>
         <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % of the cycle: %3</source>
+        <translation>%1 bei %2 % des Zyklus: %3</translation>
     </message>
     <message>
         <source>%1 gives another surface than the one that was saved</source>
@@ -36,12 +56,48 @@
         <translation>%1 hat sich seit dem Speichern der Sitzung geändert</translation>
     </message>
     <message>
+        <source>%1 has no volume in %2</source>
+        <translation>%1 hat in %2 kein Volumen</translation>
+    </message>
+    <message>
+        <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
+        <translation>%1 hat in %2 andere Dreiecke als in der ersten: die Oberflächen werden nach ihren Abständen angepasst, die eine Bewegung entlang der Wand nicht erkennen</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 ist weiter als tausend Kilometer entfernt</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not a value for parameter %2</source>
+        <translation>%1 ist kein Wert für den Parameter %2</translation>
+    </message>
+    <message>
+        <source>%1 is out of range for parameter %2</source>
+        <translation>%1 liegt außerhalb des Bereichs von Parameter %2</translation>
+    </message>
+    <message>
+        <source>%1 ml cannot be reached</source>
+        <translation>%1 ml können nicht erreicht werden</translation>
+    </message>
+    <message>
+        <source>%1 need tetrahedra, which cannot be made here</source>
+        <translation>%1 brauchen Tetraeder, die hier nicht erzeugt werden können</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates</source>
+        <translation>%1 von %2 Eckpunkten haben keine Koordinaten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates in the cage</source>
+        <translation>%1 von %2 Eckpunkten haben im Käfig keine Koordinaten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie in no group's region</source>
+        <translation>%1 von %2 Eckpunkten liegen in keiner Region einer Gruppe</translation>
     </message>
     <message>
         <source>%1 of more than 1 GB cannot be kept in a session file</source>
@@ -52,8 +108,24 @@
         <translation>%1 Zeilen</translation>
     </message>
     <message>
+        <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
+        <translation>%1 berührt den Bildrand in %2 und in anderen nicht, so dass seine Volumina beschnitten wären</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
+        <translation>%1 berührt den Bildrand in %2: was dahinter liegt, ist nicht in seinem Volumen</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
+        <translation>%1 berührt den Bildrand in jeder Phase: was dahinter liegt, ist nicht in seinem Volumen</translation>
+    </message>
+    <message>
         <source>%1 voxels</source>
         <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 of them crumbs of less than 2 % of its area</source>
@@ -62,6 +134,10 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, geändert</translation>
+    </message>
+    <message>
+        <source>%1, handle &quot;%2&quot;</source>
+        <translation>%1, Griff „%2“</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -76,12 +152,53 @@
         <translation>%1, Schlüssel bei %2 s</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>%1: %2 lie outside the handles' hull, by up to %3 mm</source>
+        <translation>%1: %2 liegen außerhalb der Hülle der Griffe, bis zu %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {hole|holes} closed by {a flat cap|flat caps}</source>
+        <translation>
+            <numerusform>%1: %n Loch mit einer ebenen Kappe geschlossen</numerusform>
+            <numerusform>%1: %n Löcher mit ebenen Kappen geschlossen</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
         <translation>%1: „%2“ ist unbekannt und wird nicht wieder gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
+        <translation>%1: Punkte, die in der ersten Phase zusammenfallen, liegen später bis zu %2 mm auseinander; sie bewegen sich gemeinsam</translation>
+    </message>
+    <message>
+        <source>%1; it looks like %2</source>
+        <translation>%1; sie sieht aus wie %2</translation>
+    </message>
+    <message>
+        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
+        <translation>%1; die Schichten %2 bis %3 von %4, die gleichmäßig sind, wurden gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
+        <translation>
+            <numerusform>%2 Stücke, %n Voxel neben dem größten</numerusform>
+            <numerusform>%2 Stücke, %n Voxel neben dem größten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
+        <translation>
+            <numerusform>%2 Stücke, %n Voxel neben dem größten weggelassen</numerusform>
+            <numerusform>%2 Stücke, %n Voxel neben dem größten weggelassen</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
@@ -95,6 +212,13 @@
         <translation>
             <numerusform>%n Randkante: die Oberfläche ist offen und hat kein Volumen</numerusform>
             <numerusform>%n Randkanten: die Oberfläche ist offen und hat kein Volumen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the given points {is|are} not in it</source>
+        <translation>
+            <numerusform>%n der gegebenen Punkte ist nicht darin</numerusform>
+            <numerusform>%n der gegebenen Punkte sind nicht darin</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -112,6 +236,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {file is a copy|files are copies} of another one and left out</source>
+        <translation>
+            <numerusform>%n Datei ist die Kopie einer anderen und wurde weggelassen</numerusform>
+            <numerusform>%n Dateien sind Kopien einer anderen und wurden weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {file is|files are} damaged and left out (%2: %3)</source>
+        <translation>
+            <numerusform>%n Datei ist beschädigt und wurde weggelassen (%2: %3)</numerusform>
+            <numerusform>%n Dateien sind beschädigt und wurden weggelassen (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is|handles are} too few</source>
+        <translation>
+            <numerusform>%n Griff ist zu wenig</numerusform>
+            <numerusform>%n Griffe sind zu wenige</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle|handles}</source>
         <translation>
             <numerusform>%n Griff</numerusform>
@@ -119,10 +264,101 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle|handles} cannot form %2 groups</source>
+        <translation>
+            <numerusform>%n Griff kann keine %2 Gruppen bilden</numerusform>
+            <numerusform>%n Griffe können keine %2 Gruppen bilden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} whose label another one has got a new one</source>
+        <translation>
+            <numerusform>%n Griff, dessen Bezeichnung schon ein anderer hat, hat eine neue bekommen</numerusform>
+            <numerusform>%n Griffe, deren Bezeichnung schon ein anderer hat, haben eine neue bekommen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} without a label got one</source>
+        <translation>
+            <numerusform>%n Griff ohne Bezeichnung hat eine bekommen</numerusform>
+            <numerusform>%n Griffe ohne Bezeichnung haben eine bekommen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line or point cell|line or point cells} ignored</source>
+        <translation>
+            <numerusform>%n Linien- oder Punktzelle übergangen</numerusform>
+            <numerusform>%n Linien- oder Punktzellen übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {mask is|masks are} empty (%2)</source>
+        <translation>
+            <numerusform>%n Maske ist leer (%2)</numerusform>
+            <numerusform>%n Masken sind leer (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
             <numerusform>%n Paar von Dreiecken durchdringt sich: der Spannungsmodus muss die Oberfläche vielleicht erst reparieren</numerusform>
             <numerusform>%n Paare von Dreiecken durchdringen sich: der Spannungsmodus muss die Oberfläche vielleicht erst reparieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <translation>
+            <numerusform>%n Bild der Serie mit einem anderen Echo weggelassen</numerusform>
+            <numerusform>%n Bilder der Serie mit einem anderen Echo weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <translation>
+            <numerusform>%n Bild der Serie, das in anderer Richtung liegt, weggelassen</numerusform>
+            <numerusform>%n Bilder der Serie, die in anderer Richtung liegen, weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {place has|places have} more than one slice (%2); the one with the lowest number was read</source>
+        <translation>
+            <numerusform>%n Ort hat mehr als eine Schicht (%2); die mit der kleinsten Nummer wurde gelesen</numerusform>
+            <numerusform>%n Orte haben mehr als eine Schicht (%2); die mit der kleinsten Nummer wurde gelesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that repeats|points that repeat} another merged</source>
+        <translation>
+            <numerusform>%n Punkt, der einen anderen wiederholt, verschmolzen</numerusform>
+            <numerusform>%n Punkte, die andere wiederholen, verschmolzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points} without a triangle dropped</source>
+        <translation>
+            <numerusform>%n Punkt ohne Dreieck weggelassen</numerusform>
+            <numerusform>%n Punkte ohne Dreieck weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
+        <translation>
+            <numerusform>%n Vieleck fächerförmig zerlegt, was falsch ist, wo es nicht konvex ist</numerusform>
+            <numerusform>%n Vielecke fächerförmig zerlegt, was falsch ist, wo sie nicht konvex sind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} no voxels (%2)</source>
+        <translation>
+            <numerusform>%n Segment hat keine Voxel (%2)</numerusform>
+            <numerusform>%n Segmente haben keine Voxel (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice is|slices are} missing between slice %2 (%3) and the next, which are %4 mm apart in place of %5 mm</source>
+        <translation>
+            <numerusform>%n Schicht fehlt zwischen Schicht %2 (%3) und der nächsten, die %4 mm statt %5 mm auseinander liegen</numerusform>
+            <numerusform>%n Schichten fehlen zwischen Schicht %2 (%3) und der nächsten, die %4 mm statt %5 mm auseinander liegen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -146,6 +382,35 @@
             <numerusform>%n Dreiecke ohne Fläche oder die doppelt vorkamen, sind weggelassen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} with a repeated corner dropped</source>
+        <translation>
+            <numerusform>%n Dreieck mit doppelter Ecke weggelassen</numerusform>
+            <numerusform>%n Dreiecke mit doppelter Ecke weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex lies|vertices lie} outside the hull of the sequence's handles</source>
+        <translation>
+            <numerusform>%n Eckpunkt liegt außerhalb der Hülle der Griffe der Sequenz</numerusform>
+            <numerusform>%n Eckpunkte liegen außerhalb der Hülle der Griffe der Sequenz</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex|vertices} cannot be divided among %2 groups</source>
+        <translation>
+            <numerusform>%n Eckpunkt kann nicht auf %2 Gruppen verteilt werden</numerusform>
+            <numerusform>%n Eckpunkte können nicht auf %2 Gruppen verteilt werden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>0 starts from all ones, others from random numbers</source>
+        <translation>0 beginnt mit lauter Einsen, andere mit Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>19 of 20 adults have %1 to %2 ml</source>
+        <translation>19 von 20 Erwachsenen haben %1 bis %2 ml</translation>
+    </message>
     <message>
         <source>A cavity has to come after the organ that it is in</source>
         <translation>Eine Höhle muss nach dem Organ kommen, in dem sie liegt</translation>
@@ -157,6 +422,10 @@
     <message>
         <source>A healthy adult lying down.</source>
         <translation>Ein gesunder Erwachsener im Liegen.</translation>
+    </message>
+    <message>
+        <source>A place in the cycle lies between 0 and 1</source>
+        <translation>Ein Ort im Zyklus liegt zwischen 0 und 1</translation>
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
@@ -179,8 +448,16 @@
         <translation>Eine Sitzung wird allein geöffnet</translation>
     </message>
     <message>
+        <source>A slice cannot be read, so the series is not opened: %1</source>
+        <translation>Eine Schicht kann nicht gelesen werden, darum wird die Serie nicht geöffnet: %1</translation>
+    </message>
+    <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
         <translation>Ein steifer linker Ventrikel, der langsam erschlafft: Er entleert sich gut und füllt sich nur bei hohem Druck.</translation>
+    </message>
+    <message>
+        <source>A ventricle's volume is not positive</source>
+        <translation>Das Volumen eines Ventrikels ist nicht positiv</translation>
     </message>
     <message>
         <source>A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to the lungs. Its wall has more muscle and is no thicker.</source>
@@ -239,6 +516,10 @@
     <message>
         <source>An angle needs three points, any other measurement two</source>
         <translation>Ein Winkel braucht drei Punkte, jede andere Messung zwei</translation>
+    </message>
+    <message>
+        <source>An ejection fraction of %1 is none of a heart</source>
+        <translation>Eine Ejektionsfraktion von %1 hat kein Herz</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -345,6 +626,10 @@
         <translation>Basis</translation>
     </message>
     <message>
+        <source>Bending the image</source>
+        <translation>Bild wird gebogen</translation>
+    </message>
+    <message>
         <source>Bending the scan</source>
         <translation>Scan wird gebogen</translation>
     </message>
@@ -363,6 +648,10 @@
     <message>
         <source>Binding %1</source>
         <translation>Bindung von %1</translation>
+    </message>
+    <message>
+        <source>Binding the space between the handles</source>
+        <translation>Der Raum zwischen den Griffen wird gebunden</translation>
     </message>
     <message>
         <source>Body</source>
@@ -616,7 +905,7 @@
     </message>
     <message>
         <source>Gastric peristalsis</source>
-        <translation>Magenperistaltik</translation>
+        <translation>Peristaltik des Magens</translation>
     </message>
     <message>
         <source>Gradient method</source>
@@ -746,14 +1035,78 @@
         <translation>Innere Griffe jeder Lage</translation>
     </message>
     <message>
+        <source>It cannot be opened: %1</source>
+        <translation>Es kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
         <source>It cannot be read</source>
         <translation>Sie kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>It cannot be read to its end</source>
+        <translation>Die Datei kann nicht bis zum Ende gelesen werden</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Sie durchdringt sich selbst, an %n Paar von Dreiecken</numerusform>
             <numerusform>Sie durchdringt sich selbst, an %n Paaren von Dreiecken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
+        <translation>Die Datei beschreibt keine Lektion: „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
+        <translation>Die Datei beschreibt keine Lektion: ein Text, eine Zahl oder eine Liste steht, wo etwas anderes hingehört</translation>
+    </message>
+    <message>
+        <source>It does not fit into memory</source>
+        <translation>Die Datei passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>It does not say how long one cycle lasts</source>
+        <translation>Es ist nicht angegeben, wie lange ein Zyklus dauert</translation>
+    </message>
+    <message numerus="yes">
+        <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
+        <translation>
+            <numerusform>Die Zeit ihrer %n Phase ist nicht angegeben; sie wird nummeriert</numerusform>
+            <numerusform>Die Zeiten ihrer %n Phasen sind nicht angegeben; sie werden nummeriert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as milliseconds</source>
+        <translation>Die Einheit der Zeiten ist nicht angegeben; sie werden als Millisekunden genommen</translation>
+    </message>
+    <message>
+        <source>It has %1 labels; a mask in a folder has one</source>
+        <translation>Die Datei hat %1 Labels; eine Maske in einem Ordner hat eines</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes; a label map has one</source>
+        <translation>Die Datei hat %1 Volumen; eine Labelmap hat eines</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles} in place of %2</source>
+        <translation>
+            <numerusform>Sie hat %n Griff statt %2</numerusform>
+            <numerusform>Sie hat %n Griffe statt %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a sequence needs four at least</source>
+        <translation>
+            <numerusform>Es gibt %n Griff; eine Sequenz braucht mindestens vier</numerusform>
+            <numerusform>Es gibt %n Griffe; eine Sequenz braucht mindestens vier</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {phase|phases}; a motion needs four at least</source>
+        <translation>
+            <numerusform>Es gibt %n Phase; eine Bewegung braucht mindestens vier</numerusform>
+            <numerusform>Es gibt %n Phasen; eine Bewegung braucht mindestens vier</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -764,20 +1117,124 @@
         </translation>
     </message>
     <message>
+        <source>It has more than %1 files</source>
+        <translation>Der Ordner hat mehr als %1 Dateien</translation>
+    </message>
+    <message>
+        <source>It has more than 32767 voxels along a side, which NIfTI cannot hold</source>
+        <translation>Das Bild hat mehr als 32767 Voxel entlang einer Seite, was NIfTI nicht fasst</translation>
+    </message>
+    <message>
         <source>It has no &quot;%1&quot;</source>
         <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>It has no DICOM files with images</source>
+        <translation>Der Ordner hat keine DICOM-Dateien mit Bildern</translation>
+    </message>
+    <message>
+        <source>It has no label %1</source>
+        <translation>Es gibt kein Label %1</translation>
+    </message>
+    <message>
+        <source>It has no labelled voxel: all are 0</source>
+        <translation>Kein Voxel hat ein Label: alle sind 0</translation>
+    </message>
+    <message>
+        <source>It has no phase %1; it has %2</source>
+        <translation>Es gibt keine Phase %1; es gibt %2</translation>
+    </message>
+    <message>
+        <source>It has no series %1</source>
+        <translation>Es gibt keine Serie %1</translation>
+    </message>
+    <message>
+        <source>It has no series %1; it is one scan</source>
+        <translation>Es gibt keine Serie %1; es ist ein einziger Scan</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan</source>
+        <translation>Es gibt keine Schichten eines Scans</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan: %1 %2</source>
+        <translation>Es gibt keine Schichten eines Scans: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>Es hat keine Oberfläche „%1“</translation>
     </message>
     <message>
+        <source>It has no triangles</source>
+        <translation>Die Oberfläche hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>It has several labels: %1</source>
+        <translation>Es gibt mehrere Labels: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel (%1)</source>
+        <translation>Das Bild hat mehrere Werte je Voxel (%1)</translation>
+    </message>
+    <message>
         <source>It has to be a text</source>
         <translation>Es muss ein Text sein</translation>
     </message>
     <message>
+        <source>It has to be positive</source>
+        <translation>Der Wert muss positiv sein</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: it has more than %1 different values</source>
+        <translation>Die Datei enthält ein Bild, keine Labels: sie hat mehr als %1 verschiedene Werte</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: one of its values is %1</source>
+        <translation>Die Datei enthält ein Bild, keine Labels: einer ihrer Werte ist %1</translation>
+    </message>
+    <message>
         <source>It holds less than %1</source>
         <translation>Es enthält weniger als %1</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 masks</source>
+        <translation>Der Ordner enthält mehr als %1 Masken</translation>
+    </message>
+    <message>
+        <source>It holds neither surfaces nor label maps</source>
+        <translation>Der Ordner enthält weder Oberflächen noch Labelmaps</translation>
+    </message>
+    <message>
+        <source>It holds no label map</source>
+        <translation>Der Ordner enthält keine Labelmap</translation>
+    </message>
+    <message>
+        <source>It holds no points</source>
+        <translation>Die Datei enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>It holds no triangle that has three different corners</source>
+        <translation>Die Datei enthält kein Dreieck mit drei verschiedenen Ecken</translation>
+    </message>
+    <message>
+        <source>It holds no triangles</source>
+        <translation>Die Datei enthält keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>It holds no triangles, only points</source>
+        <translation>Die Datei enthält keine Dreiecke, nur Punkte</translation>
+    </message>
+    <message>
+        <source>It holds only empty masks</source>
+        <translation>Der Ordner enthält nur leere Masken</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file without an image</source>
+        <translation>Es ist eine DICOM-Datei ohne Bild</translation>
+    </message>
+    <message>
+        <source>It is a folder, not a file</source>
+        <translation>Es ist ein Ordner, keine Datei</translation>
     </message>
     <message>
         <source>It is a scan and no organ</source>
@@ -792,6 +1249,10 @@
         <translation>Es ist beschädigt: sein SHA-256 ist nicht %1</translation>
     </message>
     <message>
+        <source>It is named %1 but looks like %2</source>
+        <translation>Die Datei heißt %1, sieht aber aus wie %2</translation>
+    </message>
+    <message>
         <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
         <translation>Es ist weder „embedded“ noch „linked“</translation>
     </message>
@@ -804,6 +1265,14 @@
         <translation>Es ist keine Datei der Art %1: ihr „format“ ist nicht „%2“</translation>
     </message>
     <message>
+        <source>It is not a NIfTI image: its header is not one</source>
+        <translation>Es ist kein NIfTI-Bild: der Kopf ist keiner</translation>
+    </message>
+    <message>
+        <source>It is not a file of several volumes</source>
+        <translation>Es ist keine Datei mit mehreren Volumen</translation>
+    </message>
+    <message>
         <source>It is not a file that can be read</source>
         <translation>Es ist keine lesbare Datei</translation>
     </message>
@@ -812,8 +1281,28 @@
         <translation>Es ist keine endliche Zahl</translation>
     </message>
     <message>
+        <source>It is not a handle file</source>
+        <translation>Es ist keine Griffdatei</translation>
+    </message>
+    <message>
         <source>It is not a list of three numbers</source>
         <translation>Es ist keine Liste aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>It is not a regular file</source>
+        <translation>Es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>It is not a scan that Viscera knows</source>
+        <translation>Es ist kein Scan, den Viscera kennt</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan</source>
+        <translation>Es ist keine Schicht eines Scans</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan: it %1</source>
+        <translation>Es ist keine Schicht eines Scans: %1</translation>
     </message>
     <message>
         <source>It is not a text</source>
@@ -840,16 +1329,60 @@
         <translation>Es ist kein vollständiges JSON: %1</translation>
     </message>
     <message>
+        <source>It is not complete JSON: the mistake is in line %1</source>
+        <translation>Die Datei ist kein vollständiges JSON: der Fehler ist in Zeile %1</translation>
+    </message>
+    <message>
+        <source>It is not convex at its triangle %1</source>
+        <translation>Er ist an seinem Dreieck %1 nicht konvex</translation>
+    </message>
+    <message>
+        <source>It is not finite</source>
+        <translation>Sie ist nicht endlich</translation>
+    </message>
+    <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Sie hat die Version %1; dieses Programm liest bis %2</translation>
+    </message>
+    <message>
+        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
+        <translation>Es ist die Hälfte eines NIfTI-Bildes mit den Voxeln; ihr Kopf, %1, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
+        <translation>Es ist der Kopf eines NIfTI-Bildes aus zwei Dateien; die mit den Voxeln, %1, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>It is too large: %1 points</source>
+        <translation>Sie ist zu groß: %1 Punkte</translation>
     </message>
     <message>
         <source>It is too long</source>
         <translation>Es ist zu lang</translation>
     </message>
     <message>
+        <source>It leads to more than 20 million points</source>
+        <translation>Das ergibt mehr als 20 Millionen Punkte</translation>
+    </message>
+    <message>
+        <source>It mixes surfaces and label maps</source>
+        <translation>Oberflächen und Labelmaps sind gemischt</translation>
+    </message>
+    <message>
+        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
+        <translation>Es nennt den Griff %1, der nicht unter „handles“ steht</translation>
+    </message>
+    <message>
+        <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
+        <translation>Es scheint in RAS zu sein, während %1 in LPS ist, oder umgekehrt: es liegt auf der anderen Seite der Körpermitte</translation>
+    </message>
+    <message>
         <source>Its axes lie in one plane</source>
         <translation>Seine Achsen liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>Its grid is sheared: its axes are not at right angles</source>
+        <translation>Das Gitter ist geschert: seine Achsen stehen nicht senkrecht aufeinander</translation>
     </message>
     <message>
         <source>Keep as before</source>
@@ -1027,8 +1560,16 @@
         <translation>Maximum</translation>
     </message>
     <message>
+        <source>Maximum of %1 mm</source>
+        <translation>Maximum über %1 mm</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean of %1 mm</source>
+        <translation>Mittel über %1 mm</translation>
     </message>
     <message>
         <source>Mean value</source>
@@ -1129,8 +1670,24 @@
         <translation>Nervensystem</translation>
     </message>
     <message>
+        <source>No cavity is a ventricle by its name</source>
+        <translation>Kein Hohlraum ist seinem Namen nach ein Ventrikel</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Kein Scan hat %1 Voxel entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>No surface is chosen</source>
+        <translation>Keine Oberfläche ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>No voxel has a label in %1</source>
+        <translation>Kein Voxel hat in %1 ein Label</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Es ist nichts aufgenommen</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -1143,6 +1700,10 @@
     <message>
         <source>Of the random numbers</source>
         <translation>Startwert der Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Only label maps have labels</source>
+        <translation>Nur Labelmaps haben Labels</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1162,6 +1723,10 @@
     <message>
         <source>Open scan %1</source>
         <translation>Scan %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open sequence %1</source>
+        <translation>Sequenz %1 öffnen</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -1527,6 +2092,10 @@
         <translation>Haut und Fett</translation>
     </message>
     <message>
+        <source>Slice %1 (%2) is shifted sideways against those below it</source>
+        <translation>Schicht %1 (%2) ist gegen die darunter seitlich verschoben</translation>
+    </message>
+    <message>
         <source>Small bowel</source>
         <translation>Dünndarm</translation>
     </message>
@@ -1545,6 +2114,10 @@
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
         <translation>Lösungen der Laplace-Gleichung in einem Käfig beliebiger Form; lokal und ohne negative Ausläufer</translation>
+    </message>
+    <message>
+        <source>Some files say that they are in RAS and this one does not say what it is in</source>
+        <translation>Manche Dateien geben RAS an, diese gibt keine Achsen an</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -1630,6 +2203,10 @@
         <translation>Schwanz</translation>
     </message>
     <message>
+        <source>Take handles of %1</source>
+        <translation>Griffe von %1 verwenden</translation>
+    </message>
+    <message>
         <source>Take the cage %1</source>
         <translation>Käfig %1 verwenden</translation>
     </message>
@@ -1638,8 +2215,28 @@
         <translation>Tamponade</translation>
     </message>
     <message>
+        <source>TetGen cannot fill this surface (%1)</source>
+        <translation>TetGen kann diese Oberfläche nicht füllen (%1)</translation>
+    </message>
+    <message>
         <source>TetGen placed no point inside the surface</source>
         <translation>TetGen hat keinen Punkt in die Oberfläche gesetzt</translation>
+    </message>
+    <message>
+        <source>TetGen wanted more than %1 MB of memory</source>
+        <translation>TetGen brauchte mehr als %1 MB Speicher</translation>
+    </message>
+    <message>
+        <source>TetGen was not done after %1 s</source>
+        <translation>TetGen war nach %1 s nicht fertig</translation>
+    </message>
+    <message>
+        <source>TetGen's program %1 cannot be started: %2</source>
+        <translation>das Programm %1 von TetGen kann nicht gestartet werden: %2</translation>
+    </message>
+    <message>
+        <source>Textbook heartbeat</source>
+        <translation>Herzschlag wie im Lehrbuch</translation>
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
@@ -1650,6 +2247,10 @@
         <translation>Der Käfig nennt einen Griff, den es nicht gibt</translation>
     </message>
     <message>
+        <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
+        <translation>Der Hohlraum %1 liegt nicht in der äußeren Oberfläche %2: %3 % davon liegen außerhalb</translation>
+    </message>
+    <message>
         <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
         <translation>Die Mitte aller positiven Lösungen, durch Stichproben; so gut wie deren Anzahl</translation>
     </message>
@@ -1658,8 +2259,28 @@
         <translation>Die klassischen Koordinaten eines geschlossenen Käfigs; positiv, wo der Käfig konvex ist</translation>
     </message>
     <message>
+        <source>The files' names are not in the order of the slices; they were put in order by position</source>
+        <translation>Die Namen der Dateien folgen nicht der Reihenfolge der Schichten; sie wurden nach ihrer Lage geordnet</translation>
+    </message>
+    <message>
+        <source>The grid of %1 is another one than that of the first phase</source>
+        <translation>Das Gitter von %1 ist ein anderes als das der ersten Phase</translation>
+    </message>
+    <message>
+        <source>The heart rate has to be a positive number of beats a minute</source>
+        <translation>Die Herzfrequenz muss eine positive Zahl von Schlägen pro Minute sein</translation>
+    </message>
+    <message>
+        <source>The label &quot;%1&quot; is missing in %2</source>
+        <translation>Das Label „%1“ fehlt in %2</translation>
+    </message>
+    <message>
         <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
         <translation>Die Labelmap von %1 hat ein anderes Gitter (%2) als der Scan (%3); jede liegt dort, wo ihre Datei es sagt, und nichts wird umgerechnet</translation>
+    </message>
+    <message>
+        <source>The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours %2 mm at most</source>
+        <translation>Die letzte Phase führt nicht zur ersten zurück: sie liegen im Mittel %1 mm auseinander, Nachbarn höchstens %2 mm</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
@@ -1694,6 +2315,10 @@
         <translation>Der Magenausgang</translation>
     </message>
     <message>
+        <source>The period is not a positive time</source>
+        <translation>Die Periode ist keine positive Zeit</translation>
+    </message>
+    <message>
         <source>The points of n-space that the wire connects</source>
         <translation>Die Punkte des n-Raums, die der Draht verbindet</translation>
     </message>
@@ -1706,6 +2331,18 @@
         <translation>Die Pose hat eine Position, die keine endliche Zahl oder zu weit entfernt ist</translation>
     </message>
     <message>
+        <source>The program ffmpeg could not write the movie</source>
+        <translation>Das Programm ffmpeg konnte den Film nicht schreiben</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg could not write the movie: %1</source>
+        <translation>Das Programm ffmpeg konnte den Film nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>The rate is out of range</source>
+        <translation>Die Rate liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
         <source>The sequence moves %1 handles, but there are %2</source>
         <translation>Die Sequenz bewegt %1 Griffe, es gibt aber %2</translation>
     </message>
@@ -1713,9 +2350,35 @@
         <source>The sequence was made for another place of a handle</source>
         <translation>Die Sequenz wurde für einen anderen Ort eines Griffs gemacht</translation>
     </message>
+    <message numerus="yes">
+        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <translation>
+            <numerusform>Die Serie hat Bilder verschiedener Größe: %n Bild mit %2 weggelassen, die mit %3 gelesen</numerusform>
+            <numerusform>Die Serie hat Bilder verschiedener Größe: %n Bilder mit %2 weggelassen, die mit %3 gelesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <translation>
+            <numerusform>Die Serie hat Pixel verschiedener Größe: %n Bild mit %2 mm weggelassen, die mit %3 mm gelesen</numerusform>
+            <numerusform>Die Serie hat Pixel verschiedener Größe: %n Bilder mit %2 mm weggelassen, die mit %3 mm gelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1 degrees against the way they are stacked (a tilted gantry); the shear is kept</source>
+        <translation>Die Schichten sind um %1 Grad gegen ihre Stapelrichtung geneigt (gekippte Gantry); die Scherung bleibt erhalten</translation>
+    </message>
     <message>
         <source>The smallest number is raised as high as it goes; positive, with kinks</source>
         <translation>Die kleinste Zahl wird so hoch gehoben, wie es geht; positiv, mit Knicken</translation>
+    </message>
+    <message>
+        <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
+        <translation>Der Abstand ist ungleichmäßig zwischen Schicht %1 (%2) und der nächsten, die %3 mm statt %4 mm auseinander liegen (%5 %)</translation>
+    </message>
+    <message>
+        <source>The speed is out of range</source>
+        <translation>Die Geschwindigkeit liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>The surface has no triangle</source>
@@ -1734,12 +2397,20 @@
         <translation>Der Radius der Dissertation; er kürzt sich in den Koordinaten heraus und ändert nichts</translation>
     </message>
     <message>
+        <source>The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms</source>
+        <translation>Die Zeiten der Phasen steigen innerhalb einer Periode von %1 ms nicht an: %2 liegt bei %3 ms</translation>
+    </message>
+    <message>
         <source>The tip of the heart</source>
         <translation>Die Herzspitze</translation>
     </message>
     <message>
         <source>The top of the fundus</source>
         <translation>Der höchste Punkt des Fundus</translation>
+    </message>
+    <message>
+        <source>The volume of %1 jumps from %2 to %3 ml between %4 and %5</source>
+        <translation>Das Volumen von %1 springt zwischen %4 und %5 von %2 auf %3 ml</translation>
     </message>
     <message>
         <source>The width has to be positive</source>
@@ -1774,6 +2445,14 @@
         <translation>Solche Eckpunkte zum Umschließen gibt es nicht</translation>
     </message>
     <message>
+        <source>There are no volumes to compute an ejection fraction from</source>
+        <translation>Es gibt keine Volumina, aus denen eine Ejektionsfraktion berechnet werden könnte</translation>
+    </message>
+    <message>
+        <source>There is no %1</source>
+        <translation>%1 gibt es nicht</translation>
+    </message>
+    <message>
         <source>There is no file to open</source>
         <translation>Es gibt keine Datei zum Öffnen</translation>
     </message>
@@ -1788,6 +2467,18 @@
     <message>
         <source>There is no scan to close</source>
         <translation>Es gibt keinen Scan zum Schließen</translation>
+    </message>
+    <message>
+        <source>There is no sequence that could move these handles</source>
+        <translation>Es gibt keine Sequenz, die diese Griffe bewegen könnte</translation>
+    </message>
+    <message>
+        <source>There is no sequence whose rate could be set</source>
+        <translation>Es gibt keine Sequenz, deren Rate eingestellt werden könnte</translation>
+    </message>
+    <message>
+        <source>There is no series</source>
+        <translation>Es gibt keine Serie</translation>
     </message>
     <message>
         <source>There is no stress map yet</source>
@@ -1810,8 +2501,23 @@
         <translation>Diesen Punkt gibt es nicht</translation>
     </message>
     <message>
+        <source>There is no surface &quot;%1&quot;</source>
+        <translation>Es gibt keine Oberfläche „%1“</translation>
+    </message>
+    <message>
         <source>There is no type of samples &quot;%1&quot;</source>
         <translation>Es gibt keine Art von Messwerten „%1“</translation>
+    </message>
+    <message>
+        <source>There is no volume in it</source>
+        <translation>Die Datei enthält kein Volumen</translation>
+    </message>
+    <message numerus="yes">
+        <source>There {is|are} %n {time|times} for %2 phases</source>
+        <translation>
+            <numerusform>Es gibt %n Zeit für %2 Phasen</numerusform>
+            <numerusform>Es gibt %n Zeiten für %2 Phasen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Thickening</source>
@@ -1824,6 +2530,10 @@
     <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Tracing the displacement field</source>
+        <translation>Das Verschiebungsfeld wird berechnet</translation>
     </message>
     <message>
         <source>Transverse colon</source>
@@ -1957,6 +2667,54 @@
         <translation>Messpunkte von %1</translation>
     </message>
     <message>
+        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <translation>%1 mit %2 ml ist nicht lebensgroß: %3</translation>
+    </message>
+    <message>
+        <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
+        <translation>eine .fcsv-Datei ist eine Liste: die %1 Gruppen und ihre Farben bleiben nicht erhalten (in .mrk.json schon)</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer fiducial table</source>
+        <translation>eine Markertabelle von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer markups file</source>
+        <translation>eine Markups-Datei von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>eine JSON-Datei</translation>
+    </message>
+    <message>
+        <source>a NIfTI image</source>
+        <translation>ein NIfTI-Bild</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <translation>eine PLY-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a VTK XML file that holds no surface</source>
+        <translation>eine VTK-XML-Datei ohne Oberfläche</translation>
+    </message>
+    <message>
+        <source>a VTK XML surface</source>
+        <translation>eine VTK-XML-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>a binary glTF scene</source>
+        <translation>eine binäre glTF-Szene</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>ein Käfig ist eine grobe Oberfläche: nehmen Sie eine mit höchstens %1 Eckpunkten</translation>
     </message>
@@ -1969,6 +2727,14 @@
         <translation>eine konvexe Hülle braucht mindestens 4 Punkte, es gibt %1</translation>
     </message>
     <message>
+        <source>a curve needs one number for each time</source>
+        <translation>eine Kurve braucht zu jeder Zeit eine Zahl</translation>
+    </message>
+    <message>
+        <source>a curve needs one y for each x</source>
+        <translation>eine Kurve braucht zu jedem x ein y</translation>
+    </message>
+    <message>
         <source>a displacement</source>
         <translation>eine Verschiebung</translation>
     </message>
@@ -1977,16 +2743,52 @@
         <translation>ein Abstandsgitter mit dieser Weite ist zu groß</translation>
     </message>
     <message>
+        <source>a glTF scene</source>
+        <translation>eine glTF-Szene</translation>
+    </message>
+    <message>
+        <source>a gzip-compressed file</source>
+        <translation>eine mit gzip gepackte Datei</translation>
+    </message>
+    <message>
         <source>a handle of a recorded key</source>
         <translation>ein Griff eines aufgezeichneten Schlüssels</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <translation>eine alte VTK-Datei</translation>
+    </message>
+    <message>
+        <source>a locked volume must be positive</source>
+        <translation>ein gesperrtes Volumen muss positiv sein</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
         <translation>ein Teil des Scans liegt auf keinem Organ</translation>
     </message>
     <message>
+        <source>a phase has not all surfaces</source>
+        <translation>eine Phase hat nicht alle Oberflächen</translation>
+    </message>
+    <message>
         <source>a point of its surface</source>
         <translation>ein Punkt seiner Oberfläche</translation>
+    </message>
+    <message>
+        <source>a point of the centreline lies %1 outside the organ</source>
+        <translation>ein Punkt der Mittellinie liegt %1 außerhalb des Organs</translation>
+    </message>
+    <message>
+        <source>a point of the divided cage is not on the cage</source>
+        <translation>ein Punkt des geteilten Käfigs liegt nicht auf dem Käfig</translation>
+    </message>
+    <message>
+        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>ein Vieleck verweist auf Punkt %1, es gibt aber %2 (von 0 an gezählt)</translation>
+    </message>
+    <message>
+        <source>a pose of %1 handles does not fit witness points of %2</source>
+        <translation>eine Pose mit %1 Griffen passt nicht zu Messpunkten mit %2</translation>
     </message>
     <message>
         <source>a recorded key</source>
@@ -1997,8 +2799,20 @@
         <translation>eine Bemerkung dazu ist kein UTF-8</translation>
     </message>
     <message>
+        <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
+        <translation>eine Oberfläche mit %1 Eckpunkten und %2 Dreiecken ist zu klein für Griffe</translation>
+    </message>
+    <message>
         <source>a surface without triangles has no inside</source>
         <translation>eine Oberfläche ohne Dreiecke hat kein Inneres</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that does not exist</source>
+        <translation>ein Tetraeder hat eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that is none of the %1 points</source>
+        <translation>ein Tetraeder hat eine Ecke, die keiner der %1 Punkte ist</translation>
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
@@ -2009,16 +2823,60 @@
         <translation>ein Dreieck nennt einen Griff, den es nicht gibt</translation>
     </message>
     <message>
+        <source>a triangle refers to a point that is not there</source>
+        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>add a group that encloses them, or put handles around them into a group</source>
+        <translation>fügen Sie eine Gruppe hinzu, die sie umschließt, oder nehmen Sie Griffe um sie herum in eine Gruppe auf</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>fügen Sie Griffe hinzu, oder setzen Sie sie automatisch</translation>
+    </message>
+    <message>
+        <source>add its file, or remove those of the other surfaces in that phase</source>
+        <translation>fügen Sie ihre Datei hinzu, oder entfernen Sie die der anderen Oberflächen in dieser Phase</translation>
+    </message>
+    <message>
+        <source>add the enclosing handles, or move handles outward until they surround the organ</source>
+        <translation>fügen Sie die umschließenden Griffe hinzu, oder rücken Sie Griffe nach außen, bis sie das Organ umgeben</translation>
     </message>
     <message>
         <source>added by automatic grouping</source>
         <translation>durch automatisches Gruppieren hinzugefügt</translation>
     </message>
     <message>
+        <source>all handles lie in one plane</source>
+        <translation>alle Griffe liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>all handles lie on one line</source>
+        <translation>alle Griffe liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>all of it is a cavity</source>
+        <translation>alles davon ist ein Hohlraum</translation>
+    </message>
+    <message>
         <source>all points lie in one plane</source>
         <translation>alle Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation>ein NRRD-Bild</translation>
+    </message>
+    <message>
+        <source>an OBJ surface</source>
+        <translation>eine OBJ-Oberfläche</translation>
+    </message>
+    <message>
+        <source>an OFF surface</source>
+        <translation>eine OFF-Oberfläche</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <translation>eine STL-Oberfläche</translation>
     </message>
     <message>
         <source>an angle has three points, any other measurement two</source>
@@ -2033,8 +2891,40 @@
         <translation>Antrum</translation>
     </message>
     <message>
+        <source>as in --period-ms 829</source>
+        <translation>wie in --period-ms 829</translation>
+    </message>
+    <message>
+        <source>ask for a volume nearer to that at rest, or let more handles compensate</source>
+        <translation>verlangen Sie ein Volumen näher an dem in Ruhe, oder lassen Sie mehr Griffe ausgleichen</translation>
+    </message>
+    <message>
+        <source>ask for at least %1</source>
+        <translation>verlangen Sie mindestens %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer groups</source>
+        <translation>verlangen Sie weniger Gruppen</translation>
+    </message>
+    <message>
+        <source>ask for fewer witness points</source>
+        <translation>verlangen Sie weniger Messpunkte</translation>
+    </message>
+    <message>
+        <source>ask for fewer, or put them nearer to the surface</source>
+        <translation>verlangen Sie weniger, oder setzen Sie sie näher an die Oberfläche</translation>
+    </message>
+    <message>
+        <source>at least %1 are needed</source>
+        <translation>mindestens %1 werden gebraucht</translation>
+    </message>
+    <message>
         <source>atrial systole</source>
         <translation>Vorhofsystole</translation>
+    </message>
+    <message>
+        <source>bind by way of the deformation module, or choose another system</source>
+        <translation>binden Sie über das Modul deformation, oder wählen Sie ein anderes System</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -2045,8 +2935,28 @@
         <translation>Korpus</translation>
     </message>
     <message>
+        <source>bounded biharmonic weights</source>
+        <translation>beschränkte biharmonische Gewichte</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
+        <translation>dem Namen nach gehört es auf die linke Seite des Patienten, es liegt aber rechts (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2</source>
+        <translation>dem Namen nach gehört es auf die rechte Seite des Patienten, es liegt aber links (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>call the left ventricle's cavity LV and the right one's RV</source>
+        <translation>nennen Sie den Hohlraum des linken Ventrikels LV und den des rechten RV</translation>
+    </message>
+    <message>
         <source>cannot be opened: %1</source>
         <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot draw without a display: %1</source>
+        <translation>ohne Bildschirm kann nicht gezeichnet werden: %1</translation>
     </message>
     <message>
         <source>cannot place %1 witness points</source>
@@ -2061,20 +2971,80 @@
         <translation>prüfen Sie ihre Zugriffsrechte</translation>
     </message>
     <message>
+        <source>check its scale and its number format</source>
+        <translation>prüfen Sie Maßstab und Zahlenformat</translation>
+    </message>
+    <message>
         <source>check its unit; coordinates are in mm</source>
         <translation>prüfen Sie die Einheit; Koordinaten sind in mm</translation>
+    </message>
+    <message>
+        <source>check that its surface is closed and outward</source>
+        <translation>prüfen Sie, ob seine Oberfläche geschlossen ist und nach außen zeigt</translation>
+    </message>
+    <message>
+        <source>check that its triangles face outward and that its holes are small</source>
+        <translation>prüfen Sie, ob ihre Dreiecke nach außen zeigen und ihre Löcher klein sind</translation>
+    </message>
+    <message>
+        <source>check that the segmentation was saved</source>
+        <translation>prüfen Sie, ob die Segmentierung gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>prüfen Sie, ob auf der Festplatte Platz ist</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>prüfen Sie, ob Sie Leserechte haben</translation>
+    </message>
+    <message>
+        <source>check the disk or the connection</source>
+        <translation>prüfen Sie die Festplatte oder die Verbindung</translation>
     </message>
     <message>
         <source>check the name</source>
         <translation>prüfen Sie den Namen</translation>
     </message>
     <message>
+        <source>check the name and the folder</source>
+        <translation>prüfen Sie Namen und Ordner</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>check their order, and the period</source>
+        <translation>prüfen Sie ihre Reihenfolge und die Periode</translation>
+    </message>
+    <message>
+        <source>check this phase, or leave it out</source>
+        <translation>prüfen Sie diese Phase, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>check what the file is and where it came from</source>
+        <translation>prüfen Sie, was die Datei ist und woher sie kommt</translation>
+    </message>
+    <message>
+        <source>check whether one of them is mislabelled, or leave it out</source>
+        <translation>prüfen Sie, ob eine davon falsch gekennzeichnet ist, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>wählen Sie %1 bis %2</translation>
     </message>
     <message>
+        <source>choose %1 to %2 a minute</source>
+        <translation>wählen Sie %1 bis %2 pro Minute</translation>
+    </message>
+    <message>
         <source>choose a closed surface</source>
         <translation>wählen Sie eine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>choose a file that Viscera has saved as .sequence.json</source>
+        <translation>wählen Sie eine Datei, die Viscera als .sequence.json gespeichert hat</translation>
     </message>
     <message>
         <source>choose a file that Viscera has saved as .viscera</source>
@@ -2089,6 +3059,18 @@
         <translation>wählen Sie eine größere Weite</translation>
     </message>
     <message>
+        <source>choose a sequence first</source>
+        <translation>wählen Sie zuerst eine Sequenz</translation>
+    </message>
+    <message>
+        <source>choose a sequence, and use its handles</source>
+        <translation>wählen Sie eine Sequenz, und verwenden Sie ihre Griffe</translation>
+    </message>
+    <message>
+        <source>choose a surface that has some</source>
+        <translation>wählen Sie eine Oberfläche, die welche hat</translation>
+    </message>
+    <message>
         <source>choose a volume nearer to the present one, or let more handles compensate</source>
         <translation>wählen Sie ein Volumen näher am jetzigen, oder lassen Sie mehr Griffe ausgleichen</translation>
     </message>
@@ -2097,12 +3079,32 @@
         <translation>wählen Sie einen anderen</translation>
     </message>
     <message>
+        <source>choose at least one</source>
+        <translation>wählen Sie mindestens eine</translation>
+    </message>
+    <message>
+        <source>choose it again in Play mode</source>
+        <translation>wählen Sie sie im Modus Abspielen neu</translation>
+    </message>
+    <message>
+        <source>choose it on the organ; check the axes (RAS or LPS) too</source>
+        <translation>wählen Sie sie auf dem Organ; prüfen Sie auch die Achsen (RAS oder LPS)</translation>
+    </message>
+    <message>
+        <source>choose more than 0 and up to 10 times</source>
+        <translation>wählen Sie mehr als 0 und höchstens das Zehnfache</translation>
+    </message>
+    <message>
         <source>choose one of them</source>
         <translation>wählen Sie eine davon</translation>
     </message>
     <message>
         <source>choose organ, axis or cluster</source>
         <translation>wählen Sie organ, axis oder cluster</translation>
+    </message>
+    <message>
+        <source>choose the two ends of the organ</source>
+        <translation>wählen Sie die beiden Enden des Organs</translation>
     </message>
     <message>
         <source>choose two ends of one surface</source>
@@ -2117,12 +3119,52 @@
         <translation>schließen Sie zuerst ihre Löcher</translation>
     </message>
     <message>
+        <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
+        <translation>schließen Sie seine Löcher, etwa mit viscera convert EIN AUS --fill-holes; eine offene Oberfläche hat kein Volumen, das zu erhalten wäre</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>schließen Sie andere Programme, oder arbeiten Sie mit weniger Organen oder gröberen Oberflächen</translation>
     </message>
     <message>
+        <source>compare it with the example in docs/lessons.md</source>
+        <translation>vergleichen Sie sie mit dem Beispiel in docs/lessons.md</translation>
+    </message>
+    <message>
+        <source>compensating handles</source>
+        <translation>ausgleichende Griffe</translation>
+    </message>
+    <message>
         <source>coordinates need at least four handles, there are %1</source>
         <translation>Koordinaten brauchen mindestens vier Griffe, es gibt %1</translation>
+    </message>
+    <message>
+        <source>copy its contents to a file first</source>
+        <translation>kopieren Sie den Inhalt zuerst in eine Datei</translation>
+    </message>
+    <message>
+        <source>copy the file anew, or take it out of the folder to read the others</source>
+        <translation>kopieren Sie die Datei neu, oder nehmen Sie sie aus dem Ordner, um die anderen zu lesen</translation>
+    </message>
+    <message>
+        <source>crop the image to the organs</source>
+        <translation>schneiden Sie das Bild auf die Organe zu</translation>
+    </message>
+    <message>
+        <source>crop the images to the organ</source>
+        <translation>schneiden Sie die Bilder auf das Organ zu</translation>
+    </message>
+    <message>
+        <source>crop the scan to the organs</source>
+        <translation>schneiden Sie den Scan auf die Organe zu</translation>
+    </message>
+    <message>
+        <source>deeper ones would push folds of the surface into one another</source>
+        <translation>tiefere würden Falten der Oberfläche ineinander schieben</translation>
+    </message>
+    <message>
+        <source>derivatives at the witness points</source>
+        <translation>Ableitungen an den Messpunkten</translation>
     </message>
     <message>
         <source>diastasis</source>
@@ -2133,8 +3175,16 @@
         <translation>Diastole</translation>
     </message>
     <message>
+        <source>displacement fields cannot be written as &quot;%1&quot;</source>
+        <translation>Verschiebungsfelder können nicht als „%1“ geschrieben werden</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>does not fit into memory</source>
+        <translation>passt nicht in den Speicher</translation>
     </message>
     <message>
         <source>does not lie between 0 and 1</source>
@@ -2153,20 +3203,88 @@
         <translation>endsystolisches Volumen</translation>
     </message>
     <message>
+        <source>ends the cycle at another volume than it begins</source>
+        <translation>endet den Zyklus mit einem anderen Volumen, als er beginnt</translation>
+    </message>
+    <message>
+        <source>even so, folds of the surface meet when they pass</source>
+        <translation>auch so berühren sich Falten der Oberfläche, wenn sie vorbeilaufen</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>Ausatmung</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same axes</source>
+        <translation>exportieren Sie alle Oberflächen eines Patienten in denselben Achsen</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
+        <translation>exportieren Sie alle Oberflächen eines Patienten auf dieselbe Weise (viscera convert --space LPS)</translation>
+    </message>
+    <message>
+        <source>export it as a surface</source>
+        <translation>exportieren Sie sie als Oberfläche</translation>
+    </message>
+    <message>
+        <source>export it as a surface of triangles</source>
+        <translation>exportieren Sie sie als Oberfläche aus Dreiecken</translation>
+    </message>
+    <message>
+        <source>export or copy the file again</source>
+        <translation>exportieren oder kopieren Sie die Datei neu</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exportieren Sie die Oberfläche neu</translation>
     </message>
     <message>
+        <source>filling the handles with tetrahedra</source>
+        <translation>Füllen der Griffe mit Tetraedern</translation>
+    </message>
+    <message>
         <source>filling the organ with tetrahedra</source>
         <translation>Füllen des Organs mit Tetraedern</translation>
     </message>
     <message>
+        <source>finding landmarks</source>
+        <translation>Suche nach Landmarken</translation>
+    </message>
+    <message>
+        <source>folded where it is hatched</source>
+        <translation>gefaltet, wo es schraffiert ist</translation>
+    </message>
+    <message>
         <source>fundus</source>
         <translation>Fundus</translation>
+    </message>
+    <message>
+        <source>fundus, centreline from the fundus down, body in between, pylorus</source>
+        <translation>Fundus, Mittellinie vom Fundus abwärts, dazwischen der Korpus, Pylorus</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>geben Sie eine Zahl von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>give a whole number from %1 to %2</source>
+        <translation>geben Sie eine ganze Zahl von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>give apex and base too</source>
+        <translation>geben Sie auch apex und base an</translation>
+    </message>
+    <message>
+        <source>give both, or none to have them computed</source>
+        <translation>geben Sie beide an, oder keine, damit sie berechnet werden</translation>
+    </message>
+    <message>
+        <source>give every handle a label of its own</source>
+        <translation>geben Sie jedem Griff eine eigene Bezeichnung</translation>
+    </message>
+    <message>
+        <source>give fundus and pylorus too</source>
+        <translation>geben Sie auch fundus und pylorus an</translation>
     </message>
     <message>
         <source>give it another one</source>
@@ -2175,6 +3293,30 @@
     <message>
         <source>give it one</source>
         <translation>geben Sie ihm einen</translation>
+    </message>
+    <message>
+        <source>give one between 0.1 and 0.8</source>
+        <translation>geben Sie eine zwischen 0,1 und 0,8 an</translation>
+    </message>
+    <message>
+        <source>give one for each phase</source>
+        <translation>geben Sie eine für jede Phase an</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>geben Sie eines an von: %1</translation>
+    </message>
+    <message>
+        <source>give points of the centreline yourself</source>
+        <translation>geben Sie selbst Punkte der Mittellinie an</translation>
+    </message>
+    <message>
+        <source>give the outer surface the labels of its cavities too, as in EPI=1,2,3</source>
+        <translation>geben Sie der äußeren Oberfläche auch die Labels ihrer Hohlräume, wie in EPI=1,2,3</translation>
+    </message>
+    <message>
+        <source>grid inside the surface</source>
+        <translation>Gitter in der Oberfläche</translation>
     </message>
     <message>
         <source>group</source>
@@ -2197,8 +3339,43 @@
         <translation>Griffe %1 und %2</translation>
     </message>
     <message>
+        <source>handles cannot be written as &quot;%1&quot;</source>
+        <translation>Griffe können nicht als „%1“ geschrieben werden</translation>
+    </message>
+    <message>
+        <source>handles come from .mrk.json or .fcsv files</source>
+        <translation>Griffe kommen aus Dateien .mrk.json oder .fcsv</translation>
+    </message>
+    <message>
+        <source>harmonic coordinates</source>
+        <translation>harmonische Koordinaten</translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n {column|columns}</source>
+        <translation>
+            <numerusform>hat %n Spalte</numerusform>
+            <numerusform>hat %n Spalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>has a volume that is not positive</source>
+        <translation>hat ein Volumen, das nicht positiv ist</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>halten</translation>
+    </message>
+    <message>
+        <source>holds something that is not a number</source>
+        <translation>enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
+        <translation>wenn es kein ganzer Zyklus ist, geben Sie an, dass er einmal abgespielt werden soll (--once); sonst fügen Sie die fehlenden Phasen hinzu</translation>
+    </message>
+    <message>
+        <source>images cannot be written as &quot;%1&quot;</source>
+        <translation>Bilder können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
         <source>in</source>
@@ -2209,6 +3386,44 @@
         <translation>Einatmung</translation>
     </message>
     <message>
+        <source>install Viscera again, or name it in VISCERA_TETGEN_WORKER</source>
+        <translation>installieren Sie Viscera neu, oder geben Sie es in VISCERA_TETGEN_WORKER an</translation>
+    </message>
+    <message>
+        <source>install ffmpeg, or write an .ogv</source>
+        <translation>installieren Sie ffmpeg, oder schreiben Sie eine .ogv-Datei</translation>
+    </message>
+    <message>
+        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
+        <translation>installieren Sie libegl1 und libgl1-mesa-dri, oder starten Sie mit einem Bildschirm</translation>
+    </message>
+    <message>
+        <source>is not a file that can be read</source>
+        <translation>ist keine Datei, die gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>is not later than the line before</source>
+        <translation>ist nicht später als die Zeile davor</translation>
+    </message>
+    <message numerus="yes">
+        <source>is not manifold at %n {edge|edges}</source>
+        <translation>
+            <numerusform>ist an %n Kante keine Mannigfaltigkeit</numerusform>
+            <numerusform>ist an %n Kanten keine Mannigfaltigkeit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>is open at %n {edge|edges}</source>
+        <translation>
+            <numerusform>ist an %n Kante offen</numerusform>
+            <numerusform>ist an %n Kanten offen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>is too thin in places for a surface with the volume of its voxels</source>
+        <translation>ist stellenweise zu dünn für eine Oberfläche mit dem Volumen seiner Voxel</translation>
+    </message>
+    <message>
         <source>isovolumic contraction</source>
         <translation>isovolumetrische Kontraktion</translation>
     </message>
@@ -2217,12 +3432,28 @@
         <translation>isovolumetrische Relaxation</translation>
     </message>
     <message>
+        <source>it crashed</source>
+        <translation>es ist abgestürzt</translation>
+    </message>
+    <message>
         <source>it does not lie within the period</source>
         <translation>er liegt nicht innerhalb der Periode</translation>
     </message>
     <message>
+        <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
+        <translation>die Seiten des Patienten sind nicht angegeben; die Achsen werden als rechts, vorn und oben genommen</translation>
+    </message>
+    <message>
         <source>it follows no handles, so nothing can change its volume</source>
         <translation>es folgt keinen Griffen, also kann nichts sein Volumen ändern</translation>
+    </message>
+    <message>
+        <source>it gave up</source>
+        <translation>es hat aufgegeben</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>es gibt %1</translation>
     </message>
     <message>
         <source>it has %1 triangles</source>
@@ -2233,8 +3464,20 @@
         <translation>es hat keinen Namen</translation>
     </message>
     <message>
+        <source>it has no organ for each surface, or no phases</source>
+        <translation>es hat nicht für jede Oberfläche ein Organ, oder keine Phasen</translation>
+    </message>
+    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>er liegt keine Millisekunde hinter dem vorigen Schlüssel</translation>
+    </message>
+    <message>
+        <source>it is not a record of a measured motion</source>
+        <translation>es ist keine Aufzeichnung einer gemessenen Bewegung</translation>
+    </message>
+    <message>
+        <source>it may be mirrored</source>
+        <translation>vielleicht ist es gespiegelt</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
@@ -2257,12 +3500,24 @@
         <translation>ihre Griffe sind nicht die Griffe des Rigs, jeder einmal und in ihrer Reihenfolge</translation>
     </message>
     <message>
+        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
+        <translation>ihr Kopf ist beschädigt: ein Bild hat 2 bis 7 Dimensionen, nicht %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its size along %1 is %2</source>
+        <translation>ihr Kopf ist beschädigt: die Größe entlang %1 ist %2</translation>
+    </message>
+    <message>
         <source>its id is another thing's, too</source>
         <translation>seine Kennung hat auch etwas anderes</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
         <translation>seine Kennung ist keine ganze Zahl von 1 bis 2^52</translation>
+    </message>
+    <message>
+        <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
+        <translation>seine Labels sind die eines Herzens: Muskel und Kammern bilden die äußere Oberfläche, jede Kammer ist ein Hohlraum</translation>
     </message>
     <message>
         <source>its name is not UTF-8</source>
@@ -2277,12 +3532,24 @@
         <translation>sein übergeordnetes Organ steht nicht vor ihm</translation>
     </message>
     <message>
+        <source>its points and triangles are no lists of threes</source>
+        <translation>seine Punkte und Dreiecke sind keine Listen von Dreiergruppen</translation>
+    </message>
+    <message>
         <source>its position</source>
         <translation>seine Position</translation>
     </message>
     <message>
         <source>its position at rest</source>
         <translation>seine Ruheposition</translation>
+    </message>
+    <message>
+        <source>its sform and qform place the image differently; the sform is used</source>
+        <translation>sform und qform legen das Bild verschieden; verwendet wird sform</translation>
+    </message>
+    <message>
+        <source>its sform is singular or not finite and is not used</source>
+        <translation>sform ist singulär oder nicht endlich und wird nicht verwendet</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -2308,6 +3575,14 @@
         <translation>ihre beiden Enden sind auf getrennten Stücken</translation>
     </message>
     <message>
+        <source>its unit is the metre; converted to mm</source>
+        <translation>die Einheit ist der Meter; in mm umgerechnet</translation>
+    </message>
+    <message>
+        <source>its unit is the micrometre; converted to mm</source>
+        <translation>die Einheit ist der Mikrometer; in mm umgerechnet</translation>
+    </message>
+    <message>
         <source>its value is not a finite number</source>
         <translation>sein Wert ist keine endliche Zahl</translation>
     </message>
@@ -2316,24 +3591,108 @@
         <translation>sein Volumen kann nur gehalten werden, wenn es an die vorhandenen Griffe gebunden ist</translation>
     </message>
     <message>
+        <source>its volume is another one</source>
+        <translation>ihr Volumen ist ein anderes</translation>
+    </message>
+    <message>
         <source>its volume is not locked any more: the surface is open now</source>
         <translation>sein Volumen ist nicht mehr gesperrt: die Oberfläche ist jetzt offen</translation>
+    </message>
+    <message>
+        <source>its voxels are more than 1000 km away</source>
+        <translation>die Voxel sind mehr als 1000 km entfernt</translation>
+    </message>
+    <message>
+        <source>its voxels lie elsewhere than those of the other masks</source>
+        <translation>ihre Voxel liegen woanders als die der anderen Masken</translation>
     </message>
     <message>
         <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
         <translation>seine Gewichte sind kein Ort in einem Dreieck: sie müssen mindestens 0 sein und zusammen 1</translation>
     </message>
     <message>
+        <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
+        <translation>behalten Sie das größte, etwa mit viscera convert EIN AUS --keep-largest</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>known endings: %1</source>
+        <translation>bekannte Endungen: %1</translation>
+    </message>
+    <message>
+        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
+        <translation>bekannte Endungen: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
+    </message>
+    <message>
+        <source>label it in every phase, or leave this phase out</source>
+        <translation>kennzeichnen Sie es in jeder Phase, oder lassen Sie diese Phase weg</translation>
+    </message>
+    <message>
+        <source>label the points %1</source>
+        <translation>benennen Sie die Punkte %1</translation>
+    </message>
+    <message>
+        <source>leave it out for surfaces</source>
+        <translation>lassen Sie dies bei Oberflächen weg</translation>
+    </message>
+    <message>
+        <source>leave the landmarks out</source>
+        <translation>lassen Sie die Landmarken weg</translation>
+    </message>
+    <message>
+        <source>leave two: the instant, and the volume in ml</source>
+        <translation>lassen Sie zwei: den Zeitpunkt und das Volumen in ml</translation>
     </message>
     <message>
         <source>lengthen the period first</source>
         <translation>verlängern Sie zuerst die Periode</translation>
     </message>
     <message>
+        <source>let its name end in .mrk.json or .fcsv</source>
+        <translation>lassen Sie den Namen auf .mrk.json oder .fcsv enden</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii.gz, .nii or .nrrd</source>
+        <translation>lassen Sie den Namen auf .nii.gz, .nii oder .nrrd enden</translation>
+    </message>
+    <message>
+        <source>let its name end in .nrrd or .mha</source>
+        <translation>lassen Sie den Namen auf .nrrd oder .mha enden</translation>
+    </message>
+    <message>
+        <source>let more handles compensate, or ask for a volume nearer to the present one</source>
+        <translation>lassen Sie mehr Griffe ausgleichen, oder verlangen Sie ein Volumen näher am jetzigen</translation>
+    </message>
+    <message>
+        <source>let the last volume be the first one</source>
+        <translation>machen Sie das letzte Volumen gleich dem ersten</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>linear</translation>
+    </message>
+    <message>
+        <source>load a closed surface</source>
+        <translation>laden Sie eine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>looking for folds</source>
+        <translation>Suche nach Falten</translation>
+    </message>
+    <message>
+        <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
+        <translation>erzeugen Sie die Griffe aus diesem Käfig: viscera handles ORGAN --cage DATEI</translation>
+    </message>
+    <message>
+        <source>measured motion</source>
+        <translation>gemessene Bewegung</translation>
     </message>
     <message>
         <source>measurement</source>
@@ -2356,20 +3715,112 @@
         <translation>rücken Sie einen aus der Ebene</translation>
     </message>
     <message>
+        <source>move or delete one of them</source>
+        <translation>verschieben oder löschen Sie einen davon</translation>
+    </message>
+    <message>
         <source>move or remove one of them</source>
         <translation>verschieben oder entfernen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>move some off the line</source>
+        <translation>verschieben Sie einige von der Geraden weg</translation>
+    </message>
+    <message>
+        <source>move some off the plane, or add enclosing handles</source>
+        <translation>verschieben Sie einige aus der Ebene, oder fügen Sie umschließende Griffe hinzu</translation>
     </message>
     <message>
         <source>move the vertices there apart, or take another cage</source>
         <translation>rücken Sie die Eckpunkte dort auseinander, oder nehmen Sie einen anderen Käfig</translation>
     </message>
     <message>
+        <source>movies of this kind cannot be written</source>
+        <translation>Filme dieser Art können nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase</source>
+        <translation>geben Sie ein 4D-NIfTI, ein .seq.nrrd von 3D Slicer oder eine Datei für jede Phase an</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>geben Sie eine Datei darin an</translation>
+    </message>
+    <message>
+        <source>name a folder with one file for each phase</source>
+        <translation>geben Sie einen Ordner mit einer Datei für jede Phase an</translation>
+    </message>
+    <message>
+        <source>name a folder with one mask for each organ, such as liver.nii.gz</source>
+        <translation>geben Sie einen Ordner mit einer Maske für jedes Organ an, wie liver.nii.gz</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle</source>
+        <translation>geben Sie alle Phasen des Zyklus an</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
+        <translation>geben Sie alle Phasen des Zyklus an; ein einzelnes Bild eines Herzens mit Hohlräumen kann wie im Lehrbuch schlagen (--textbook, im Fenster: Sequenz an ein Organ anpassen)</translation>
+    </message>
+    <message>
+        <source>name compensating handles</source>
+        <translation>geben Sie ausgleichende Griffe an</translation>
+    </message>
+    <message>
+        <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
+        <translation>nennen Sie Zeitpunkte von 0 bis 1, oder schreiben Sie für Sekunden „time_s“ darüber</translation>
+    </message>
+    <message>
         <source>name it %1</source>
         <translation>nennen Sie sie %1</translation>
     </message>
     <message>
+        <source>name its files, a folder, or a file of several volumes</source>
+        <translation>geben Sie ihre Dateien, einen Ordner oder eine Datei mit mehreren Volumen an</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series</source>
+        <translation>geben Sie den Ordner einer CT- oder MR-Serie an</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series, or one of its files</source>
+        <translation>geben Sie den Ordner einer CT- oder MR-Serie an, oder eine ihrer Dateien</translation>
+    </message>
+    <message>
+        <source>name the folder of one patient</source>
+        <translation>geben Sie den Ordner eines Patienten an</translation>
+    </message>
+    <message>
+        <source>name the folder, or another file in it</source>
+        <translation>geben Sie den Ordner an, oder eine andere Datei darin</translation>
+    </message>
+    <message>
+        <source>names an instant outside the cycle</source>
+        <translation>nennt einen Zeitpunkt außerhalb des Zyklus</translation>
+    </message>
+    <message>
+        <source>no EGL platform works without a window system</source>
+        <translation>keine EGL-Plattform arbeitet ohne Fenstersystem</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.2 context</source>
+        <translation>kein Kontext für OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>no compensation within %1 mm restores the volume</source>
+        <translation>kein Ausgleich innerhalb von %1 mm stellt das Volumen wieder her</translation>
+    </message>
+    <message>
         <source>no edge joins more than two triangles</source>
         <translation>keine Kante verbindet mehr als zwei Dreiecke</translation>
+    </message>
+    <message>
+        <source>no handle is left to compensate the change of volume</source>
+        <translation>es bleibt kein Griff, der die Volumenänderung ausgleichen könnte</translation>
+    </message>
+    <message>
+        <source>no handle is left to make up for the volume</source>
+        <translation>es bleibt kein Griff, der das Volumen ausgleichen könnte</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -2384,12 +3835,35 @@
         <translation>keine Oberfläche hat so viele Dreiecke</translation>
     </message>
     <message>
+        <source>no witness point lies inside</source>
+        <translation>kein Messpunkt liegt innen</translation>
+    </message>
+    <message>
+        <source>nothing that Viscera knows</source>
+        <translation>nichts, was Viscera kennt</translation>
+    </message>
+    <message>
         <source>one of its points</source>
         <translation>einer ihrer Punkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>only %n {handle|handles}</source>
+        <translation>
+            <numerusform>nur %n Griff</numerusform>
+            <numerusform>nur %n Griffe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
+        <translation>öffnen Sie eine NIfTI-, NRRD- oder MetaImage-Datei oder eine DICOM-Serie</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
         <translation>öffnen Sie ihn zu den Organen (Datei &gt; Scan öffnen), oder machen Sie daraus zuerst eine Labelmap, mit 3D Slicer oder TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>open it by itself, or remove it from the folder</source>
+        <translation>öffnen Sie sie allein, oder entfernen Sie sie aus dem Ordner</translation>
     </message>
     <message>
         <source>open one first</source>
@@ -2398,6 +3872,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>öffnen Sie die anderen Dateien danach</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from the image</source>
+        <translation>öffnen Sie die Segmentierung, die aus dem Bild gemacht wurde</translation>
     </message>
     <message>
         <source>organ</source>
@@ -2416,6 +3894,10 @@
         <translation>Parameter %1</translation>
     </message>
     <message>
+        <source>parameters: %1</source>
+        <translation>Parameter: %1</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -2424,24 +3906,88 @@
         <translation>Spitzenwert der Spannung über die Sequenz</translation>
     </message>
     <message>
+        <source>phase %1</source>
+        <translation>Phase %1</translation>
+    </message>
+    <message>
+        <source>phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it out</source>
+        <translation>Phase %1 passt viel schlechter als ihre Nachbarn (%2 gegen %3 mm): prüfen Sie ihre Daten, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>phase %1: %2</source>
+        <translation>Phase %1: %2</translation>
+    </message>
+    <message>
         <source>pick the point on the surface again</source>
         <translation>wählen Sie den Punkt auf der Oberfläche neu</translation>
+    </message>
+    <message>
+        <source>pictures of different sizes do not fit on one sheet</source>
+        <translation>Bilder verschiedener Größe passen nicht auf einen Bogen</translation>
     </message>
     <message>
         <source>place handles around it</source>
         <translation>setzen Sie Griffe um es</translation>
     </message>
     <message>
+        <source>place more handles</source>
+        <translation>setzen Sie mehr Griffe</translation>
+    </message>
+    <message>
         <source>place some first</source>
         <translation>setzen Sie zuerst welche</translation>
+    </message>
+    <message>
+        <source>place some points and save them again</source>
+        <translation>setzen Sie einige Punkte, und speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>place the handle again</source>
+        <translation>setzen Sie den Griff neu</translation>
+    </message>
+    <message>
+        <source>placing handles</source>
+        <translation>Setzen der Griffe</translation>
+    </message>
+    <message>
+        <source>play at least one whole beat</source>
+        <translation>spielen Sie mindestens einen ganzen Schlag ab</translation>
+    </message>
+    <message>
+        <source>play at the rate that the times are for</source>
+        <translation>spielen Sie mit der Rate ab, für die die Zeiten gelten</translation>
     </message>
     <message>
         <source>point %1 has a coordinate that is not a finite number</source>
         <translation>Punkt %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
     </message>
     <message>
+        <source>point %1 lies more than 1000 km away: the file is damaged</source>
+        <translation>Punkt %1 liegt mehr als 1000 km entfernt: die Datei ist beschädigt</translation>
+    </message>
+    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>Punkte, die zusammenfallen oder fast in einer Ebene liegen, sind die Ursache</translation>
+    </message>
+    <message>
+        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>Vieleck %1 verweist auf Punkt %2, es gibt aber %3 (von 0 an gezählt)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder</source>
+        <translation>legen Sie beide Dateien in einen Ordner</translation>
+    </message>
+    <message>
+        <source>put it into the middle of the stomach</source>
+        <translation>setzen Sie ihn in die Mitte des Magens</translation>
+    </message>
+    <message>
+        <source>put masks of one image into a folder of their own</source>
+        <translation>legen Sie die Masken eines Bildes in einen eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>put those of one kind into a folder of their own</source>
+        <translation>legen Sie die einer Art in einen eigenen Ordner</translation>
     </message>
     <message>
         <source>pylorus</source>
@@ -2456,16 +4002,48 @@
         <translation>schnelle Füllung</translation>
     </message>
     <message>
+        <source>reaches the edge of the image, which may cut it off</source>
+        <translation>reicht bis an den Bildrand, der es vielleicht abschneidet</translation>
+    </message>
+    <message>
+        <source>record a pose first</source>
+        <translation>nehmen Sie zuerst eine Pose auf</translation>
+    </message>
+    <message>
+        <source>record and save the sequence again</source>
+        <translation>nehmen Sie die Sequenz neu auf, und speichern Sie sie</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>reduce the surface first</source>
+        <translation>verkleinern Sie die Oberfläche zuerst</translation>
+    </message>
+    <message>
+        <source>reduce the surfaces first</source>
+        <translation>verkleinern Sie die Oberflächen zuerst</translation>
     </message>
     <message>
         <source>reduced ejection</source>
         <translation>langsame Austreibung</translation>
     </message>
     <message>
+        <source>remove one of the two</source>
+        <translation>entfernen Sie eine der beiden</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>entfernen Sie eine davon</translation>
+    </message>
+    <message>
         <source>remove one of them from the file</source>
         <translation>entfernen Sie einen davon aus der Datei</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>benennen Sie sie um, so dass sie auf %1 endet</translation>
     </message>
     <message>
         <source>repair the surface</source>
@@ -2484,20 +4062,68 @@
         <translation>Reparatur der Oberfläche</translation>
     </message>
     <message>
+        <source>resample all phases to one grid, in the same axes</source>
+        <translation>rechnen Sie alle Phasen auf ein Gitter mit denselben Achsen um</translation>
+    </message>
+    <message>
+        <source>resample the images to an upright grid</source>
+        <translation>rechnen Sie die Bilder auf ein rechtwinkliges Gitter um</translation>
+    </message>
+    <message>
+        <source>restore its definition from the installation</source>
+        <translation>stellen Sie seine Definition aus der Installation wieder her</translation>
+    </message>
+    <message>
+        <source>restoring the volume would move a handle by %1 mm</source>
+        <translation>um das Volumen wiederherzustellen, müsste sich ein Griff um %1 mm bewegen</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, and so are front and back: the files seem to be in RAS</source>
+        <translation>rechts und links sind vertauscht, ebenso vorn und hinten: die Dateien scheinen in RAS zu sein</translation>
+    </message>
+    <message>
         <source>right and left are exchanged, front and back are not: mirrored</source>
         <translation>rechts und links sind vertauscht, vorn und hinten nicht: gespiegelt</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged: the files may be in RAS, or mirrored</source>
+        <translation>rechts und links sind vertauscht: die Dateien sind vielleicht in RAS oder gespiegelt</translation>
     </message>
     <message>
         <source>save it as a file of its own first</source>
         <translation>speichern Sie es zuerst als eigene Datei</translation>
     </message>
     <message>
+        <source>save it as a label map</source>
+        <translation>speichern Sie sie als Labelmap</translation>
+    </message>
+    <message>
+        <source>save it with one value a voxel</source>
+        <translation>speichern Sie es mit einem Wert je Voxel</translation>
+    </message>
+    <message>
         <source>save often, or make room there</source>
         <translation>speichern Sie oft, oder schaffen Sie dort Platz</translation>
     </message>
     <message>
+        <source>save one of them, or follow the motion over all of them with viscera track</source>
+        <translation>speichern Sie eines davon, oder verfolgen Sie die Bewegung über alle mit viscera track</translation>
+    </message>
+    <message>
+        <source>say it with --period-ms, or the rate with --rate</source>
+        <translation>geben Sie die Dauer eines Zyklus mit --period-ms an, oder die Rate mit --rate</translation>
+    </message>
+    <message>
+        <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
+        <translation>geben Sie an, welche Oberflächen sie bilden, wie in --surface LV=1 --surface RV=2 --surface EPI=1,2,3, die äußere mit allen Labels darin</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>weich</translation>
+    </message>
+    <message>
+        <source>sort the lines by their instants</source>
+        <translation>ordnen Sie die Zeilen nach ihren Zeitpunkten</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -2508,12 +4134,48 @@
         <translation>Schlagvolumen</translation>
     </message>
     <message>
+        <source>surfaces at rest</source>
+        <translation>Oberflächen in Ruhe</translation>
+    </message>
+    <message>
+        <source>surfaces cannot be written as &quot;%1&quot;</source>
+        <translation>Oberflächen können nicht als „%1“ geschrieben werden</translation>
+    </message>
+    <message>
+        <source>system parameter %1</source>
+        <translation>Parameter %1 des Systems</translation>
+    </message>
+    <message>
+        <source>system parameters</source>
+        <translation>Parameter des Systems</translation>
+    </message>
+    <message>
         <source>systole</source>
         <translation>Systole</translation>
     </message>
     <message>
         <source>take a backup of the file, or begin a new session with the organs' own files</source>
         <translation>nehmen Sie eine Sicherung der Datei, oder beginnen Sie eine neue Sitzung mit den Dateien der Organe</translation>
+    </message>
+    <message>
+        <source>take a cage that surrounds the organ, or the handles' convex hull as the cage</source>
+        <translation>verwenden Sie einen Käfig, der das Organ umgibt, oder die konvexe Hülle der Griffe als Käfig</translation>
+    </message>
+    <message>
+        <source>take a closed cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>verwenden Sie einen geschlossenen Käfig oder keinen: dann ist die konvexe Hülle der Griffe der Käfig</translation>
+    </message>
+    <message>
+        <source>take a convex cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>verwenden Sie einen konvexen Käfig oder keinen: dann ist die konvexe Hülle der Griffe der Käfig</translation>
+    </message>
+    <message>
+        <source>take a larger one</source>
+        <translation>wählen Sie einen größeren</translation>
+    </message>
+    <message>
+        <source>take another positivity</source>
+        <translation>wählen Sie eine andere Positivität</translation>
     </message>
     <message>
         <source>take the sequence's own handles</source>
@@ -2524,44 +4186,242 @@
         <translation>terminale Antrumkontraktion</translation>
     </message>
     <message>
+        <source>tetrahedron %1 has a corner that does not exist</source>
+        <translation>Tetraeder %1 hat eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>tetrahedron %1 is flat or turned around</source>
+        <translation>Tetraeder %1 ist flach oder umgekehrt</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>die Delaunay-Tetraeder von %1 Punkten können nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>the biharmonic energy cannot be factorised</source>
+        <translation>die biharmonische Energie kann nicht faktorisiert werden</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>der Käfig</translation>
+    </message>
+    <message>
+        <source>the context cannot be used without a surface</source>
+        <translation>der Kontext kann nicht ohne Oberfläche verwendet werden</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>die konvexe Hülle von %1 Punkten kann nicht berechnet werden</translation>
     </message>
     <message>
+        <source>the directions and spacing of its voxels enclose no volume</source>
+        <translation>Richtungen und Abstände der Voxel umschließen kein Volumen</translation>
+    </message>
+    <message>
+        <source>the directions, spacing or origin of its voxels are not finite</source>
+        <translation>Richtungen, Abstände oder Ursprung der Voxel sind nicht endlich</translation>
+    </message>
+    <message>
+        <source>the driver's OpenGL is older than 3.2</source>
+        <translation>das OpenGL des Treibers ist älter als 3.2</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a label map</source>
+        <translation>die Endung „%1“ ist keine einer Labelmap</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a surface file</source>
+        <translation>die Endung „%1“ ist keine einer Oberflächendatei</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>die Datei nennt ihre Achsen nicht: LPS wird angenommen</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten: sie hat %n Byte, ein NIfTI-Kopf allein hat 348</numerusform>
+            <numerusform>die Datei ist abgeschnitten: sie hat %n Bytes, ein NIfTI-Kopf allein hat 348</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
+        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht %1 Bytes an Voxeln, %2 sind da</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its packed data end too early</source>
+        <translation>die Datei ist abgeschnitten: ihre gepackten Daten enden zu früh</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file may be in RAS, or mirrored</source>
+        <translation>die Datei ist vielleicht in RAS oder gespiegelt</translation>
+    </message>
+    <message>
+        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
+        <translation>die Datei gibt die Achsen %1 an, die Viscera nicht kennt; LPS wird angenommen</translation>
     </message>
     <message>
         <source>the file states its axes: %1</source>
         <translation>die Datei nennt ihre Achsen: %1</translation>
     </message>
     <message>
+        <source>the first one is 0</source>
+        <translation>die erste ist 0</translation>
+    </message>
+    <message>
+        <source>the first one there is: &quot;%1&quot;</source>
+        <translation>die erste vorhandene: „%1“</translation>
+    </message>
+    <message>
+        <source>the first phase</source>
+        <translation>die erste Phase</translation>
+    </message>
+    <message>
+        <source>the folder for the frames cannot be written</source>
+        <translation>in den Ordner für die Einzelbilder kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the frame rate has to be positive</source>
+        <translation>die Bildrate muss positiv sein</translation>
+    </message>
+    <message>
+        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
+        <translation>die Einzelbilder eines Films müssen gleich groß sein: dieses hat %1 x %2, das erste %3 x %4</translation>
+    </message>
+    <message>
         <source>the handle %1 comes twice</source>
         <translation>der Griff %1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the handle %1 is in two groups</source>
+        <translation>der Griff %1 ist in zwei Gruppen</translation>
     </message>
     <message>
         <source>the handles enclose nothing: %1</source>
         <translation>die Griffe umschließen nichts: %1</translation>
     </message>
     <message>
+        <source>the handles that may compensate cannot restore the volume</source>
+        <translation>die Griffe, die ausgleichen dürfen, können das Volumen nicht wiederherstellen</translation>
+    </message>
+    <message>
+        <source>the handles' tetrahedra</source>
+        <translation>die Tetraeder der Griffe</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>die Kennung %1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; comes twice</source>
+        <translation>die Bezeichnung „%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>die Bezeichnung „%1“ ist keine Landmarke der Sequenz %2</translation>
+    </message>
+    <message>
+        <source>the landmark &quot;%1&quot; comes twice</source>
+        <translation>die Landmarke „%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the landmark lies %1 outside the organ</source>
+        <translation>die Landmarke liegt %1 außerhalb des Organs</translation>
+    </message>
+    <message>
+        <source>the landmark's position is not a finite number</source>
+        <translation>die Position der Landmarke ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the landmarks are not in order along the stomach</source>
+        <translation>die Landmarken liegen nicht in der richtigen Reihenfolge am Magen entlang</translation>
+    </message>
+    <message>
+        <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
+        <translation>die letzte Phase gleicht der ersten und wird weggelassen: Phase %1 wäre wieder Phase 1</translation>
     </message>
     <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>die Grenzen von Zeit und Speicher müssen über 0 liegen</translation>
     </message>
     <message>
+        <source>the locked volumes cannot be kept</source>
+        <translation>die gesperrten Volumina können nicht erhalten werden</translation>
+    </message>
+    <message>
+        <source>the middle line that was computed leaves the organ</source>
+        <translation>die berechnete Mittellinie verlässt das Organ</translation>
+    </message>
+    <message>
+        <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
+        <translation>die Bewegung ist die des Lehrbuchs, an ein Bild angepasst: sie ist nicht die eigene dieses Patienten</translation>
+    </message>
+    <message>
+        <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
+        <translation>die Bewegung eines Organs kann nicht wiederhergestellt werden: es ist nicht bekannt, wie sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>the movie cannot be written</source>
+        <translation>der Film kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the movie has no frame</source>
+        <translation>der Film hat kein Einzelbild</translation>
+    </message>
+    <message>
+        <source>the name of a sequence file ends in .sequence.json</source>
+        <translation>der Name einer Sequenzdatei endet auf .sequence.json</translation>
+    </message>
+    <message>
         <source>the name of a session file ends in .viscera</source>
         <translation>der Name einer Sitzungsdatei endet auf .viscera</translation>
     </message>
     <message>
+        <source>the names of its labels are those of %1</source>
+        <translation>die Namen der Labels sind die aus %1</translation>
+    </message>
+    <message>
+        <source>the number of groups must be at least 1, not %1</source>
+        <translation>die Zahl der Gruppen muss mindestens 1 sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as long as that of an adult; check its unit</source>
+        <translation>das Organ ist %1-mal so lang wie das eines Erwachsenen; prüfen Sie seine Einheit</translation>
+    </message>
+    <message>
+        <source>the organ is in %1 pieces</source>
+        <translation>das Organ besteht aus %1 Stücken</translation>
+    </message>
+    <message>
+        <source>the organ is inside out or flat</source>
+        <translation>das Organ ist umgestülpt oder flach</translation>
+    </message>
+    <message numerus="yes">
+        <source>the organ is open: %n boundary {edge|edges}</source>
+        <translation>
+            <numerusform>das Organ ist offen: %n Randkante</numerusform>
+            <numerusform>das Organ ist offen: %n Randkanten</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the organ that it is a cavity of is not before it</source>
         <translation>das Organ, dessen Höhle es ist, steht nicht davor</translation>
+    </message>
+    <message>
+        <source>the outline of %1 vertices cannot follow %2</source>
+        <translation>der Umriss mit %1 Eckpunkten kann %2 nicht folgen</translation>
+    </message>
+    <message>
+        <source>the overlap of groups must lie between 0 and 1</source>
+        <translation>die Überlappung der Gruppen muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged</source>
+        <translation>die gepackten Daten sind beschädigt</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -2572,12 +4432,63 @@
         <translation>die Periode ist keine positive Zahl von Sekunden</translation>
     </message>
     <message>
+        <source>the picture cannot be written</source>
+        <translation>das Bild kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the picture does not exist</source>
+        <translation>das Bild gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the picture is not of three channels of 8 bits</source>
+        <translation>das Bild hat nicht drei Kanäle zu 8 Bit</translation>
+    </message>
+    <message>
+        <source>the points to show are %1, the surface has %2</source>
+        <translation>zu zeigen sind %1 Punkte, die Oberfläche hat %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
+        <translation>
+            <numerusform>die Pose hat %n Griff, das Organ ist an %2 gebunden</numerusform>
+            <numerusform>die Pose hat %n Griffe, das Organ ist an %2 gebunden</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the pose has another number of handles than the document</source>
         <translation>die Pose hat eine andere Zahl von Griffen als das Dokument</translation>
     </message>
     <message>
+        <source>the position is not finite</source>
+        <translation>die Position ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the position of the handle %1 in %2 is not finite</source>
+        <translation>die Position des Griffs %1 in %2 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
+        <translation>für diese Art von Film wird das Programm ffmpeg gebraucht, das nicht installiert ist</translation>
+    </message>
+    <message>
         <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
         <translation>die Güte der Tetraeder ist ein Verhältnis von 1,1 (beste) bis 10</translation>
+    </message>
+    <message>
+        <source>the reply is cut short</source>
+        <translation>die Antwort ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the reply is damaged</source>
+        <translation>die Antwort ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the right ventricle is too small to eject as much as the left one</source>
+        <translation>der rechte Ventrikel ist zu klein, um so viel auszuwerfen wie der linke</translation>
+    </message>
+    <message>
+        <source>the sample organ has no surface &quot;%1&quot;</source>
+        <translation>das Beispielorgan hat keine Oberfläche „%1“</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -2592,6 +4503,18 @@
         <translation>die Größe ist plausibel: %1</translation>
     </message>
     <message>
+        <source>the sizes of its voxels are missing, zero or not finite</source>
+        <translation>die Größen der Voxel fehlen, sind null oder nicht endlich</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; has two files of one phase</source>
+        <translation>die Oberfläche „%1“ hat zwei Dateien einer Phase</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; is missing in phase number %2</source>
+        <translation>die Oberfläche „%1“ fehlt in der Phase Nummer %2</translation>
+    </message>
+    <message>
         <source>the surface consists of %1 separate pieces</source>
         <translation>die Oberfläche besteht aus %1 getrennten Stücken</translation>
     </message>
@@ -2600,12 +4523,32 @@
         <translation>die Oberfläche durchdringt sich nicht</translation>
     </message>
     <message>
+        <source>the surface encloses nothing that witness points could lie in</source>
+        <translation>die Oberfläche umschließt nichts, worin Messpunkte liegen könnten</translation>
+    </message>
+    <message>
         <source>the surface has %1 usable triangles, so it encloses nothing</source>
         <translation>die Oberfläche hat %1 brauchbare Dreiecke und umschließt nichts</translation>
     </message>
     <message>
         <source>the surface has no such triangle</source>
         <translation>die Oberfläche hat dieses Dreieck nicht</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or is flat, so it encloses nothing</source>
+        <translation>die Oberfläche hat keine Dreiecke oder ist flach und umschließt daher nichts</translation>
+    </message>
+    <message>
+        <source>the surface has room for %1 of %2 handles</source>
+        <translation>die Oberfläche hat Platz für %1 von %2 Griffen</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
+        <translation>die Oberfläche misst %1 mm, was kein Organ tut; die Koordinaten werden als Millimeter genommen</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
+        <translation>die Oberfläche misst %1 mm, was kein Organ tut; die Koordinaten werden als Millimeter genommen, vielleicht sind es %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -2618,6 +4561,13 @@
     <message>
         <source>the surface is of one piece</source>
         <translation>die Oberfläche ist aus einem Stück</translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges})</source>
+        <translation>
+            <numerusform>die Oberfläche ist offen (%n Randkante)</numerusform>
+            <numerusform>die Oberfläche ist offen (%n Randkanten)</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
@@ -2634,6 +4584,10 @@
         </translation>
     </message>
     <message>
+        <source>the tetrahedra do not determine the coordinates</source>
+        <translation>die Tetraeder bestimmen die Koordinaten nicht</translation>
+    </message>
+    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>die Dreiecke an einem Loch laufen nicht alle gleich herum, darum kann es nicht geschlossen werden</translation>
     </message>
@@ -2642,20 +4596,88 @@
         <translation>die Dreiecke zeigen nach außen</translation>
     </message>
     <message>
+        <source>the values to show are %1, the surface has %2 vertices</source>
+        <translation>zu zeigen sind %1 Werte, die Oberfläche hat %2 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the values to show are %1, the tissue has %2 points</source>
+        <translation>zu zeigen sind %1 Werte, das Gewebe hat %2 Punkte</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>das Volumen kann hier nicht gehalten werden: %1</translation>
+    </message>
+    <message>
+        <source>the waves are %1 % as deep as in an adult: %2</source>
+        <translation>die Wellen sind %1 % so tief wie bei einem Erwachsenen: %2</translation>
     </message>
     <message>
         <source>the weights of a measured point are no place in its triangle</source>
         <translation>die Gewichte eines gemessenen Punkts sind kein Ort in seinem Dreieck</translation>
     </message>
     <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>there are no points to group handles around</source>
+        <translation>es gibt keine Punkte, um die Griffe gruppiert werden könnten</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra in it; the surface may be open</source>
+        <translation>es sind keine Tetraeder darin; vielleicht ist die Oberfläche offen</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>es gibt: %1</translation>
+    </message>
+    <message>
         <source>there is no %1 &quot;%2&quot;</source>
         <translation>„%2“ ist kein Wert von %1</translation>
     </message>
     <message>
+        <source>there is no colour map of this name</source>
+        <translation>es gibt keine Farbskala dieses Namens</translation>
+    </message>
+    <message>
+        <source>there is no coordinate system &quot;%1&quot;</source>
+        <translation>es gibt kein Koordinatensystem „%1“</translation>
+    </message>
+    <message>
+        <source>there is no handle %1</source>
+        <translation>es gibt keinen Griff %1</translation>
+    </message>
+    <message>
+        <source>there is no handle at vertex %1</source>
+        <translation>am Eckpunkt %1 ist kein Griff</translation>
+    </message>
+    <message>
         <source>there is no organ %1</source>
         <translation>es gibt kein Organ %1</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>es gibt keinen Parameter %1</translation>
+    </message>
+    <message>
+        <source>there is no picture to put on the sheet</source>
+        <translation>es gibt kein Bild für den Bogen</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot;</source>
+        <translation>es gibt keine Sequenz „%1“</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot; for other organs</source>
+        <translation>es gibt keine Sequenz „%1“ für andere Organe</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
     </message>
     <message>
         <source>there is no such slice</source>
@@ -2664,6 +4686,14 @@
     <message>
         <source>there is no triangle %1</source>
         <translation>es gibt kein Dreieck %1</translation>
+    </message>
+    <message>
+        <source>there is no triangle to write</source>
+        <translation>es gibt kein Dreieck zu schreiben</translation>
+    </message>
+    <message>
+        <source>there is no view of this name</source>
+        <translation>es gibt keine Ansicht dieses Namens</translation>
     </message>
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
@@ -2678,8 +4708,36 @@
         <translation>Ausdünnen der Oberfläche</translation>
     </message>
     <message>
+        <source>this EGL knows no desktop OpenGL</source>
+        <translation>dieses EGL kennt kein Desktop-OpenGL</translation>
+    </message>
+    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>das ist ein Fehler des Programms; bitte melden Sie ihn</translation>
+    </message>
+    <message>
+        <source>this is not a PNG picture</source>
+        <translation>dies ist kein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>this system has no parameters</source>
+        <translation>dieses System hat keine Parameter</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
+        <translation>zu wenige Landmarken: %1 ist da, fundus und pylorus fehlen</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but no %2</source>
+        <translation>zu wenige Landmarken: %1 ist da, %2 fehlt</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is right but neither apex nor base</source>
+        <translation>zu wenige Landmarken: right ist da, apex und base fehlen</translation>
+    </message>
+    <message>
+        <source>track surfaces that are not within each other one by one</source>
+        <translation>verfolgen Sie Oberflächen, die nicht ineinander liegen, einzeln</translation>
     </message>
     <message>
         <source>triangle %1</source>
@@ -2688,6 +4746,22 @@
     <message>
         <source>triangle %1 refers to vertex %2, but there are %3</source>
         <translation>Dreieck %1 nennt Eckpunkt %2, es gibt aber %3</translation>
+    </message>
+    <message>
+        <source>try another resolution</source>
+        <translation>versuchen Sie eine andere Auflösung</translation>
+    </message>
+    <message>
+        <source>try another resolution, or a cage without needle-like triangles</source>
+        <translation>versuchen Sie eine andere Auflösung oder einen Käfig ohne nadelförmige Dreiecke</translation>
+    </message>
+    <message>
+        <source>turn its triangles around, as viscera convert IN OUT --orient does</source>
+        <translation>drehen Sie seine Dreiecke um, etwa mit viscera convert EIN AUS --orient</translation>
+    </message>
+    <message>
+        <source>turn the surface outward, or choose a target above 0 ml</source>
+        <translation>drehen Sie die Oberfläche nach außen, oder wählen Sie ein Ziel über 0 ml</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -2718,8 +4792,20 @@
         <translation>aktualisieren Sie Viscera</translation>
     </message>
     <message>
+        <source>use .ogv, .mp4, .gif, or a folder for PNG frames</source>
+        <translation>verwenden Sie .ogv, .mp4, .gif oder einen Ordner für PNG-Einzelbilder</translation>
+    </message>
+    <message>
         <source>use a pose of the same handles</source>
         <translation>nehmen Sie eine Pose derselben Griffe</translation>
+    </message>
+    <message>
+        <source>use anterior, posterior, left, right, superior or inferior</source>
+        <translation>verwenden Sie anterior, posterior, left, right, superior oder inferior</translation>
+    </message>
+    <message>
+        <source>use images that show all of it in every phase</source>
+        <translation>verwenden Sie Bilder, die es in jeder Phase ganz zeigen</translation>
     </message>
     <message>
         <source>use one of %1</source>
@@ -2728,6 +4814,14 @@
     <message>
         <source>use one of: %1</source>
         <translation>nehmen Sie eines von: %1</translation>
+    </message>
+    <message>
+        <source>use one of: heartbeat, peristalsis, breathing</source>
+        <translation>verwenden Sie eine von: heartbeat, peristalsis, breathing</translation>
+    </message>
+    <message>
+        <source>use viridis or diverging</source>
+        <translation>verwenden Sie viridis oder diverging</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -2770,8 +4864,16 @@
         <translation>Welle im Korpus</translation>
     </message>
     <message>
+        <source>what TetGen made is not a filling of this surface: %1</source>
+        <translation>was TetGen erzeugt hat, ist keine Füllung dieser Oberfläche: %1</translation>
+    </message>
+    <message>
         <source>what is measured on it is now at the nearest places of that surface</source>
         <translation>Messungen darauf liegen jetzt an den nächsten Stellen dieser Oberfläche</translation>
+    </message>
+    <message>
+        <source>witness point %1 has a coordinate that is not finite</source>
+        <translation>Messpunkt %1 hat eine Koordinate, die nicht endlich ist</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -2839,6 +4941,38 @@
     <message>
         <source>These two probes have a profile already</source>
         <translation>Diese beiden Sonden haben schon ein Profil</translation>
+    </message>
+    <message>
+        <source>witness points on a grid</source>
+        <translation>Messpunkte auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>women and men have on average %1 to %2 ml</source>
+        <translation>Frauen und Männer haben im Mittel %1 bis %2 ml</translation>
+    </message>
+    <message>
+        <source>write an .ogv instead</source>
+        <translation>schreiben Sie stattdessen eine .ogv-Datei</translation>
+    </message>
+    <message>
+        <source>write it as .nrrd</source>
+        <translation>schreiben Sie es als .nrrd</translation>
+    </message>
+    <message>
+        <source>write lines of the instant and the volume in ml</source>
+        <translation>schreiben Sie Zeilen mit Zeitpunkt und Volumen in ml</translation>
+    </message>
+    <message>
+        <source>write the instant and the volume in ml, as in 0.25,98.5</source>
+        <translation>schreiben Sie den Zeitpunkt und das Volumen in ml, wie in 0.25,98.5</translation>
+    </message>
+    <message>
+        <source>write volumes in ml</source>
+        <translation>schreiben Sie Volumina in ml</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>Schreiben des Films</translation>
     </message>
 </context>
 </TS>

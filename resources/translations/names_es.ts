@@ -4,12 +4,20 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>&quot;%1&quot; has no planar form</source>
+        <translation>«%1» no tiene forma plana</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>«%1» es %2 en lugar de «%3»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
         <translation>«%1» no es verdadero ni falso</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>«%1» no es un punto de referencia de la secuencia %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a list</source>
@@ -20,12 +28,24 @@
         <translation>«%1» no es un texto</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
+        <translation>«%1» considera todos los puntos a la vez, lo que las coordenadas planas no hacen</translation>
+    </message>
+    <message>
         <source>&quot;version&quot; is not a positive whole number</source>
         <translation>«version» no es un número entero positivo</translation>
     </message>
     <message>
+        <source>%1 and %2 are at one place: %3 from each other</source>
+        <translation>%1 y %2 están en el mismo sitio: a %3 uno de otro</translation>
+    </message>
+    <message>
         <source>%1 and %2 more</source>
         <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % of the cycle: %3</source>
+        <translation>%1 al %2 % del ciclo: %3</translation>
     </message>
     <message>
         <source>%1 gives another surface than the one that was saved</source>
@@ -36,12 +56,48 @@
         <translation>%1 ha cambiado desde que se guardó la sesión</translation>
     </message>
     <message>
+        <source>%1 has no volume in %2</source>
+        <translation>%1 no tiene volumen en la %2</translation>
+    </message>
+    <message>
+        <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
+        <translation>%1 tiene en la %2 otros triángulos que en la primera: las superficies se ajustan por sus distancias, que no ven el movimiento a lo largo de la pared</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 está a más de mil kilómetros</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>%1 is not a value for parameter %2</source>
+        <translation>%1 no es un valor para el parámetro %2</translation>
+    </message>
+    <message>
+        <source>%1 is out of range for parameter %2</source>
+        <translation>%1 está fuera del intervalo del parámetro %2</translation>
+    </message>
+    <message>
+        <source>%1 ml cannot be reached</source>
+        <translation>no se pueden alcanzar %1 ml</translation>
+    </message>
+    <message>
+        <source>%1 need tetrahedra, which cannot be made here</source>
+        <translation>%1: necesitan tetraedros, que aquí no se pueden hacer</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates</source>
+        <translation>%1 de %2 vértices no tienen coordenadas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates in the cage</source>
+        <translation>%1 de %2 vértices no tienen coordenadas en la jaula</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie in no group's region</source>
+        <translation>%1 de %2 vértices no están en la región de ningún grupo</translation>
     </message>
     <message>
         <source>%1 of more than 1 GB cannot be kept in a session file</source>
@@ -52,8 +108,24 @@
         <translation>%1 filas</translation>
     </message>
     <message>
+        <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
+        <translation>%1 toca el borde de la imagen en la %2 y no en otras, de modo que sus volúmenes quedarían recortados</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
+        <translation>%1 toca el borde de la imagen en la %2: lo que queda fuera no está en su volumen</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
+        <translation>%1 toca el borde de la imagen en todas las fases: lo que queda fuera no está en su volumen</translation>
+    </message>
+    <message>
         <source>%1 voxels</source>
         <translation>%1 vóxeles</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 of them crumbs of less than 2 % of its area</source>
@@ -62,6 +134,10 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modificado</translation>
+    </message>
+    <message>
+        <source>%1, handle &quot;%2&quot;</source>
+        <translation>%1, tirador «%2»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -76,12 +152,53 @@
         <translation>%1, clave en %2 s</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, línea %2</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>%1: %2 lie outside the handles' hull, by up to %3 mm</source>
+        <translation>%1: %2 están fuera de la envolvente de los tiradores, hasta %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {hole|holes} closed by {a flat cap|flat caps}</source>
+        <translation>
+            <numerusform>%1: %n agujero cerrado con una tapa plana</numerusform>
+            <numerusform>%1: %n agujeros cerrados con tapas planas</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
         <translation>%1: «%2» es desconocido y no se guardará de nuevo</translation>
+    </message>
+    <message>
+        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
+        <translation>%1: puntos que coinciden en la primera fase se separan después hasta %2 mm; se mueven como uno solo</translation>
+    </message>
+    <message>
+        <source>%1; it looks like %2</source>
+        <translation>%1; parece %2</translation>
+    </message>
+    <message>
+        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
+        <translation>%1; se leyeron los cortes %2 a %3 de %4, que son uniformes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
+        <translation>
+            <numerusform>%2 piezas, %n vóxel aparte de la mayor</numerusform>
+            <numerusform>%2 piezas, %n vóxeles aparte de la mayor</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
+        <translation>
+            <numerusform>%2 piezas, se omite %n vóxel aparte de la mayor</numerusform>
+            <numerusform>%2 piezas, se omiten %n vóxeles aparte de la mayor</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
@@ -95,6 +212,13 @@
         <translation>
             <numerusform>%n arista de borde: la superficie está abierta y no tiene volumen</numerusform>
             <numerusform>%n aristas de borde: la superficie está abierta y no tiene volumen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the given points {is|are} not in it</source>
+        <translation>
+            <numerusform>%n de los puntos dados no está en él</numerusform>
+            <numerusform>%n de los puntos dados no están en él</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -112,6 +236,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {file is a copy|files are copies} of another one and left out</source>
+        <translation>
+            <numerusform>%n archivo es copia de otro y se omite</numerusform>
+            <numerusform>%n archivos son copias de otro y se omiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {file is|files are} damaged and left out (%2: %3)</source>
+        <translation>
+            <numerusform>%n archivo está dañado y se omite (%2: %3)</numerusform>
+            <numerusform>%n archivos están dañados y se omiten (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is|handles are} too few</source>
+        <translation>
+            <numerusform>%n tirador es demasiado poco</numerusform>
+            <numerusform>%n tiradores son demasiado pocos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle|handles}</source>
         <translation>
             <numerusform>%n tirador</numerusform>
@@ -119,10 +264,101 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle|handles} cannot form %2 groups</source>
+        <translation>
+            <numerusform>%n tirador no puede formar %2 grupos</numerusform>
+            <numerusform>%n tiradores no pueden formar %2 grupos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} whose label another one has got a new one</source>
+        <translation>
+            <numerusform>%n tirador cuya etiqueta tiene otro recibió una nueva</numerusform>
+            <numerusform>%n tiradores cuya etiqueta tiene otro recibieron una nueva</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} without a label got one</source>
+        <translation>
+            <numerusform>%n tirador sin etiqueta recibió una</numerusform>
+            <numerusform>%n tiradores sin etiqueta recibieron una</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line or point cell|line or point cells} ignored</source>
+        <translation>
+            <numerusform>%n celda de línea o punto omitida</numerusform>
+            <numerusform>%n celdas de línea o punto omitidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {mask is|masks are} empty (%2)</source>
+        <translation>
+            <numerusform>%n máscara está vacía (%2)</numerusform>
+            <numerusform>%n máscaras están vacías (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
             <numerusform>%n par de triángulos se cruza: el modo de estrés quizá deba reparar antes la superficie</numerusform>
             <numerusform>%n pares de triángulos se cruzan: el modo de estrés quizá deba reparar antes la superficie</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <translation>
+            <numerusform>se omite %n imagen de la serie de otro eco</numerusform>
+            <numerusform>se omiten %n imágenes de la serie de otro eco</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <translation>
+            <numerusform>se omite %n imagen de la serie que está en otra dirección</numerusform>
+            <numerusform>se omiten %n imágenes de la serie que están en otra dirección</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {place has|places have} more than one slice (%2); the one with the lowest number was read</source>
+        <translation>
+            <numerusform>%n posición tiene más de un corte (%2); se leyó el de número más bajo</numerusform>
+            <numerusform>%n posiciones tienen más de un corte (%2); se leyó el de número más bajo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that repeats|points that repeat} another merged</source>
+        <translation>
+            <numerusform>%n punto que repite otro fusionado</numerusform>
+            <numerusform>%n puntos que repiten otros fusionados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points} without a triangle dropped</source>
+        <translation>
+            <numerusform>%n punto sin triángulo omitido</numerusform>
+            <numerusform>%n puntos sin triángulo omitidos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
+        <translation>
+            <numerusform>%n polígono dividido en abanico, lo que es erróneo donde no es convexo</numerusform>
+            <numerusform>%n polígonos divididos en abanico, lo que es erróneo donde no son convexos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} no voxels (%2)</source>
+        <translation>
+            <numerusform>%n segmento no tiene vóxeles (%2)</numerusform>
+            <numerusform>%n segmentos no tienen vóxeles (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice is|slices are} missing between slice %2 (%3) and the next, which are %4 mm apart in place of %5 mm</source>
+        <translation>
+            <numerusform>falta %n corte entre el corte %2 (%3) y el siguiente, que distan %4 mm en lugar de %5 mm</numerusform>
+            <numerusform>faltan %n cortes entre el corte %2 (%3) y el siguiente, que distan %4 mm en lugar de %5 mm</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -146,6 +382,35 @@
             <numerusform>Se omiten %n triángulos sin área o repetidos.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} with a repeated corner dropped</source>
+        <translation>
+            <numerusform>%n triángulo con un vértice repetido omitido</numerusform>
+            <numerusform>%n triángulos con un vértice repetido omitidos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex lies|vertices lie} outside the hull of the sequence's handles</source>
+        <translation>
+            <numerusform>%n vértice está fuera de la envolvente de los tiradores de la secuencia</numerusform>
+            <numerusform>%n vértices están fuera de la envolvente de los tiradores de la secuencia</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex|vertices} cannot be divided among %2 groups</source>
+        <translation>
+            <numerusform>%n vértice no se puede repartir entre %2 grupos</numerusform>
+            <numerusform>%n vértices no se pueden repartir entre %2 grupos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>0 starts from all ones, others from random numbers</source>
+        <translation>0 parte de todo unos, otros de números aleatorios</translation>
+    </message>
+    <message>
+        <source>19 of 20 adults have %1 to %2 ml</source>
+        <translation>19 de cada 20 adultos tienen de %1 a %2 ml</translation>
+    </message>
     <message>
         <source>A cavity has to come after the organ that it is in</source>
         <translation>Una cavidad debe ir después del órgano en que está</translation>
@@ -157,6 +422,10 @@
     <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adulto sano en decúbito.</translation>
+    </message>
+    <message>
+        <source>A place in the cycle lies between 0 and 1</source>
+        <translation>Un punto del ciclo está entre 0 y 1</translation>
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
@@ -179,8 +448,16 @@
         <translation>Una sesión se abre sola</translation>
     </message>
     <message>
+        <source>A slice cannot be read, so the series is not opened: %1</source>
+        <translation>No se puede leer un corte, así que la serie no se abre: %1</translation>
+    </message>
+    <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
         <translation>Un ventrículo izquierdo rígido que se relaja despacio: se vacía bien y solo se llena a presión alta.</translation>
+    </message>
+    <message>
+        <source>A ventricle's volume is not positive</source>
+        <translation>El volumen de un ventrículo no es positivo</translation>
     </message>
     <message>
         <source>A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to the lungs. Its wall has more muscle and is no thicker.</source>
@@ -239,6 +516,10 @@
     <message>
         <source>An angle needs three points, any other measurement two</source>
         <translation>Un ángulo necesita tres puntos, cualquier otra medida dos</translation>
+    </message>
+    <message>
+        <source>An ejection fraction of %1 is none of a heart</source>
+        <translation>Ningún corazón tiene una fracción de eyección de %1</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -345,6 +626,10 @@
         <translation>Base</translation>
     </message>
     <message>
+        <source>Bending the image</source>
+        <translation>Curvando la imagen</translation>
+    </message>
+    <message>
         <source>Bending the scan</source>
         <translation>Curvando el estudio</translation>
     </message>
@@ -363,6 +648,10 @@
     <message>
         <source>Binding %1</source>
         <translation>Vinculación de %1</translation>
+    </message>
+    <message>
+        <source>Binding the space between the handles</source>
+        <translation>Enlace del espacio entre los tiradores</translation>
     </message>
     <message>
         <source>Body</source>
@@ -746,14 +1035,78 @@
         <translation>Tiradores interiores de cada capa</translation>
     </message>
     <message>
+        <source>It cannot be opened: %1</source>
+        <translation>No se puede abrir: %1</translation>
+    </message>
+    <message>
         <source>It cannot be read</source>
         <translation>No se puede leer</translation>
+    </message>
+    <message>
+        <source>It cannot be read to its end</source>
+        <translation>No se puede leer hasta el final</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Se cruza consigo misma, en %n par de triángulos</numerusform>
             <numerusform>Se cruza consigo misma, en %n pares de triángulos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
+        <translation>No describe una lección: falta «%1»</translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
+        <translation>No describe una lección: hay un texto, un número o una lista donde va otra cosa</translation>
+    </message>
+    <message>
+        <source>It does not fit into memory</source>
+        <translation>No cabe en la memoria</translation>
+    </message>
+    <message>
+        <source>It does not say how long one cycle lasts</source>
+        <translation>No indica cuánto dura un ciclo</translation>
+    </message>
+    <message numerus="yes">
+        <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
+        <translation>
+            <numerusform>No indica el tiempo de su %n fase; se numera</numerusform>
+            <numerusform>No indica los tiempos de sus %n fases; se numeran</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as milliseconds</source>
+        <translation>No indica la unidad de sus tiempos; se toman como milisegundos</translation>
+    </message>
+    <message>
+        <source>It has %1 labels; a mask in a folder has one</source>
+        <translation>Tiene %1 etiquetas; una máscara de una carpeta tiene una</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes; a label map has one</source>
+        <translation>Tiene %1 volúmenes; un mapa de etiquetas tiene uno</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles} in place of %2</source>
+        <translation>
+            <numerusform>Tiene %n tirador en lugar de %2</numerusform>
+            <numerusform>Tiene %n tiradores en lugar de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a sequence needs four at least</source>
+        <translation>
+            <numerusform>Tiene %n tirador; una secuencia necesita al menos cuatro</numerusform>
+            <numerusform>Tiene %n tiradores; una secuencia necesita al menos cuatro</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {phase|phases}; a motion needs four at least</source>
+        <translation>
+            <numerusform>Tiene %n fase; un movimiento necesita al menos cuatro</numerusform>
+            <numerusform>Tiene %n fases; un movimiento necesita al menos cuatro</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -764,20 +1117,124 @@
         </translation>
     </message>
     <message>
+        <source>It has more than %1 files</source>
+        <translation>Tiene más de %1 archivos</translation>
+    </message>
+    <message>
+        <source>It has more than 32767 voxels along a side, which NIfTI cannot hold</source>
+        <translation>Tiene más de 32767 vóxeles a lo largo de un lado, que NIfTI no admite</translation>
+    </message>
+    <message>
         <source>It has no &quot;%1&quot;</source>
         <translation>Falta «%1»</translation>
+    </message>
+    <message>
+        <source>It has no DICOM files with images</source>
+        <translation>No tiene archivos DICOM con imágenes</translation>
+    </message>
+    <message>
+        <source>It has no label %1</source>
+        <translation>No tiene la etiqueta %1</translation>
+    </message>
+    <message>
+        <source>It has no labelled voxel: all are 0</source>
+        <translation>No tiene ningún vóxel etiquetado: todos son 0</translation>
+    </message>
+    <message>
+        <source>It has no phase %1; it has %2</source>
+        <translation>No tiene la fase %1; tiene %2</translation>
+    </message>
+    <message>
+        <source>It has no series %1</source>
+        <translation>No tiene la serie %1</translation>
+    </message>
+    <message>
+        <source>It has no series %1; it is one scan</source>
+        <translation>No tiene la serie %1; es un solo estudio</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan</source>
+        <translation>No tiene cortes de un estudio</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan: %1 %2</source>
+        <translation>No tiene cortes de un estudio: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>No tiene la superficie «%1»</translation>
     </message>
     <message>
+        <source>It has no triangles</source>
+        <translation>No tiene triángulos</translation>
+    </message>
+    <message>
+        <source>It has several labels: %1</source>
+        <translation>Hay varias etiquetas: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel (%1)</source>
+        <translation>Tiene varios valores por vóxel (%1)</translation>
+    </message>
+    <message>
         <source>It has to be a text</source>
         <translation>Debe ser un texto</translation>
     </message>
     <message>
+        <source>It has to be positive</source>
+        <translation>Debe ser positivo</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: it has more than %1 different values</source>
+        <translation>Contiene una imagen, no etiquetas: tiene más de %1 valores distintos</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: one of its values is %1</source>
+        <translation>Contiene una imagen, no etiquetas: uno de sus valores es %1</translation>
+    </message>
+    <message>
         <source>It holds less than %1</source>
         <translation>Contiene menos de %1</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 masks</source>
+        <translation>Contiene más de %1 máscaras</translation>
+    </message>
+    <message>
+        <source>It holds neither surfaces nor label maps</source>
+        <translation>No contiene ni superficies ni mapas de etiquetas</translation>
+    </message>
+    <message>
+        <source>It holds no label map</source>
+        <translation>No contiene ningún mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>It holds no points</source>
+        <translation>No contiene puntos</translation>
+    </message>
+    <message>
+        <source>It holds no triangle that has three different corners</source>
+        <translation>No contiene ningún triángulo con tres vértices distintos</translation>
+    </message>
+    <message>
+        <source>It holds no triangles</source>
+        <translation>No contiene triángulos</translation>
+    </message>
+    <message>
+        <source>It holds no triangles, only points</source>
+        <translation>No contiene triángulos, solo puntos</translation>
+    </message>
+    <message>
+        <source>It holds only empty masks</source>
+        <translation>Solo contiene máscaras vacías</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file without an image</source>
+        <translation>Es un archivo DICOM sin imagen</translation>
+    </message>
+    <message>
+        <source>It is a folder, not a file</source>
+        <translation>Es una carpeta, no un archivo</translation>
     </message>
     <message>
         <source>It is a scan and no organ</source>
@@ -792,6 +1249,10 @@
         <translation>Está dañado: su SHA-256 no es %1</translation>
     </message>
     <message>
+        <source>It is named %1 but looks like %2</source>
+        <translation>Se llama %1, pero parece %2</translation>
+    </message>
+    <message>
         <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
         <translation>No es ni «embedded» ni «linked»</translation>
     </message>
@@ -804,6 +1265,14 @@
         <translation>No es un archivo de tipo %1: su «format» no es «%2»</translation>
     </message>
     <message>
+        <source>It is not a NIfTI image: its header is not one</source>
+        <translation>No es una imagen NIfTI: su cabecera no lo es</translation>
+    </message>
+    <message>
+        <source>It is not a file of several volumes</source>
+        <translation>No es un archivo de varios volúmenes</translation>
+    </message>
+    <message>
         <source>It is not a file that can be read</source>
         <translation>No es un archivo que se pueda leer</translation>
     </message>
@@ -812,8 +1281,28 @@
         <translation>No es un número finito</translation>
     </message>
     <message>
+        <source>It is not a handle file</source>
+        <translation>No es un archivo de tiradores</translation>
+    </message>
+    <message>
         <source>It is not a list of three numbers</source>
         <translation>No es una lista de tres números</translation>
+    </message>
+    <message>
+        <source>It is not a regular file</source>
+        <translation>No es un archivo normal</translation>
+    </message>
+    <message>
+        <source>It is not a scan that Viscera knows</source>
+        <translation>No es un estudio que Viscera conozca</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan</source>
+        <translation>No es un corte de un estudio</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan: it %1</source>
+        <translation>No es un corte de un estudio: %1</translation>
     </message>
     <message>
         <source>It is not a text</source>
@@ -840,16 +1329,60 @@
         <translation>No es JSON completo: %1</translation>
     </message>
     <message>
+        <source>It is not complete JSON: the mistake is in line %1</source>
+        <translation>No es JSON completo: el error está en la línea %1</translation>
+    </message>
+    <message>
+        <source>It is not convex at its triangle %1</source>
+        <translation>No es convexa en su triángulo %1</translation>
+    </message>
+    <message>
+        <source>It is not finite</source>
+        <translation>No es finita</translation>
+    </message>
+    <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Es de la versión %1; este programa lee hasta la %2</translation>
+    </message>
+    <message>
+        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
+        <translation>Es la mitad de una imagen NIfTI con los vóxeles; su cabecera, %1, no está al lado</translation>
+    </message>
+    <message>
+        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
+        <translation>Es la cabecera de una imagen NIfTI de dos archivos; el de los vóxeles, %1, no está al lado</translation>
+    </message>
+    <message>
+        <source>It is too large: %1 points</source>
+        <translation>Es demasiado grande: %1 puntos</translation>
     </message>
     <message>
         <source>It is too long</source>
         <translation>Es demasiado largo</translation>
     </message>
     <message>
+        <source>It leads to more than 20 million points</source>
+        <translation>Da lugar a más de 20 millones de puntos</translation>
+    </message>
+    <message>
+        <source>It mixes surfaces and label maps</source>
+        <translation>Mezcla superficies y mapas de etiquetas</translation>
+    </message>
+    <message>
+        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
+        <translation>Nombra el tirador %1, que no está entre «handles»</translation>
+    </message>
+    <message>
+        <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
+        <translation>Parece estar en RAS mientras que %1 está en LPS, o al revés: está al otro lado del centro del paciente</translation>
+    </message>
+    <message>
         <source>Its axes lie in one plane</source>
         <translation>Sus ejes están en un plano</translation>
+    </message>
+    <message>
+        <source>Its grid is sheared: its axes are not at right angles</source>
+        <translation>Su cuadrícula está cizallada: sus ejes no forman ángulos rectos</translation>
     </message>
     <message>
         <source>Keep as before</source>
@@ -1027,8 +1560,16 @@
         <translation>Máximo</translation>
     </message>
     <message>
+        <source>Maximum of %1 mm</source>
+        <translation>Máximo de %1 mm</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Media</translation>
+    </message>
+    <message>
+        <source>Mean of %1 mm</source>
+        <translation>Media de %1 mm</translation>
     </message>
     <message>
         <source>Mean value</source>
@@ -1129,8 +1670,24 @@
         <translation>Sistema nervioso</translation>
     </message>
     <message>
+        <source>No cavity is a ventricle by its name</source>
+        <translation>Ninguna cavidad es un ventrículo por su nombre</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Ningun estudio tiene %1 vóxeles a lo largo de un eje</translation>
+    </message>
+    <message>
+        <source>No surface is chosen</source>
+        <translation>No hay ninguna superficie elegida</translation>
+    </message>
+    <message>
+        <source>No voxel has a label in %1</source>
+        <translation>Ningún vóxel tiene etiqueta en la %1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>No hay nada grabado</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -1143,6 +1700,10 @@
     <message>
         <source>Of the random numbers</source>
         <translation>De los números aleatorios</translation>
+    </message>
+    <message>
+        <source>Only label maps have labels</source>
+        <translation>Solo los mapas de etiquetas tienen etiquetas</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1162,6 +1723,10 @@
     <message>
         <source>Open scan %1</source>
         <translation>Abrir el estudio %1</translation>
+    </message>
+    <message>
+        <source>Open sequence %1</source>
+        <translation>Abrir la secuencia %1</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -1527,6 +2092,10 @@
         <translation>Piel y grasa</translation>
     </message>
     <message>
+        <source>Slice %1 (%2) is shifted sideways against those below it</source>
+        <translation>El corte %1 (%2) está desplazado lateralmente respecto a los inferiores</translation>
+    </message>
+    <message>
         <source>Small bowel</source>
         <translation>Intestino delgado</translation>
     </message>
@@ -1545,6 +2114,10 @@
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
         <translation>Soluciones de la ecuación de Laplace en una jaula de cualquier forma; locales y sin lóbulos negativos</translation>
+    </message>
+    <message>
+        <source>Some files say that they are in RAS and this one does not say what it is in</source>
+        <translation>Algunos archivos indican que están en RAS y este no indica sus ejes</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -1630,6 +2203,10 @@
         <translation>Cola</translation>
     </message>
     <message>
+        <source>Take handles of %1</source>
+        <translation>Usar los tiradores de %1</translation>
+    </message>
+    <message>
         <source>Take the cage %1</source>
         <translation>Usar la jaula %1</translation>
     </message>
@@ -1638,8 +2215,28 @@
         <translation>Taponamiento</translation>
     </message>
     <message>
+        <source>TetGen cannot fill this surface (%1)</source>
+        <translation>TetGen no puede llenar esta superficie (%1)</translation>
+    </message>
+    <message>
         <source>TetGen placed no point inside the surface</source>
         <translation>TetGen no colocó ningún punto dentro de la superficie</translation>
+    </message>
+    <message>
+        <source>TetGen wanted more than %1 MB of memory</source>
+        <translation>TetGen necesitó más de %1 MB de memoria</translation>
+    </message>
+    <message>
+        <source>TetGen was not done after %1 s</source>
+        <translation>TetGen no había terminado tras %1 s</translation>
+    </message>
+    <message>
+        <source>TetGen's program %1 cannot be started: %2</source>
+        <translation>no se puede iniciar el programa %1 de TetGen: %2</translation>
+    </message>
+    <message>
+        <source>Textbook heartbeat</source>
+        <translation>Latido del libro de texto</translation>
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
@@ -1650,6 +2247,10 @@
         <translation>La jaula nombra un tirador que no existe</translation>
     </message>
     <message>
+        <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
+        <translation>La cavidad %1 no está dentro de la superficie exterior %2: el %3 % queda fuera</translation>
+    </message>
+    <message>
         <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
         <translation>El centro de todas las respuestas positivas, por muestreo; tan bueno como el número de muestras</translation>
     </message>
@@ -1658,8 +2259,28 @@
         <translation>Las coordenadas clásicas de una jaula cerrada; positivas donde la jaula es convexa</translation>
     </message>
     <message>
+        <source>The files' names are not in the order of the slices; they were put in order by position</source>
+        <translation>Los nombres de los archivos no siguen el orden de los cortes; se ordenaron por posición</translation>
+    </message>
+    <message>
+        <source>The grid of %1 is another one than that of the first phase</source>
+        <translation>La cuadrícula de la %1 no es la de la primera fase</translation>
+    </message>
+    <message>
+        <source>The heart rate has to be a positive number of beats a minute</source>
+        <translation>La frecuencia cardíaca debe ser un número positivo de latidos por minuto</translation>
+    </message>
+    <message>
+        <source>The label &quot;%1&quot; is missing in %2</source>
+        <translation>Falta la etiqueta «%1» en la %2</translation>
+    </message>
+    <message>
         <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
         <translation>El mapa de etiquetas de %1 tiene otra cuadrícula (%2) que el estudio (%3); cada uno está donde dice su archivo, y nada se remuestrea</translation>
+    </message>
+    <message>
+        <source>The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours %2 mm at most</source>
+        <translation>La última fase no vuelve a la primera: distan %1 mm de media, las vecinas %2 mm como máximo</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
@@ -1694,6 +2315,10 @@
         <translation>La salida del estómago</translation>
     </message>
     <message>
+        <source>The period is not a positive time</source>
+        <translation>El período no es un tiempo positivo</translation>
+    </message>
+    <message>
         <source>The points of n-space that the wire connects</source>
         <translation>Los puntos del espacio n que une el hilo</translation>
     </message>
@@ -1706,6 +2331,18 @@
         <translation>La pose tiene una posición que no es un número finito o está demasiado lejos</translation>
     </message>
     <message>
+        <source>The program ffmpeg could not write the movie</source>
+        <translation>El programa ffmpeg no pudo escribir la película</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg could not write the movie: %1</source>
+        <translation>El programa ffmpeg no pudo escribir la película: %1</translation>
+    </message>
+    <message>
+        <source>The rate is out of range</source>
+        <translation>La frecuencia está fuera del intervalo</translation>
+    </message>
+    <message>
         <source>The sequence moves %1 handles, but there are %2</source>
         <translation>La secuencia mueve %1 tiradores, pero hay %2</translation>
     </message>
@@ -1713,9 +2350,35 @@
         <source>The sequence was made for another place of a handle</source>
         <translation>La secuencia se hizo para otra posición de un tirador</translation>
     </message>
+    <message numerus="yes">
+        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <translation>
+            <numerusform>La serie tiene imágenes de varios tamaños: se omite %n imagen de %2 y se leen las de %3</numerusform>
+            <numerusform>La serie tiene imágenes de varios tamaños: se omiten %n imágenes de %2 y se leen las de %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <translation>
+            <numerusform>La serie tiene píxeles de varios tamaños: se omite %n imagen de %2 mm y se leen las de %3 mm</numerusform>
+            <numerusform>La serie tiene píxeles de varios tamaños: se omiten %n imágenes de %2 mm y se leen las de %3 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1 degrees against the way they are stacked (a tilted gantry); the shear is kept</source>
+        <translation>Los cortes están inclinados %1 grados respecto a su apilado (gantry inclinado); se conserva la cizalla</translation>
+    </message>
     <message>
         <source>The smallest number is raised as high as it goes; positive, with kinks</source>
         <translation>El número menor se eleva tanto como se pueda; positivo, con dobleces</translation>
+    </message>
+    <message>
+        <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
+        <translation>La separación es desigual entre el corte %1 (%2) y el siguiente, que distan %3 mm en lugar de %4 mm (%5 %)</translation>
+    </message>
+    <message>
+        <source>The speed is out of range</source>
+        <translation>La velocidad está fuera del intervalo</translation>
     </message>
     <message>
         <source>The surface has no triangle</source>
@@ -1734,12 +2397,20 @@
         <translation>El radio de la tesis; se cancela en las coordenadas y no cambia nada</translation>
     </message>
     <message>
+        <source>The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms</source>
+        <translation>Los tiempos de las fases no aumentan dentro de un período de %1 ms: la %2 está en %3 ms</translation>
+    </message>
+    <message>
         <source>The tip of the heart</source>
         <translation>La punta del corazón</translation>
     </message>
     <message>
         <source>The top of the fundus</source>
         <translation>La parte más alta del fundus</translation>
+    </message>
+    <message>
+        <source>The volume of %1 jumps from %2 to %3 ml between %4 and %5</source>
+        <translation>El volumen de %1 salta de %2 a %3 ml entre la %4 y la %5</translation>
     </message>
     <message>
         <source>The width has to be positive</source>
@@ -1774,6 +2445,14 @@
         <translation>No existen esos vértices que rodear</translation>
     </message>
     <message>
+        <source>There are no volumes to compute an ejection fraction from</source>
+        <translation>No hay volúmenes con los que calcular una fracción de eyección</translation>
+    </message>
+    <message>
+        <source>There is no %1</source>
+        <translation>No existe la %1</translation>
+    </message>
+    <message>
         <source>There is no file to open</source>
         <translation>No hay ningún archivo que abrir</translation>
     </message>
@@ -1788,6 +2467,18 @@
     <message>
         <source>There is no scan to close</source>
         <translation>No hay ningun estudio que cerrar</translation>
+    </message>
+    <message>
+        <source>There is no sequence that could move these handles</source>
+        <translation>No hay ninguna secuencia que pueda mover estos tiradores</translation>
+    </message>
+    <message>
+        <source>There is no sequence whose rate could be set</source>
+        <translation>No hay ninguna secuencia cuya frecuencia se pueda ajustar</translation>
+    </message>
+    <message>
+        <source>There is no series</source>
+        <translation>No hay ninguna serie</translation>
     </message>
     <message>
         <source>There is no stress map yet</source>
@@ -1810,8 +2501,23 @@
         <translation>Ese punto no existe</translation>
     </message>
     <message>
+        <source>There is no surface &quot;%1&quot;</source>
+        <translation>No hay ninguna superficie «%1»</translation>
+    </message>
+    <message>
         <source>There is no type of samples &quot;%1&quot;</source>
         <translation>No existe el tipo de muestras «%1»</translation>
+    </message>
+    <message>
+        <source>There is no volume in it</source>
+        <translation>No contiene ningún volumen</translation>
+    </message>
+    <message numerus="yes">
+        <source>There {is|are} %n {time|times} for %2 phases</source>
+        <translation>
+            <numerusform>Hay %n tiempo para %2 fases</numerusform>
+            <numerusform>Hay %n tiempos para %2 fases</numerusform>
+        </translation>
     </message>
     <message>
         <source>Thickening</source>
@@ -1824,6 +2530,10 @@
     <message>
         <source>Time (s)</source>
         <translation>Tiempo (s)</translation>
+    </message>
+    <message>
+        <source>Tracing the displacement field</source>
+        <translation>Cálculo del campo de desplazamientos</translation>
     </message>
     <message>
         <source>Transverse colon</source>
@@ -1957,6 +2667,54 @@
         <translation>Puntos testigo de %1</translation>
     </message>
     <message>
+        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <translation>%1 de %2 ml no es de tamaño natural: %3</translation>
+    </message>
+    <message>
+        <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
+        <translation>un archivo .fcsv es una sola lista: los %1 grupos y sus colores no se conservan (.mrk.json los conserva)</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer fiducial table</source>
+        <translation>una tabla de fiduciales de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer markups file</source>
+        <translation>un archivo de marcas de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>un archivo JSON</translation>
+    </message>
+    <message>
+        <source>a NIfTI image</source>
+        <translation>una imagen NIfTI</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <translation>una superficie PLY</translation>
+    </message>
+    <message>
+        <source>a VTK XML file that holds no surface</source>
+        <translation>un archivo VTK XML sin superficie</translation>
+    </message>
+    <message>
+        <source>a VTK XML surface</source>
+        <translation>una superficie VTK XML</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>un archivo ZIP</translation>
+    </message>
+    <message>
+        <source>a binary glTF scene</source>
+        <translation>una escena glTF binaria</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una jaula es una superficie gruesa: elija una de %1 vértices como máximo</translation>
     </message>
@@ -1969,6 +2727,14 @@
         <translation>una envolvente convexa necesita al menos 4 puntos, hay %1</translation>
     </message>
     <message>
+        <source>a curve needs one number for each time</source>
+        <translation>una curva necesita un número para cada tiempo</translation>
+    </message>
+    <message>
+        <source>a curve needs one y for each x</source>
+        <translation>una curva necesita una y para cada x</translation>
+    </message>
+    <message>
         <source>a displacement</source>
         <translation>un desplazamiento</translation>
     </message>
@@ -1977,16 +2743,52 @@
         <translation>una cuadrícula de distancias con este paso es demasiado grande</translation>
     </message>
     <message>
+        <source>a glTF scene</source>
+        <translation>una escena glTF</translation>
+    </message>
+    <message>
+        <source>a gzip-compressed file</source>
+        <translation>un archivo comprimido con gzip</translation>
+    </message>
+    <message>
         <source>a handle of a recorded key</source>
         <translation>un tirador de una clave registrada</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <translation>un archivo VTK antiguo</translation>
+    </message>
+    <message>
+        <source>a locked volume must be positive</source>
+        <translation>un volumen bloqueado debe ser positivo</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
         <translation>una parte del estudio no está en ningún órgano</translation>
     </message>
     <message>
+        <source>a phase has not all surfaces</source>
+        <translation>una fase no tiene todas las superficies</translation>
+    </message>
+    <message>
         <source>a point of its surface</source>
         <translation>un punto de su superficie</translation>
+    </message>
+    <message>
+        <source>a point of the centreline lies %1 outside the organ</source>
+        <translation>un punto de la línea central está %1 fuera del órgano</translation>
+    </message>
+    <message>
+        <source>a point of the divided cage is not on the cage</source>
+        <translation>un punto de la jaula dividida no está en la jaula</translation>
+    </message>
+    <message>
+        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>un polígono se refiere al punto %1, pero hay %2 (contados desde 0)</translation>
+    </message>
+    <message>
+        <source>a pose of %1 handles does not fit witness points of %2</source>
+        <translation>una pose de %1 tiradores no corresponde a puntos testigo de %2</translation>
     </message>
     <message>
         <source>a recorded key</source>
@@ -1997,8 +2799,20 @@
         <translation>una observación sobre él no es UTF-8</translation>
     </message>
     <message>
+        <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
+        <translation>una superficie de %1 vértices y %2 triángulos es demasiado pequeña para tiradores</translation>
+    </message>
+    <message>
         <source>a surface without triangles has no inside</source>
         <translation>una superficie sin triángulos no tiene interior</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that does not exist</source>
+        <translation>un tetraedro tiene un vértice que no existe</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that is none of the %1 points</source>
+        <translation>un tetraedro tiene un vértice que no es ninguno de los %1 puntos</translation>
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
@@ -2009,16 +2823,60 @@
         <translation>un triángulo nombra un tirador que no existe</translation>
     </message>
     <message>
+        <source>a triangle refers to a point that is not there</source>
+        <translation>un triángulo se refiere a un punto que no existe</translation>
+    </message>
+    <message>
+        <source>add a group that encloses them, or put handles around them into a group</source>
+        <translation>añada un grupo que los encierre, o ponga en un grupo tiradores que los rodeen</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>añada tiradores, o colóquelos automáticamente</translation>
+    </message>
+    <message>
+        <source>add its file, or remove those of the other surfaces in that phase</source>
+        <translation>añada su archivo, o quite los de las otras superficies de esa fase</translation>
+    </message>
+    <message>
+        <source>add the enclosing handles, or move handles outward until they surround the organ</source>
+        <translation>añada los tiradores envolventes, o mueva tiradores hacia fuera hasta que rodeen el órgano</translation>
     </message>
     <message>
         <source>added by automatic grouping</source>
         <translation>añadido por la agrupación automática</translation>
     </message>
     <message>
+        <source>all handles lie in one plane</source>
+        <translation>todos los tiradores están en un plano</translation>
+    </message>
+    <message>
+        <source>all handles lie on one line</source>
+        <translation>todos los tiradores están en una recta</translation>
+    </message>
+    <message>
+        <source>all of it is a cavity</source>
+        <translation>todo es cavidad</translation>
+    </message>
+    <message>
         <source>all points lie in one plane</source>
         <translation>todos los puntos están en un plano</translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation>una imagen NRRD</translation>
+    </message>
+    <message>
+        <source>an OBJ surface</source>
+        <translation>una superficie OBJ</translation>
+    </message>
+    <message>
+        <source>an OFF surface</source>
+        <translation>una superficie OFF</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <translation>una superficie STL</translation>
     </message>
     <message>
         <source>an angle has three points, any other measurement two</source>
@@ -2033,8 +2891,40 @@
         <translation>antro</translation>
     </message>
     <message>
+        <source>as in --period-ms 829</source>
+        <translation>como en --period-ms 829</translation>
+    </message>
+    <message>
+        <source>ask for a volume nearer to that at rest, or let more handles compensate</source>
+        <translation>pida un volumen más cercano al de reposo, o deje que compensen más tiradores</translation>
+    </message>
+    <message>
+        <source>ask for at least %1</source>
+        <translation>pida al menos %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer groups</source>
+        <translation>pida menos grupos</translation>
+    </message>
+    <message>
+        <source>ask for fewer witness points</source>
+        <translation>pida menos puntos testigo</translation>
+    </message>
+    <message>
+        <source>ask for fewer, or put them nearer to the surface</source>
+        <translation>pida menos, o póngalos más cerca de la superficie</translation>
+    </message>
+    <message>
+        <source>at least %1 are needed</source>
+        <translation>se necesitan al menos %1</translation>
+    </message>
+    <message>
         <source>atrial systole</source>
         <translation>sístole auricular</translation>
+    </message>
+    <message>
+        <source>bind by way of the deformation module, or choose another system</source>
+        <translation>enlace mediante el módulo deformation, o elija otro sistema</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -2045,8 +2935,28 @@
         <translation>cuerpo</translation>
     </message>
     <message>
+        <source>bounded biharmonic weights</source>
+        <translation>pesos biarmónicos acotados</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
+        <translation>por su nombre va a la izquierda del paciente, pero está a la derecha (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2</source>
+        <translation>por su nombre va a la derecha del paciente, pero está a la izquierda (x = %1 mm): %2</translation>
+    </message>
+    <message>
+        <source>call the left ventricle's cavity LV and the right one's RV</source>
+        <translation>llame LV a la cavidad del ventrículo izquierdo y RV a la del derecho</translation>
+    </message>
+    <message>
         <source>cannot be opened: %1</source>
         <translation>no se puede abrir: %1</translation>
+    </message>
+    <message>
+        <source>cannot draw without a display: %1</source>
+        <translation>no se puede dibujar sin pantalla: %1</translation>
     </message>
     <message>
         <source>cannot place %1 witness points</source>
@@ -2061,20 +2971,80 @@
         <translation>compruebe sus permisos</translation>
     </message>
     <message>
+        <source>check its scale and its number format</source>
+        <translation>compruebe su escala y su formato de números</translation>
+    </message>
+    <message>
         <source>check its unit; coordinates are in mm</source>
         <translation>compruebe su unidad; las coordenadas están en mm</translation>
+    </message>
+    <message>
+        <source>check that its surface is closed and outward</source>
+        <translation>compruebe que su superficie está cerrada y orientada hacia fuera</translation>
+    </message>
+    <message>
+        <source>check that its triangles face outward and that its holes are small</source>
+        <translation>compruebe que sus triángulos miran hacia fuera y que sus agujeros son pequeños</translation>
+    </message>
+    <message>
+        <source>check that the segmentation was saved</source>
+        <translation>compruebe que la segmentación se guardó</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>compruebe que hay espacio en el disco</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>compruebe que tiene permiso de lectura</translation>
+    </message>
+    <message>
+        <source>check the disk or the connection</source>
+        <translation>compruebe el disco o la conexión</translation>
     </message>
     <message>
         <source>check the name</source>
         <translation>compruebe el nombre</translation>
     </message>
     <message>
+        <source>check the name and the folder</source>
+        <translation>compruebe el nombre y la carpeta</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>compruebe la ruta</translation>
+    </message>
+    <message>
+        <source>check their order, and the period</source>
+        <translation>compruebe su orden y el período</translation>
+    </message>
+    <message>
+        <source>check this phase, or leave it out</source>
+        <translation>compruebe esta fase, u omítala</translation>
+    </message>
+    <message>
+        <source>check what the file is and where it came from</source>
+        <translation>compruebe qué es el archivo y de dónde viene</translation>
+    </message>
+    <message>
+        <source>check whether one of them is mislabelled, or leave it out</source>
+        <translation>compruebe si una de ellas está mal etiquetada, u omítala</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>elija de %1 a %2</translation>
     </message>
     <message>
+        <source>choose %1 to %2 a minute</source>
+        <translation>elija de %1 a %2 por minuto</translation>
+    </message>
+    <message>
         <source>choose a closed surface</source>
         <translation>elija una superficie cerrada</translation>
+    </message>
+    <message>
+        <source>choose a file that Viscera has saved as .sequence.json</source>
+        <translation>elija un archivo que Viscera haya guardado como .sequence.json</translation>
     </message>
     <message>
         <source>choose a file that Viscera has saved as .viscera</source>
@@ -2089,6 +3059,18 @@
         <translation>elija un paso mayor</translation>
     </message>
     <message>
+        <source>choose a sequence first</source>
+        <translation>elija primero una secuencia</translation>
+    </message>
+    <message>
+        <source>choose a sequence, and use its handles</source>
+        <translation>elija una secuencia y use sus tiradores</translation>
+    </message>
+    <message>
+        <source>choose a surface that has some</source>
+        <translation>elija una superficie que los tenga</translation>
+    </message>
+    <message>
         <source>choose a volume nearer to the present one, or let more handles compensate</source>
         <translation>elija un volumen más próximo al actual, o deje compensar a más tiradores</translation>
     </message>
@@ -2097,12 +3079,32 @@
         <translation>elija otro</translation>
     </message>
     <message>
+        <source>choose at least one</source>
+        <translation>elija al menos una</translation>
+    </message>
+    <message>
+        <source>choose it again in Play mode</source>
+        <translation>elíjalo de nuevo en el modo Reproducir</translation>
+    </message>
+    <message>
+        <source>choose it on the organ; check the axes (RAS or LPS) too</source>
+        <translation>elíjalo sobre el órgano; compruebe también los ejes (RAS o LPS)</translation>
+    </message>
+    <message>
+        <source>choose more than 0 and up to 10 times</source>
+        <translation>elija más de 0 y hasta 10 veces</translation>
+    </message>
+    <message>
         <source>choose one of them</source>
         <translation>elija uno de ellos</translation>
     </message>
     <message>
         <source>choose organ, axis or cluster</source>
         <translation>elija organ, axis o cluster</translation>
+    </message>
+    <message>
+        <source>choose the two ends of the organ</source>
+        <translation>elija los dos extremos del órgano</translation>
     </message>
     <message>
         <source>choose two ends of one surface</source>
@@ -2117,12 +3119,52 @@
         <translation>cierre primero sus agujeros</translation>
     </message>
     <message>
+        <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
+        <translation>cierre sus agujeros, por ejemplo con viscera convert ENTRADA SALIDA --fill-holes; una superficie abierta no tiene volumen que conservar</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>cierre otros programas, o trabaje con menos órganos o superficies más gruesas</translation>
     </message>
     <message>
+        <source>compare it with the example in docs/lessons.md</source>
+        <translation>compárelo con el ejemplo de docs/lessons.md</translation>
+    </message>
+    <message>
+        <source>compensating handles</source>
+        <translation>tiradores que compensan</translation>
+    </message>
+    <message>
         <source>coordinates need at least four handles, there are %1</source>
         <translation>las coordenadas necesitan al menos cuatro tiradores, hay %1</translation>
+    </message>
+    <message>
+        <source>copy its contents to a file first</source>
+        <translation>copie primero su contenido a un archivo</translation>
+    </message>
+    <message>
+        <source>copy the file anew, or take it out of the folder to read the others</source>
+        <translation>copie el archivo de nuevo, o sáquelo de la carpeta para leer los demás</translation>
+    </message>
+    <message>
+        <source>crop the image to the organs</source>
+        <translation>recorte la imagen a los órganos</translation>
+    </message>
+    <message>
+        <source>crop the images to the organ</source>
+        <translation>recorte las imágenes al órgano</translation>
+    </message>
+    <message>
+        <source>crop the scan to the organs</source>
+        <translation>recorte el estudio a los órganos</translation>
+    </message>
+    <message>
+        <source>deeper ones would push folds of the surface into one another</source>
+        <translation>unas más profundas empujarían los pliegues de la superficie unos contra otros</translation>
+    </message>
+    <message>
+        <source>derivatives at the witness points</source>
+        <translation>derivadas en los puntos testigo</translation>
     </message>
     <message>
         <source>diastasis</source>
@@ -2133,8 +3175,16 @@
         <translation>diástole</translation>
     </message>
     <message>
+        <source>displacement fields cannot be written as &quot;%1&quot;</source>
+        <translation>los campos de desplazamientos no se pueden escribir como «%1»</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distancia</translation>
+    </message>
+    <message>
+        <source>does not fit into memory</source>
+        <translation>no cabe en la memoria</translation>
     </message>
     <message>
         <source>does not lie between 0 and 1</source>
@@ -2153,20 +3203,88 @@
         <translation>volumen telesistólico</translation>
     </message>
     <message>
+        <source>ends the cycle at another volume than it begins</source>
+        <translation>termina el ciclo con otro volumen que el del comienzo</translation>
+    </message>
+    <message>
+        <source>even so, folds of the surface meet when they pass</source>
+        <translation>aun así, los pliegues de la superficie se tocan cuando pasan</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>espiración</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same axes</source>
+        <translation>exporte todas las superficies de un paciente con los mismos ejes</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
+        <translation>exporte todas las superficies de un paciente de la misma manera (viscera convert --space LPS)</translation>
+    </message>
+    <message>
+        <source>export it as a surface</source>
+        <translation>expórtelo como superficie</translation>
+    </message>
+    <message>
+        <source>export it as a surface of triangles</source>
+        <translation>expórtela como superficie de triángulos</translation>
+    </message>
+    <message>
+        <source>export or copy the file again</source>
+        <translation>exporte o copie el archivo de nuevo</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exporte de nuevo la superficie</translation>
     </message>
     <message>
+        <source>filling the handles with tetrahedra</source>
+        <translation>llenado de los tiradores con tetraedros</translation>
+    </message>
+    <message>
         <source>filling the organ with tetrahedra</source>
         <translation>llenado del órgano con tetraedros</translation>
     </message>
     <message>
+        <source>finding landmarks</source>
+        <translation>búsqueda de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>folded where it is hatched</source>
+        <translation>plegado donde está rayado</translation>
+    </message>
+    <message>
         <source>fundus</source>
         <translation>fundus</translation>
+    </message>
+    <message>
+        <source>fundus, centreline from the fundus down, body in between, pylorus</source>
+        <translation>fundus, línea central desde el fundus hacia abajo, cuerpo en medio, píloro</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>indique un número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give a whole number from %1 to %2</source>
+        <translation>indique un número entero de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give apex and base too</source>
+        <translation>indique también apex y base</translation>
+    </message>
+    <message>
+        <source>give both, or none to have them computed</source>
+        <translation>indique ambos, o ninguno para que se calculen</translation>
+    </message>
+    <message>
+        <source>give every handle a label of its own</source>
+        <translation>dé a cada tirador una etiqueta propia</translation>
+    </message>
+    <message>
+        <source>give fundus and pylorus too</source>
+        <translation>indique también fundus y pylorus</translation>
     </message>
     <message>
         <source>give it another one</source>
@@ -2175,6 +3293,30 @@
     <message>
         <source>give it one</source>
         <translation>déle uno</translation>
+    </message>
+    <message>
+        <source>give one between 0.1 and 0.8</source>
+        <translation>indique una entre 0,1 y 0,8</translation>
+    </message>
+    <message>
+        <source>give one for each phase</source>
+        <translation>indique uno para cada fase</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>indique uno de: %1</translation>
+    </message>
+    <message>
+        <source>give points of the centreline yourself</source>
+        <translation>indique usted los puntos de la línea central</translation>
+    </message>
+    <message>
+        <source>give the outer surface the labels of its cavities too, as in EPI=1,2,3</source>
+        <translation>dé a la superficie exterior también las etiquetas de sus cavidades, como en EPI=1,2,3</translation>
+    </message>
+    <message>
+        <source>grid inside the surface</source>
+        <translation>cuadrícula dentro de la superficie</translation>
     </message>
     <message>
         <source>group</source>
@@ -2197,8 +3339,43 @@
         <translation>tiradores %1 y %2</translation>
     </message>
     <message>
+        <source>handles cannot be written as &quot;%1&quot;</source>
+        <translation>los tiradores no se pueden escribir como «%1»</translation>
+    </message>
+    <message>
+        <source>handles come from .mrk.json or .fcsv files</source>
+        <translation>los tiradores vienen de archivos .mrk.json o .fcsv</translation>
+    </message>
+    <message>
+        <source>harmonic coordinates</source>
+        <translation>coordenadas armónicas</translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n {column|columns}</source>
+        <translation>
+            <numerusform>tiene %n columna</numerusform>
+            <numerusform>tiene %n columnas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>has a volume that is not positive</source>
+        <translation>tiene un volumen que no es positivo</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>mantener</translation>
+    </message>
+    <message>
+        <source>holds something that is not a number</source>
+        <translation>contiene algo que no es un número</translation>
+    </message>
+    <message>
+        <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
+        <translation>si no es un ciclo completo, indique que se reproduzca una vez (--once); si lo es, añada las fases que faltan</translation>
+    </message>
+    <message>
+        <source>images cannot be written as &quot;%1&quot;</source>
+        <translation>las imágenes no se pueden escribir como «%1»</translation>
     </message>
     <message>
         <source>in</source>
@@ -2209,6 +3386,44 @@
         <translation>inspiración</translation>
     </message>
     <message>
+        <source>install Viscera again, or name it in VISCERA_TETGEN_WORKER</source>
+        <translation>instale Viscera de nuevo, o indíquelo en VISCERA_TETGEN_WORKER</translation>
+    </message>
+    <message>
+        <source>install ffmpeg, or write an .ogv</source>
+        <translation>instale ffmpeg, o escriba un .ogv</translation>
+    </message>
+    <message>
+        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
+        <translation>instale libegl1 y libgl1-mesa-dri, o ejecútelo con una pantalla</translation>
+    </message>
+    <message>
+        <source>is not a file that can be read</source>
+        <translation>no es un archivo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>is not later than the line before</source>
+        <translation>no es posterior a la línea anterior</translation>
+    </message>
+    <message numerus="yes">
+        <source>is not manifold at %n {edge|edges}</source>
+        <translation>
+            <numerusform>no es una variedad en %n arista</numerusform>
+            <numerusform>no es una variedad en %n aristas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>is open at %n {edge|edges}</source>
+        <translation>
+            <numerusform>está abierta en %n arista</numerusform>
+            <numerusform>está abierta en %n aristas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>is too thin in places for a surface with the volume of its voxels</source>
+        <translation>es en partes demasiado fino para una superficie con el volumen de sus vóxeles</translation>
+    </message>
+    <message>
         <source>isovolumic contraction</source>
         <translation>contracción isovolumétrica</translation>
     </message>
@@ -2217,12 +3432,28 @@
         <translation>relajación isovolumétrica</translation>
     </message>
     <message>
+        <source>it crashed</source>
+        <translation>falló</translation>
+    </message>
+    <message>
         <source>it does not lie within the period</source>
         <translation>no está dentro del periodo</translation>
     </message>
     <message>
+        <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
+        <translation>no indica dónde están los lados del paciente; los ejes se toman como derecha, delante y arriba</translation>
+    </message>
+    <message>
         <source>it follows no handles, so nothing can change its volume</source>
         <translation>no sigue ningún tirador, así que nada puede cambiar su volumen</translation>
+    </message>
+    <message>
+        <source>it gave up</source>
+        <translation>se rindió</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>tiene %1</translation>
     </message>
     <message>
         <source>it has %1 triangles</source>
@@ -2233,8 +3464,20 @@
         <translation>no tiene nombre</translation>
     </message>
     <message>
+        <source>it has no organ for each surface, or no phases</source>
+        <translation>no tiene un órgano para cada superficie, o no tiene fases</translation>
+    </message>
+    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>no está al menos un milisegundo después de la clave anterior</translation>
+    </message>
+    <message>
+        <source>it is not a record of a measured motion</source>
+        <translation>no es un registro de un movimiento medido</translation>
+    </message>
+    <message>
+        <source>it may be mirrored</source>
+        <translation>puede estar reflejado</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
@@ -2257,12 +3500,24 @@
         <translation>sus tiradores no son los del conjunto, cada uno una vez y en su orden</translation>
     </message>
     <message>
+        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
+        <translation>su cabecera está dañada: una imagen tiene de 2 a 7 dimensiones, no %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its size along %1 is %2</source>
+        <translation>su cabecera está dañada: su tamaño a lo largo de %1 es %2</translation>
+    </message>
+    <message>
         <source>its id is another thing's, too</source>
         <translation>su identificador es también el de otra cosa</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
         <translation>su identificador no es un número entero de 1 a 2^52</translation>
+    </message>
+    <message>
+        <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
+        <translation>sus etiquetas son las de un corazón: el músculo y las cámaras forman su superficie exterior, cada cámara es una cavidad</translation>
     </message>
     <message>
         <source>its name is not UTF-8</source>
@@ -2277,12 +3532,24 @@
         <translation>su órgano superior no está antes que él</translation>
     </message>
     <message>
+        <source>its points and triangles are no lists of threes</source>
+        <translation>sus puntos y triángulos no son listas de tríos</translation>
+    </message>
+    <message>
         <source>its position</source>
         <translation>su posición</translation>
     </message>
     <message>
         <source>its position at rest</source>
         <translation>su posición en reposo</translation>
+    </message>
+    <message>
+        <source>its sform and qform place the image differently; the sform is used</source>
+        <translation>su sform y su qform colocan la imagen de forma distinta; se usa sform</translation>
+    </message>
+    <message>
+        <source>its sform is singular or not finite and is not used</source>
+        <translation>su sform es singular o no es finita y no se usa</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -2308,6 +3575,14 @@
         <translation>sus dos extremos están en piezas separadas</translation>
     </message>
     <message>
+        <source>its unit is the metre; converted to mm</source>
+        <translation>su unidad es el metro; convertido a mm</translation>
+    </message>
+    <message>
+        <source>its unit is the micrometre; converted to mm</source>
+        <translation>su unidad es el micrómetro; convertido a mm</translation>
+    </message>
+    <message>
         <source>its value is not a finite number</source>
         <translation>su valor no es un número finito</translation>
     </message>
@@ -2316,24 +3591,108 @@
         <translation>su volumen solo se puede mantener cuando está vinculado a los tiradores presentes</translation>
     </message>
     <message>
+        <source>its volume is another one</source>
+        <translation>su volumen es otro</translation>
+    </message>
+    <message>
         <source>its volume is not locked any more: the surface is open now</source>
         <translation>su volumen ya no está bloqueado: la superficie está ahora abierta</translation>
+    </message>
+    <message>
+        <source>its voxels are more than 1000 km away</source>
+        <translation>sus vóxeles están a más de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels lie elsewhere than those of the other masks</source>
+        <translation>sus vóxeles están en otro sitio que los de las otras máscaras</translation>
     </message>
     <message>
         <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
         <translation>sus pesos no son un lugar de un triángulo: deben ser al menos 0 y sumar 1</translation>
     </message>
     <message>
+        <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
+        <translation>conserve la mayor, por ejemplo con viscera convert ENTRADA SALIDA --keep-largest</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clave</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>clave %1</translation>
+    </message>
+    <message>
+        <source>known endings: %1</source>
+        <translation>extensiones conocidas: %1</translation>
+    </message>
+    <message>
+        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
+        <translation>extensiones conocidas: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
+    </message>
+    <message>
+        <source>label it in every phase, or leave this phase out</source>
+        <translation>etiquételo en todas las fases, u omita esta fase</translation>
+    </message>
+    <message>
+        <source>label the points %1</source>
+        <translation>nombre los puntos %1</translation>
+    </message>
+    <message>
+        <source>leave it out for surfaces</source>
+        <translation>omítalo para superficies</translation>
+    </message>
+    <message>
+        <source>leave the landmarks out</source>
+        <translation>omita los puntos de referencia</translation>
+    </message>
+    <message>
+        <source>leave two: the instant, and the volume in ml</source>
+        <translation>deje dos: el instante y el volumen en ml</translation>
     </message>
     <message>
         <source>lengthen the period first</source>
         <translation>alargue primero el periodo</translation>
     </message>
     <message>
+        <source>let its name end in .mrk.json or .fcsv</source>
+        <translation>haga que su nombre termine en .mrk.json o .fcsv</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii.gz, .nii or .nrrd</source>
+        <translation>haga que su nombre termine en .nii.gz, .nii o .nrrd</translation>
+    </message>
+    <message>
+        <source>let its name end in .nrrd or .mha</source>
+        <translation>haga que su nombre termine en .nrrd o .mha</translation>
+    </message>
+    <message>
+        <source>let more handles compensate, or ask for a volume nearer to the present one</source>
+        <translation>deje que compensen más tiradores, o pida un volumen más cercano al actual</translation>
+    </message>
+    <message>
+        <source>let the last volume be the first one</source>
+        <translation>haga que el último volumen sea igual al primero</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>lineal</translation>
+    </message>
+    <message>
+        <source>load a closed surface</source>
+        <translation>cargue una superficie cerrada</translation>
+    </message>
+    <message>
+        <source>looking for folds</source>
+        <translation>búsqueda de pliegues</translation>
+    </message>
+    <message>
+        <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
+        <translation>haga los tiradores con esta jaula: viscera handles ÓRGANO --cage ARCHIVO</translation>
+    </message>
+    <message>
+        <source>measured motion</source>
+        <translation>movimiento medido</translation>
     </message>
     <message>
         <source>measurement</source>
@@ -2356,20 +3715,112 @@
         <translation>mueva uno fuera del plano</translation>
     </message>
     <message>
+        <source>move or delete one of them</source>
+        <translation>mueva o elimine uno de ellos</translation>
+    </message>
+    <message>
         <source>move or remove one of them</source>
         <translation>mueva o quite uno de ellos</translation>
+    </message>
+    <message>
+        <source>move some off the line</source>
+        <translation>saque algunos de la recta</translation>
+    </message>
+    <message>
+        <source>move some off the plane, or add enclosing handles</source>
+        <translation>saque algunos del plano, o añada tiradores envolventes</translation>
     </message>
     <message>
         <source>move the vertices there apart, or take another cage</source>
         <translation>separe allí los vértices, o use otra jaula</translation>
     </message>
     <message>
+        <source>movies of this kind cannot be written</source>
+        <translation>no se pueden escribir películas de este tipo</translation>
+    </message>
+    <message>
+        <source>name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase</source>
+        <translation>indique un NIfTI 4D, un .seq.nrrd de 3D Slicer o un archivo para cada fase</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>indique un archivo de ella</translation>
+    </message>
+    <message>
+        <source>name a folder with one file for each phase</source>
+        <translation>indique una carpeta con un archivo para cada fase</translation>
+    </message>
+    <message>
+        <source>name a folder with one mask for each organ, such as liver.nii.gz</source>
+        <translation>indique una carpeta con una máscara para cada órgano, como liver.nii.gz</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle</source>
+        <translation>indique todas las fases del ciclo</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
+        <translation>indique todas las fases del ciclo; una sola imagen de un corazón con cavidades puede latir como en el libro de texto (--textbook; en la ventana, ajustar una secuencia a un órgano)</translation>
+    </message>
+    <message>
+        <source>name compensating handles</source>
+        <translation>indique tiradores que compensen</translation>
+    </message>
+    <message>
+        <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
+        <translation>indique instantes de 0 a 1, o escriba «time_s» encima para segundos</translation>
+    </message>
+    <message>
         <source>name it %1</source>
         <translation>llámelo %1</translation>
     </message>
     <message>
+        <source>name its files, a folder, or a file of several volumes</source>
+        <translation>indique sus archivos, una carpeta o un archivo con varios volúmenes</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series</source>
+        <translation>indique la carpeta de una serie de TC o RM</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series, or one of its files</source>
+        <translation>indique la carpeta de una serie de TC o RM, o uno de sus archivos</translation>
+    </message>
+    <message>
+        <source>name the folder of one patient</source>
+        <translation>indique la carpeta de un solo paciente</translation>
+    </message>
+    <message>
+        <source>name the folder, or another file in it</source>
+        <translation>indique la carpeta, u otro archivo de ella</translation>
+    </message>
+    <message>
+        <source>names an instant outside the cycle</source>
+        <translation>nombra un instante fuera del ciclo</translation>
+    </message>
+    <message>
+        <source>no EGL platform works without a window system</source>
+        <translation>ninguna plataforma EGL funciona sin sistema de ventanas</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.2 context</source>
+        <translation>sin contexto OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>no compensation within %1 mm restores the volume</source>
+        <translation>ninguna compensación dentro de %1 mm restablece el volumen</translation>
+    </message>
+    <message>
         <source>no edge joins more than two triangles</source>
         <translation>ninguna arista une más de dos triángulos</translation>
+    </message>
+    <message>
+        <source>no handle is left to compensate the change of volume</source>
+        <translation>no queda ningún tirador que compense el cambio de volumen</translation>
+    </message>
+    <message>
+        <source>no handle is left to make up for the volume</source>
+        <translation>no queda ningún tirador que compense el volumen</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -2384,12 +3835,35 @@
         <translation>ninguna superficie tiene tantos triángulos</translation>
     </message>
     <message>
+        <source>no witness point lies inside</source>
+        <translation>ningún punto testigo está dentro</translation>
+    </message>
+    <message>
+        <source>nothing that Viscera knows</source>
+        <translation>nada que Viscera conozca</translation>
+    </message>
+    <message>
         <source>one of its points</source>
         <translation>uno de sus puntos</translation>
+    </message>
+    <message numerus="yes">
+        <source>only %n {handle|handles}</source>
+        <translation>
+            <numerusform>solo %n tirador</numerusform>
+            <numerusform>solo %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
+        <translation>abra un archivo NIfTI, NRRD o MetaImage, o una serie DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
         <translation>ábralo junto a los órganos (Archivo &gt; Abrir un estudio), o haga primero un mapa de etiquetas con 3D Slicer o TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>open it by itself, or remove it from the folder</source>
+        <translation>ábralo solo, o quítelo de la carpeta</translation>
     </message>
     <message>
         <source>open one first</source>
@@ -2398,6 +3872,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>abra los demás archivos después</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from the image</source>
+        <translation>abra la segmentación hecha a partir de la imagen</translation>
     </message>
     <message>
         <source>organ</source>
@@ -2416,6 +3894,10 @@
         <translation>parámetro %1</translation>
     </message>
     <message>
+        <source>parameters: %1</source>
+        <translation>parámetros: %1</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>pausa</translation>
     </message>
@@ -2424,24 +3906,88 @@
         <translation>estrés máximo a lo largo de la secuencia</translation>
     </message>
     <message>
+        <source>phase %1</source>
+        <translation>fase %1</translation>
+    </message>
+    <message>
+        <source>phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it out</source>
+        <translation>la fase %1 se ajusta mucho peor que sus vecinas (%2 frente a %3 mm): revise sus datos, u omítala</translation>
+    </message>
+    <message>
+        <source>phase %1: %2</source>
+        <translation>fase %1: %2</translation>
+    </message>
+    <message>
         <source>pick the point on the surface again</source>
         <translation>elija de nuevo el punto de la superficie</translation>
+    </message>
+    <message>
+        <source>pictures of different sizes do not fit on one sheet</source>
+        <translation>imágenes de distinto tamaño no caben en una misma hoja</translation>
     </message>
     <message>
         <source>place handles around it</source>
         <translation>coloque tiradores a su alrededor</translation>
     </message>
     <message>
+        <source>place more handles</source>
+        <translation>coloque más tiradores</translation>
+    </message>
+    <message>
         <source>place some first</source>
         <translation>coloque algunos primero</translation>
+    </message>
+    <message>
+        <source>place some points and save them again</source>
+        <translation>coloque algunos puntos y guárdelos de nuevo</translation>
+    </message>
+    <message>
+        <source>place the handle again</source>
+        <translation>coloque el tirador de nuevo</translation>
+    </message>
+    <message>
+        <source>placing handles</source>
+        <translation>colocación de tiradores</translation>
+    </message>
+    <message>
+        <source>play at least one whole beat</source>
+        <translation>reproduzca al menos un latido completo</translation>
+    </message>
+    <message>
+        <source>play at the rate that the times are for</source>
+        <translation>reproduzca a la frecuencia para la que valen los tiempos</translation>
     </message>
     <message>
         <source>point %1 has a coordinate that is not a finite number</source>
         <translation>el punto %1 tiene una coordenada que no es un número finito</translation>
     </message>
     <message>
+        <source>point %1 lies more than 1000 km away: the file is damaged</source>
+        <translation>el punto %1 está a más de 1000 km: el archivo está dañado</translation>
+    </message>
+    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>lo causan puntos que coinciden o casi planos</translation>
+    </message>
+    <message>
+        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>el polígono %1 se refiere al punto %2, pero hay %3 (contados desde 0)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder</source>
+        <translation>ponga ambos archivos en una carpeta</translation>
+    </message>
+    <message>
+        <source>put it into the middle of the stomach</source>
+        <translation>póngalo en el centro del estómago</translation>
+    </message>
+    <message>
+        <source>put masks of one image into a folder of their own</source>
+        <translation>ponga las máscaras de una misma imagen en una carpeta propia</translation>
+    </message>
+    <message>
+        <source>put those of one kind into a folder of their own</source>
+        <translation>ponga los de un tipo en una carpeta propia</translation>
     </message>
     <message>
         <source>pylorus</source>
@@ -2456,16 +4002,48 @@
         <translation>llenado rápido</translation>
     </message>
     <message>
+        <source>reaches the edge of the image, which may cut it off</source>
+        <translation>llega al borde de la imagen, que puede recortarlo</translation>
+    </message>
+    <message>
+        <source>record a pose first</source>
+        <translation>grabe primero una pose</translation>
+    </message>
+    <message>
+        <source>record and save the sequence again</source>
+        <translation>grabe y guarde la secuencia de nuevo</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>rectángulo</translation>
+    </message>
+    <message>
+        <source>reduce the surface first</source>
+        <translation>reduzca primero la superficie</translation>
+    </message>
+    <message>
+        <source>reduce the surfaces first</source>
+        <translation>reduzca primero las superficies</translation>
     </message>
     <message>
         <source>reduced ejection</source>
         <translation>eyección reducida</translation>
     </message>
     <message>
+        <source>remove one of the two</source>
+        <translation>quite uno de los dos</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>quite uno de ellos</translation>
+    </message>
+    <message>
         <source>remove one of them from the file</source>
         <translation>quite uno de ellos del archivo</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>cámbiele el nombre para que termine en %1</translation>
     </message>
     <message>
         <source>repair the surface</source>
@@ -2484,20 +4062,68 @@
         <translation>reparación de la superficie</translation>
     </message>
     <message>
+        <source>resample all phases to one grid, in the same axes</source>
+        <translation>remuestree todas las fases en una misma cuadrícula, con los mismos ejes</translation>
+    </message>
+    <message>
+        <source>resample the images to an upright grid</source>
+        <translation>remuestree las imágenes en una cuadrícula recta</translation>
+    </message>
+    <message>
+        <source>restore its definition from the installation</source>
+        <translation>restaure su definición desde la instalación</translation>
+    </message>
+    <message>
+        <source>restoring the volume would move a handle by %1 mm</source>
+        <translation>restablecer el volumen movería un tirador %1 mm</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, and so are front and back: the files seem to be in RAS</source>
+        <translation>derecha e izquierda están cambiadas, y también delante y detrás: los archivos parecen estar en RAS</translation>
+    </message>
+    <message>
         <source>right and left are exchanged, front and back are not: mirrored</source>
         <translation>derecha e izquierda están intercambiadas, delante y detrás no: reflejado</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged: the files may be in RAS, or mirrored</source>
+        <translation>derecha e izquierda están cambiadas: los archivos pueden estar en RAS o reflejados</translation>
     </message>
     <message>
         <source>save it as a file of its own first</source>
         <translation>guárdelo primero en un archivo propio</translation>
     </message>
     <message>
+        <source>save it as a label map</source>
+        <translation>guárdelo como mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>save it with one value a voxel</source>
+        <translation>guárdela con un valor por vóxel</translation>
+    </message>
+    <message>
         <source>save often, or make room there</source>
         <translation>guarde a menudo, o haga sitio allí</translation>
     </message>
     <message>
+        <source>save one of them, or follow the motion over all of them with viscera track</source>
+        <translation>guarde uno de ellos, o siga el movimiento por todos con viscera track</translation>
+    </message>
+    <message>
+        <source>say it with --period-ms, or the rate with --rate</source>
+        <translation>indíquelo con --period-ms, o la frecuencia con --rate</translation>
+    </message>
+    <message>
+        <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
+        <translation>indique qué superficies forman, como en --surface LV=1 --surface RV=2 --surface EPI=1,2,3, con todas las etiquetas dentro de la exterior</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>suave</translation>
+    </message>
+    <message>
+        <source>sort the lines by their instants</source>
+        <translation>ordene las líneas por sus instantes</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -2508,12 +4134,48 @@
         <translation>volumen sistólico</translation>
     </message>
     <message>
+        <source>surfaces at rest</source>
+        <translation>superficies en reposo</translation>
+    </message>
+    <message>
+        <source>surfaces cannot be written as &quot;%1&quot;</source>
+        <translation>las superficies no se pueden escribir como «%1»</translation>
+    </message>
+    <message>
+        <source>system parameter %1</source>
+        <translation>parámetro %1 del sistema</translation>
+    </message>
+    <message>
+        <source>system parameters</source>
+        <translation>parámetros del sistema</translation>
+    </message>
+    <message>
         <source>systole</source>
         <translation>sístole</translation>
     </message>
     <message>
         <source>take a backup of the file, or begin a new session with the organs' own files</source>
         <translation>use una copia de seguridad del archivo, o empiece una sesión nueva con los archivos de los órganos</translation>
+    </message>
+    <message>
+        <source>take a cage that surrounds the organ, or the handles' convex hull as the cage</source>
+        <translation>use una jaula que rodee el órgano, o la envolvente convexa de los tiradores como jaula</translation>
+    </message>
+    <message>
+        <source>take a closed cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>use una jaula cerrada o ninguna: entonces la envolvente convexa de los tiradores es la jaula</translation>
+    </message>
+    <message>
+        <source>take a convex cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>use una jaula convexa o ninguna: entonces la envolvente convexa de los tiradores es la jaula</translation>
+    </message>
+    <message>
+        <source>take a larger one</source>
+        <translation>elija uno mayor</translation>
+    </message>
+    <message>
+        <source>take another positivity</source>
+        <translation>elija otra positividad</translation>
     </message>
     <message>
         <source>take the sequence's own handles</source>
@@ -2524,44 +4186,242 @@
         <translation>contracción antral terminal</translation>
     </message>
     <message>
+        <source>tetrahedron %1 has a corner that does not exist</source>
+        <translation>el tetraedro %1 tiene un vértice que no existe</translation>
+    </message>
+    <message>
+        <source>tetrahedron %1 is flat or turned around</source>
+        <translation>el tetraedro %1 es plano o está invertido</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no se pueden calcular los tetraedros de Delaunay de %1 puntos</translation>
+    </message>
+    <message>
+        <source>the biharmonic energy cannot be factorised</source>
+        <translation>la energía biarmónica no se puede factorizar</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>la jaula</translation>
+    </message>
+    <message>
+        <source>the context cannot be used without a surface</source>
+        <translation>el contexto no se puede usar sin superficie</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no se puede calcular la envolvente convexa de %1 puntos</translation>
     </message>
     <message>
+        <source>the directions and spacing of its voxels enclose no volume</source>
+        <translation>las direcciones y la separación de sus vóxeles no encierran volumen</translation>
+    </message>
+    <message>
+        <source>the directions, spacing or origin of its voxels are not finite</source>
+        <translation>las direcciones, la separación o el origen de sus vóxeles no son finitos</translation>
+    </message>
+    <message>
+        <source>the driver's OpenGL is older than 3.2</source>
+        <translation>el OpenGL del controlador es anterior a 3.2</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a label map</source>
+        <translation>la extensión «%1» no es de un mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a surface file</source>
+        <translation>la extensión «%1» no es de un archivo de superficie</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el archivo no indica sus ejes: se supone LPS</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
+        <translation>
+            <numerusform>el archivo está cortado: tiene %n byte, una cabecera NIfTI sola tiene 348</numerusform>
+            <numerusform>el archivo está cortado: tiene %n bytes, una cabecera NIfTI sola tiene 348</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
+        <translation>el archivo está cortado: su cabecera promete %1 bytes de vóxeles, hay %2</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its packed data end too early</source>
+        <translation>el archivo está cortado: sus datos comprimidos terminan demasiado pronto</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the file may be in RAS, or mirrored</source>
+        <translation>el archivo puede estar en RAS o reflejado</translation>
+    </message>
+    <message>
+        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
+        <translation>el archivo indica que sus ejes son %1, que Viscera no conoce; se supone LPS</translation>
     </message>
     <message>
         <source>the file states its axes: %1</source>
         <translation>el archivo indica sus ejes: %1</translation>
     </message>
     <message>
+        <source>the first one is 0</source>
+        <translation>la primera es 0</translation>
+    </message>
+    <message>
+        <source>the first one there is: &quot;%1&quot;</source>
+        <translation>la primera que hay: «%1»</translation>
+    </message>
+    <message>
+        <source>the first phase</source>
+        <translation>la primera fase</translation>
+    </message>
+    <message>
+        <source>the folder for the frames cannot be written</source>
+        <translation>no se puede escribir en la carpeta de los fotogramas</translation>
+    </message>
+    <message>
+        <source>the frame rate has to be positive</source>
+        <translation>la frecuencia de fotogramas debe ser positiva</translation>
+    </message>
+    <message>
+        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
+        <translation>los fotogramas de una película deben tener un mismo tamaño: este mide %1 x %2, el primero %3 x %4</translation>
+    </message>
+    <message>
         <source>the handle %1 comes twice</source>
         <translation>el tirador %1 aparece dos veces</translation>
+    </message>
+    <message>
+        <source>the handle %1 is in two groups</source>
+        <translation>el tirador %1 está en dos grupos</translation>
     </message>
     <message>
         <source>the handles enclose nothing: %1</source>
         <translation>los tiradores no encierran nada: %1</translation>
     </message>
     <message>
+        <source>the handles that may compensate cannot restore the volume</source>
+        <translation>los tiradores que pueden compensar no logran restablecer el volumen</translation>
+    </message>
+    <message>
+        <source>the handles' tetrahedra</source>
+        <translation>los tetraedros de los tiradores</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>el identificador %1 aparece dos veces</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; comes twice</source>
+        <translation>la etiqueta «%1» aparece dos veces</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>la etiqueta «%1» no es un punto de referencia de la secuencia %2</translation>
+    </message>
+    <message>
+        <source>the landmark &quot;%1&quot; comes twice</source>
+        <translation>el punto de referencia «%1» aparece dos veces</translation>
+    </message>
+    <message>
+        <source>the landmark lies %1 outside the organ</source>
+        <translation>el punto de referencia está %1 fuera del órgano</translation>
+    </message>
+    <message>
+        <source>the landmark's position is not a finite number</source>
+        <translation>la posición del punto de referencia no es un número finito</translation>
+    </message>
+    <message>
+        <source>the landmarks are not in order along the stomach</source>
+        <translation>los puntos de referencia no están en orden a lo largo del estómago</translation>
+    </message>
+    <message>
+        <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
+        <translation>la última fase es igual a la primera y se omite: la fase %1 sería otra vez la fase 1</translation>
     </message>
     <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>los límites de tiempo y memoria deben ser mayores que 0</translation>
     </message>
     <message>
+        <source>the locked volumes cannot be kept</source>
+        <translation>los volúmenes bloqueados no se pueden conservar</translation>
+    </message>
+    <message>
+        <source>the middle line that was computed leaves the organ</source>
+        <translation>la línea central calculada sale del órgano</translation>
+    </message>
+    <message>
+        <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
+        <translation>el movimiento es el del libro de texto, ajustado a una imagen: no es el propio de este paciente</translation>
+    </message>
+    <message>
+        <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
+        <translation>el movimiento de un órgano no se puede rehacer: no se sabe cómo se hizo</translation>
+    </message>
+    <message>
+        <source>the movie cannot be written</source>
+        <translation>no se puede escribir la película</translation>
+    </message>
+    <message>
+        <source>the movie has no frame</source>
+        <translation>la película no tiene ningún fotograma</translation>
+    </message>
+    <message>
+        <source>the name of a sequence file ends in .sequence.json</source>
+        <translation>el nombre de un archivo de secuencia termina en .sequence.json</translation>
+    </message>
+    <message>
         <source>the name of a session file ends in .viscera</source>
         <translation>el nombre de un archivo de sesión termina en .viscera</translation>
     </message>
     <message>
+        <source>the names of its labels are those of %1</source>
+        <translation>los nombres de sus etiquetas son los de %1</translation>
+    </message>
+    <message>
+        <source>the number of groups must be at least 1, not %1</source>
+        <translation>el número de grupos debe ser al menos 1, no %1</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as long as that of an adult; check its unit</source>
+        <translation>el órgano es %1 veces tan largo como el de un adulto; compruebe su unidad</translation>
+    </message>
+    <message>
+        <source>the organ is in %1 pieces</source>
+        <translation>el órgano está en %1 piezas</translation>
+    </message>
+    <message>
+        <source>the organ is inside out or flat</source>
+        <translation>el órgano está vuelto del revés o es plano</translation>
+    </message>
+    <message numerus="yes">
+        <source>the organ is open: %n boundary {edge|edges}</source>
+        <translation>
+            <numerusform>el órgano está abierto: %n arista de borde</numerusform>
+            <numerusform>el órgano está abierto: %n aristas de borde</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the organ that it is a cavity of is not before it</source>
         <translation>el órgano del que es cavidad no está antes</translation>
+    </message>
+    <message>
+        <source>the outline of %1 vertices cannot follow %2</source>
+        <translation>el contorno de %1 vértices no puede seguir a %2</translation>
+    </message>
+    <message>
+        <source>the overlap of groups must lie between 0 and 1</source>
+        <translation>el solapamiento de los grupos debe estar entre 0 y 1</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged</source>
+        <translation>los datos comprimidos están dañados</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -2572,12 +4432,63 @@
         <translation>el periodo no es un número positivo de segundos</translation>
     </message>
     <message>
+        <source>the picture cannot be written</source>
+        <translation>no se puede escribir la imagen</translation>
+    </message>
+    <message>
+        <source>the picture does not exist</source>
+        <translation>la imagen no existe</translation>
+    </message>
+    <message>
+        <source>the picture is not of three channels of 8 bits</source>
+        <translation>la imagen no tiene tres canales de 8 bits</translation>
+    </message>
+    <message>
+        <source>the points to show are %1, the surface has %2</source>
+        <translation>los puntos que mostrar son %1, la superficie tiene %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
+        <translation>
+            <numerusform>la pose tiene %n tirador, el órgano está enlazado a %2</numerusform>
+            <numerusform>la pose tiene %n tiradores, el órgano está enlazado a %2</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the pose has another number of handles than the document</source>
         <translation>la pose tiene otro número de tiradores que el documento</translation>
     </message>
     <message>
+        <source>the position is not finite</source>
+        <translation>la posición no es finita</translation>
+    </message>
+    <message>
+        <source>the position of the handle %1 in %2 is not finite</source>
+        <translation>la posición del tirador %1 en %2 no es finita</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
+        <translation>este tipo de película necesita el programa ffmpeg, que no está instalado</translation>
+    </message>
+    <message>
         <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
         <translation>la calidad de los tetraedros es una razón de 1,1 (mejor) a 10</translation>
+    </message>
+    <message>
+        <source>the reply is cut short</source>
+        <translation>la respuesta está cortada</translation>
+    </message>
+    <message>
+        <source>the reply is damaged</source>
+        <translation>la respuesta está dañada</translation>
+    </message>
+    <message>
+        <source>the right ventricle is too small to eject as much as the left one</source>
+        <translation>el ventrículo derecho es demasiado pequeño para eyectar tanto como el izquierdo</translation>
+    </message>
+    <message>
+        <source>the sample organ has no surface &quot;%1&quot;</source>
+        <translation>el órgano de ejemplo no tiene ninguna superficie «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -2592,6 +4503,18 @@
         <translation>el tamaño es plausible: %1</translation>
     </message>
     <message>
+        <source>the sizes of its voxels are missing, zero or not finite</source>
+        <translation>los tamaños de sus vóxeles faltan, son cero o no son finitos</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; has two files of one phase</source>
+        <translation>la superficie «%1» tiene dos archivos de una misma fase</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; is missing in phase number %2</source>
+        <translation>falta la superficie «%1» en la fase número %2</translation>
+    </message>
+    <message>
         <source>the surface consists of %1 separate pieces</source>
         <translation>la superficie consta de %1 piezas separadas</translation>
     </message>
@@ -2600,12 +4523,32 @@
         <translation>la superficie no se cruza consigo misma</translation>
     </message>
     <message>
+        <source>the surface encloses nothing that witness points could lie in</source>
+        <translation>la superficie no encierra nada donde pueda haber puntos testigo</translation>
+    </message>
+    <message>
         <source>the surface has %1 usable triangles, so it encloses nothing</source>
         <translation>la superficie tiene %1 triángulos utilizables, así que no encierra nada</translation>
     </message>
     <message>
         <source>the surface has no such triangle</source>
         <translation>la superficie no tiene ese triángulo</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or is flat, so it encloses nothing</source>
+        <translation>la superficie no tiene triángulos o es plana, así que no encierra nada</translation>
+    </message>
+    <message>
+        <source>the surface has room for %1 of %2 handles</source>
+        <translation>la superficie tiene sitio para %1 de %2 tiradores</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
+        <translation>la superficie mide %1 mm, y ningún órgano mide eso; las coordenadas se toman como milímetros</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
+        <translation>la superficie mide %1 mm, y ningún órgano mide eso; las coordenadas se toman como milímetros, pero pueden ser %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -2618,6 +4561,13 @@
     <message>
         <source>the surface is of one piece</source>
         <translation>la superficie es de una pieza</translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges})</source>
+        <translation>
+            <numerusform>la superficie está abierta (%n arista de borde)</numerusform>
+            <numerusform>la superficie está abierta (%n aristas de borde)</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
@@ -2634,6 +4584,10 @@
         </translation>
     </message>
     <message>
+        <source>the tetrahedra do not determine the coordinates</source>
+        <translation>los tetraedros no determinan las coordenadas</translation>
+    </message>
+    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>los triángulos junto a un agujero no giran todos en el mismo sentido, así que no se puede cerrar</translation>
     </message>
@@ -2642,20 +4596,88 @@
         <translation>los triángulos miran hacia fuera</translation>
     </message>
     <message>
+        <source>the values to show are %1, the surface has %2 vertices</source>
+        <translation>los valores que mostrar son %1, la superficie tiene %2 vértices</translation>
+    </message>
+    <message>
+        <source>the values to show are %1, the tissue has %2 points</source>
+        <translation>los valores que mostrar son %1, el tejido tiene %2 puntos</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>el volumen no se puede mantener aquí: %1</translation>
+    </message>
+    <message>
+        <source>the waves are %1 % as deep as in an adult: %2</source>
+        <translation>las ondas tienen el %1 % de la profundidad que en un adulto: %2</translation>
     </message>
     <message>
         <source>the weights of a measured point are no place in its triangle</source>
         <translation>los pesos de un punto medido no son un lugar de su triángulo</translation>
     </message>
     <message>
+        <source>there are %1</source>
+        <translation>hay %1</translation>
+    </message>
+    <message>
+        <source>there are no points to group handles around</source>
+        <translation>no hay puntos en torno a los cuales agrupar tiradores</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra in it; the surface may be open</source>
+        <translation>no contiene tetraedros; la superficie puede estar abierta</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>hay: %1</translation>
+    </message>
+    <message>
         <source>there is no %1 &quot;%2&quot;</source>
         <translation>«%2» no es un valor de %1</translation>
     </message>
     <message>
+        <source>there is no colour map of this name</source>
+        <translation>no hay ninguna escala de colores con ese nombre</translation>
+    </message>
+    <message>
+        <source>there is no coordinate system &quot;%1&quot;</source>
+        <translation>no hay ningún sistema de coordenadas «%1»</translation>
+    </message>
+    <message>
+        <source>there is no handle %1</source>
+        <translation>no hay ningún tirador %1</translation>
+    </message>
+    <message>
+        <source>there is no handle at vertex %1</source>
+        <translation>no hay ningún tirador en el vértice %1</translation>
+    </message>
+    <message>
         <source>there is no organ %1</source>
         <translation>no hay ningún órgano %1</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>no hay ningún parámetro %1</translation>
+    </message>
+    <message>
+        <source>there is no picture to put on the sheet</source>
+        <translation>no hay ninguna imagen para la hoja</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot;</source>
+        <translation>no hay ninguna secuencia «%1»</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot; for other organs</source>
+        <translation>no hay ninguna secuencia «%1» para otros órganos</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existe ese archivo ni esa carpeta</translation>
     </message>
     <message>
         <source>there is no such slice</source>
@@ -2664,6 +4686,14 @@
     <message>
         <source>there is no triangle %1</source>
         <translation>no hay ningún triángulo %1</translation>
+    </message>
+    <message>
+        <source>there is no triangle to write</source>
+        <translation>no hay ningún triángulo que escribir</translation>
+    </message>
+    <message>
+        <source>there is no view of this name</source>
+        <translation>no hay ninguna vista con ese nombre</translation>
     </message>
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
@@ -2678,8 +4708,36 @@
         <translation>simplificación de la superficie</translation>
     </message>
     <message>
+        <source>this EGL knows no desktop OpenGL</source>
+        <translation>este EGL no conoce OpenGL de escritorio</translation>
+    </message>
+    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>es un fallo del programa; por favor, comuníquelo</translation>
+    </message>
+    <message>
+        <source>this is not a PNG picture</source>
+        <translation>esto no es una imagen PNG</translation>
+    </message>
+    <message>
+        <source>this system has no parameters</source>
+        <translation>este sistema no tiene parámetros</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
+        <translation>faltan puntos de referencia: está %1, pero ni fundus ni pylorus</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but no %2</source>
+        <translation>faltan puntos de referencia: está %1, pero no %2</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is right but neither apex nor base</source>
+        <translation>faltan puntos de referencia: está right, pero ni apex ni base</translation>
+    </message>
+    <message>
+        <source>track surfaces that are not within each other one by one</source>
+        <translation>siga una a una las superficies que no están unas dentro de otras</translation>
     </message>
     <message>
         <source>triangle %1</source>
@@ -2688,6 +4746,22 @@
     <message>
         <source>triangle %1 refers to vertex %2, but there are %3</source>
         <translation>el triángulo %1 se refiere al vértice %2, pero hay %3</translation>
+    </message>
+    <message>
+        <source>try another resolution</source>
+        <translation>pruebe otra resolución</translation>
+    </message>
+    <message>
+        <source>try another resolution, or a cage without needle-like triangles</source>
+        <translation>pruebe otra resolución, o una jaula sin triángulos en forma de aguja</translation>
+    </message>
+    <message>
+        <source>turn its triangles around, as viscera convert IN OUT --orient does</source>
+        <translation>invierta sus triángulos, por ejemplo con viscera convert ENTRADA SALIDA --orient</translation>
+    </message>
+    <message>
+        <source>turn the surface outward, or choose a target above 0 ml</source>
+        <translation>oriente la superficie hacia fuera, o elija un objetivo mayor que 0 ml</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -2718,8 +4792,20 @@
         <translation>actualice Viscera</translation>
     </message>
     <message>
+        <source>use .ogv, .mp4, .gif, or a folder for PNG frames</source>
+        <translation>use .ogv, .mp4, .gif o una carpeta para fotogramas PNG</translation>
+    </message>
+    <message>
         <source>use a pose of the same handles</source>
         <translation>use una pose de los mismos tiradores</translation>
+    </message>
+    <message>
+        <source>use anterior, posterior, left, right, superior or inferior</source>
+        <translation>use anterior, posterior, left, right, superior o inferior</translation>
+    </message>
+    <message>
+        <source>use images that show all of it in every phase</source>
+        <translation>use imágenes que lo muestren entero en todas las fases</translation>
     </message>
     <message>
         <source>use one of %1</source>
@@ -2728,6 +4814,14 @@
     <message>
         <source>use one of: %1</source>
         <translation>use uno de: %1</translation>
+    </message>
+    <message>
+        <source>use one of: heartbeat, peristalsis, breathing</source>
+        <translation>use una de: heartbeat, peristalsis, breathing</translation>
+    </message>
+    <message>
+        <source>use viridis or diverging</source>
+        <translation>use viridis o diverging</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -2770,8 +4864,16 @@
         <translation>onda en el cuerpo</translation>
     </message>
     <message>
+        <source>what TetGen made is not a filling of this surface: %1</source>
+        <translation>lo que hizo TetGen no es un llenado de esta superficie: %1</translation>
+    </message>
+    <message>
         <source>what is measured on it is now at the nearest places of that surface</source>
         <translation>lo medido en él está ahora en los lugares más próximos de esa superficie</translation>
+    </message>
+    <message>
+        <source>witness point %1 has a coordinate that is not finite</source>
+        <translation>el punto testigo %1 tiene una coordenada que no es finita</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -2839,6 +4941,38 @@
     <message>
         <source>These two probes have a profile already</source>
         <translation>Estas dos sondas ya tienen un perfil</translation>
+    </message>
+    <message>
+        <source>witness points on a grid</source>
+        <translation>puntos testigo en una cuadrícula</translation>
+    </message>
+    <message>
+        <source>women and men have on average %1 to %2 ml</source>
+        <translation>mujeres y hombres tienen de media de %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>write an .ogv instead</source>
+        <translation>escriba un .ogv en su lugar</translation>
+    </message>
+    <message>
+        <source>write it as .nrrd</source>
+        <translation>escríbala como .nrrd</translation>
+    </message>
+    <message>
+        <source>write lines of the instant and the volume in ml</source>
+        <translation>escriba líneas con el instante y el volumen en ml</translation>
+    </message>
+    <message>
+        <source>write the instant and the volume in ml, as in 0.25,98.5</source>
+        <translation>escriba el instante y el volumen en ml, como en 0.25,98.5</translation>
+    </message>
+    <message>
+        <source>write volumes in ml</source>
+        <translation>escriba los volúmenes en ml</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>escritura de la película</translation>
     </message>
 </context>
 </TS>

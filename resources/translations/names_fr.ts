@@ -4,12 +4,20 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>&quot;%1&quot; has no planar form</source>
+        <translation>« %1 » n’a pas de forme plane</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>« %1 » est %2 au lieu de « %3 »</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
         <translation>« %1 » n’est ni vrai ni faux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>« %1 » n’est pas un repère de la séquence %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a list</source>
@@ -20,12 +28,24 @@
         <translation>« %1 » n’est pas un texte</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
+        <translation>« %1 » considère tous les points ensemble, ce que les coordonnées planes ne font pas</translation>
+    </message>
+    <message>
         <source>&quot;version&quot; is not a positive whole number</source>
         <translation>« version » n’est pas un entier positif</translation>
     </message>
     <message>
+        <source>%1 and %2 are at one place: %3 from each other</source>
+        <translation>%1 et %2 sont au même endroit : à %3 l’un de l’autre</translation>
+    </message>
+    <message>
         <source>%1 and %2 more</source>
         <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % of the cycle: %3</source>
+        <translation>%1 à %2 % du cycle : %3</translation>
     </message>
     <message>
         <source>%1 gives another surface than the one that was saved</source>
@@ -36,12 +56,48 @@
         <translation>%1 a changé depuis l’enregistrement de la session</translation>
     </message>
     <message>
+        <source>%1 has no volume in %2</source>
+        <translation>%1 n’a pas de volume dans la %2</translation>
+    </message>
+    <message>
+        <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
+        <translation>%1 a dans la %2 d’autres triangles que dans la première : les surfaces sont ajustées par leurs distances, qui ne voient pas le mouvement le long de la paroi</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 est à plus de mille kilomètres</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 is not a value for parameter %2</source>
+        <translation>%1 n’est pas une valeur du paramètre %2</translation>
+    </message>
+    <message>
+        <source>%1 is out of range for parameter %2</source>
+        <translation>%1 est hors limites pour le paramètre %2</translation>
+    </message>
+    <message>
+        <source>%1 ml cannot be reached</source>
+        <translation>%1 ml ne peuvent pas être atteints</translation>
+    </message>
+    <message>
+        <source>%1 need tetrahedra, which cannot be made here</source>
+        <translation>%1 : il faut des tétraèdres, qui ne peuvent pas être faits ici</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates</source>
+        <translation>%1 sommets sur %2 n’ont pas de coordonnées</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices have no coordinates in the cage</source>
+        <translation>%1 sommets sur %2 n’ont pas de coordonnées dans la cage</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie in no group's region</source>
+        <translation>%1 sommets sur %2 ne sont dans la région d’aucun groupe</translation>
     </message>
     <message>
         <source>%1 of more than 1 GB cannot be kept in a session file</source>
@@ -52,8 +108,24 @@
         <translation>%1 lignes</translation>
     </message>
     <message>
+        <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
+        <translation>%1 touche le bord de l’image dans la %2 et non dans d’autres, de sorte que ses volumes seraient tronqués</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
+        <translation>%1 touche le bord de l’image dans la %2 : ce qui est au-delà n’est pas dans son volume</translation>
+    </message>
+    <message>
+        <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
+        <translation>%1 touche le bord de l’image dans chaque phase : ce qui est au-delà n’est pas dans son volume</translation>
+    </message>
+    <message>
         <source>%1 voxels</source>
         <translation>%1 voxels</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 of them crumbs of less than 2 % of its area</source>
@@ -62,6 +134,10 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modifié</translation>
+    </message>
+    <message>
+        <source>%1, handle &quot;%2&quot;</source>
+        <translation>%1, poignée « %2 »</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -76,12 +152,53 @@
         <translation>%1, clé à %2 s</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
     </message>
     <message>
+        <source>%1: %2 lie outside the handles' hull, by up to %3 mm</source>
+        <translation>%1 : %2 sont hors de l’enveloppe des poignées, jusqu’à %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {hole|holes} closed by {a flat cap|flat caps}</source>
+        <translation>
+            <numerusform>%1 : %n trou fermé par un capuchon plat</numerusform>
+            <numerusform>%1 : %n trous fermés par des capuchons plats</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
         <translation>%1 : « %2 » est inconnu et ne sera pas enregistré de nouveau</translation>
+    </message>
+    <message>
+        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
+        <translation>%1 : des points confondus dans la première phase s’écartent ensuite jusqu’à %2 mm ; ils bougent comme un seul</translation>
+    </message>
+    <message>
+        <source>%1; it looks like %2</source>
+        <translation>%1 ; il semble être %2</translation>
+    </message>
+    <message>
+        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
+        <translation>%1 ; les coupes %2 à %3 sur %4, qui sont régulières, ont été lues</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
+        <translation>
+            <numerusform>%2 morceaux, %n voxel hors du plus grand</numerusform>
+            <numerusform>%2 morceaux, %n voxels hors du plus grand</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
+        <translation>
+            <numerusform>%2 morceaux, %n voxel hors du plus grand omis</numerusform>
+            <numerusform>%2 morceaux, %n voxels hors du plus grand omis</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
@@ -95,6 +212,13 @@
         <translation>
             <numerusform>%n arête de bord : la surface est ouverte et n’a pas de volume</numerusform>
             <numerusform>%n arêtes de bord : la surface est ouverte et n’a pas de volume</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the given points {is|are} not in it</source>
+        <translation>
+            <numerusform>%n des points donnés n’y est pas</numerusform>
+            <numerusform>%n des points donnés n’y sont pas</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -112,6 +236,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {file is a copy|files are copies} of another one and left out</source>
+        <translation>
+            <numerusform>%n fichier est la copie d’un autre et est omis</numerusform>
+            <numerusform>%n fichiers sont des copies d’un autre et sont omis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {file is|files are} damaged and left out (%2: %3)</source>
+        <translation>
+            <numerusform>%n fichier est endommagé et omis (%2 : %3)</numerusform>
+            <numerusform>%n fichiers sont endommagés et omis (%2 : %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is|handles are} too few</source>
+        <translation>
+            <numerusform>%n poignée, c’est trop peu</numerusform>
+            <numerusform>%n poignées, c’est trop peu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle|handles}</source>
         <translation>
             <numerusform>%n poignée</numerusform>
@@ -119,10 +264,101 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle|handles} cannot form %2 groups</source>
+        <translation>
+            <numerusform>%n poignée ne peut pas former %2 groupes</numerusform>
+            <numerusform>%n poignées ne peuvent pas former %2 groupes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} whose label another one has got a new one</source>
+        <translation>
+            <numerusform>%n poignée dont une autre a l’étiquette en a reçu une nouvelle</numerusform>
+            <numerusform>%n poignées dont une autre a l’étiquette en ont reçu une nouvelle</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles} without a label got one</source>
+        <translation>
+            <numerusform>%n poignée sans étiquette en a reçu une</numerusform>
+            <numerusform>%n poignées sans étiquette en ont reçu une</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line or point cell|line or point cells} ignored</source>
+        <translation>
+            <numerusform>%n cellule de ligne ou de point ignorée</numerusform>
+            <numerusform>%n cellules de ligne ou de point ignorées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {mask is|masks are} empty (%2)</source>
+        <translation>
+            <numerusform>%n masque est vide (%2)</numerusform>
+            <numerusform>%n masques sont vides (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
             <numerusform>%n paire de triangles se traverse : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
             <numerusform>%n paires de triangles se traversent : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <translation>
+            <numerusform>%n image de la série d’un autre écho omise</numerusform>
+            <numerusform>%n images de la série d’un autre écho omises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <translation>
+            <numerusform>%n image de la série d’une autre direction omise</numerusform>
+            <numerusform>%n images de la série d’une autre direction omises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {place has|places have} more than one slice (%2); the one with the lowest number was read</source>
+        <translation>
+            <numerusform>%n position a plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
+            <numerusform>%n positions ont plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that repeats|points that repeat} another merged</source>
+        <translation>
+            <numerusform>%n point qui en répète un autre fusionné</numerusform>
+            <numerusform>%n points qui en répètent d’autres fusionnés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points} without a triangle dropped</source>
+        <translation>
+            <numerusform>%n point sans triangle omis</numerusform>
+            <numerusform>%n points sans triangle omis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
+        <translation>
+            <numerusform>%n polygone découpé en éventail, ce qui est faux là où il n’est pas convexe</numerusform>
+            <numerusform>%n polygones découpés en éventail, ce qui est faux là où ils ne sont pas convexes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} no voxels (%2)</source>
+        <translation>
+            <numerusform>%n segment n’a pas de voxels (%2)</numerusform>
+            <numerusform>%n segments n’ont pas de voxels (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice is|slices are} missing between slice %2 (%3) and the next, which are %4 mm apart in place of %5 mm</source>
+        <translation>
+            <numerusform>il manque %n coupe entre la coupe %2 (%3) et la suivante, distantes de %4 mm au lieu de %5 mm</numerusform>
+            <numerusform>il manque %n coupes entre la coupe %2 (%3) et la suivante, distantes de %4 mm au lieu de %5 mm</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -146,6 +382,35 @@
             <numerusform>%n triangles sans aire ou en double sont laissés de côté.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} with a repeated corner dropped</source>
+        <translation>
+            <numerusform>%n triangle à sommet répété omis</numerusform>
+            <numerusform>%n triangles à sommet répété omis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex lies|vertices lie} outside the hull of the sequence's handles</source>
+        <translation>
+            <numerusform>%n sommet est hors de l’enveloppe des poignées de la séquence</numerusform>
+            <numerusform>%n sommets sont hors de l’enveloppe des poignées de la séquence</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex|vertices} cannot be divided among %2 groups</source>
+        <translation>
+            <numerusform>%n sommet ne peut pas être réparti entre %2 groupes</numerusform>
+            <numerusform>%n sommets ne peuvent pas être répartis entre %2 groupes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>0 starts from all ones, others from random numbers</source>
+        <translation>0 part de uns partout, les autres de nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>19 of 20 adults have %1 to %2 ml</source>
+        <translation>19 adultes sur 20 ont de %1 à %2 ml</translation>
+    </message>
     <message>
         <source>A cavity has to come after the organ that it is in</source>
         <translation>Une cavité doit venir après l’organe où elle se trouve</translation>
@@ -157,6 +422,10 @@
     <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adulte sain couché.</translation>
+    </message>
+    <message>
+        <source>A place in the cycle lies between 0 and 1</source>
+        <translation>Un point du cycle est compris entre 0 et 1</translation>
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
@@ -179,8 +448,16 @@
         <translation>Une session s’ouvre seule</translation>
     </message>
     <message>
+        <source>A slice cannot be read, so the series is not opened: %1</source>
+        <translation>Une coupe ne peut pas être lue, la série n’est donc pas ouverte : %1</translation>
+    </message>
+    <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
         <translation>Un ventricule gauche rigide qui se relâche lentement : il se vide bien et ne se remplit qu’à haute pression.</translation>
+    </message>
+    <message>
+        <source>A ventricle's volume is not positive</source>
+        <translation>Le volume d’un ventricule n’est pas positif</translation>
     </message>
     <message>
         <source>A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to the lungs. Its wall has more muscle and is no thicker.</source>
@@ -239,6 +516,10 @@
     <message>
         <source>An angle needs three points, any other measurement two</source>
         <translation>Un angle demande trois points, toute autre mesure deux</translation>
+    </message>
+    <message>
+        <source>An ejection fraction of %1 is none of a heart</source>
+        <translation>Aucun cœur n’a une fraction d’éjection de %1</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -345,6 +626,10 @@
         <translation>Base</translation>
     </message>
     <message>
+        <source>Bending the image</source>
+        <translation>Courbure de l’image</translation>
+    </message>
+    <message>
         <source>Bending the scan</source>
         <translation>Courbure de l’examen</translation>
     </message>
@@ -363,6 +648,10 @@
     <message>
         <source>Binding %1</source>
         <translation>Liaison de %1</translation>
+    </message>
+    <message>
+        <source>Binding the space between the handles</source>
+        <translation>Liaison de l’espace entre les poignées</translation>
     </message>
     <message>
         <source>Body</source>
@@ -746,14 +1035,78 @@
         <translation>Poignées internes de chaque couche</translation>
     </message>
     <message>
+        <source>It cannot be opened: %1</source>
+        <translation>Impossible de l’ouvrir : %1</translation>
+    </message>
+    <message>
         <source>It cannot be read</source>
         <translation>Il est illisible</translation>
+    </message>
+    <message>
+        <source>It cannot be read to its end</source>
+        <translation>Il ne peut pas être lu jusqu’à la fin</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Elle se traverse elle-même, à %n paire de triangles</numerusform>
             <numerusform>Elle se traverse elle-même, à %n paires de triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
+        <translation>Il ne décrit pas une leçon : « %1 » manque</translation>
+    </message>
+    <message>
+        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
+        <translation>Il ne décrit pas une leçon : un texte, un nombre ou une liste est à la place d’autre chose</translation>
+    </message>
+    <message>
+        <source>It does not fit into memory</source>
+        <translation>Il ne tient pas en mémoire</translation>
+    </message>
+    <message>
+        <source>It does not say how long one cycle lasts</source>
+        <translation>La durée d’un cycle n’est pas indiquée</translation>
+    </message>
+    <message numerus="yes">
+        <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
+        <translation>
+            <numerusform>L’instant de sa %n phase n’est pas indiqué ; elle est numérotée</numerusform>
+            <numerusform>Les instants de ses %n phases ne sont pas indiqués ; elles sont numérotées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as milliseconds</source>
+        <translation>L’unité de ses temps n’est pas indiquée ; ils sont pris en millisecondes</translation>
+    </message>
+    <message>
+        <source>It has %1 labels; a mask in a folder has one</source>
+        <translation>Il a %1 étiquettes ; un masque d’un dossier en a une</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes; a label map has one</source>
+        <translation>Il a %1 volumes ; une carte d’étiquettes en a un</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles} in place of %2</source>
+        <translation>
+            <numerusform>Elle a %n poignée au lieu de %2</numerusform>
+            <numerusform>Elle a %n poignées au lieu de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a sequence needs four at least</source>
+        <translation>
+            <numerusform>Il y a %n poignée ; une séquence en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n poignées ; une séquence en demande au moins quatre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {phase|phases}; a motion needs four at least</source>
+        <translation>
+            <numerusform>Il y a %n phase ; un mouvement en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n phases ; un mouvement en demande au moins quatre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -764,20 +1117,124 @@
         </translation>
     </message>
     <message>
+        <source>It has more than %1 files</source>
+        <translation>Il a plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>It has more than 32767 voxels along a side, which NIfTI cannot hold</source>
+        <translation>Elle a plus de 32767 voxels le long d’un côté, ce que NIfTI ne permet pas</translation>
+    </message>
+    <message>
         <source>It has no &quot;%1&quot;</source>
         <translation>« %1 » manque</translation>
+    </message>
+    <message>
+        <source>It has no DICOM files with images</source>
+        <translation>Il n’a pas de fichiers DICOM avec des images</translation>
+    </message>
+    <message>
+        <source>It has no label %1</source>
+        <translation>Il n’y a pas d’étiquette %1</translation>
+    </message>
+    <message>
+        <source>It has no labelled voxel: all are 0</source>
+        <translation>Aucun voxel n’est étiqueté : tous valent 0</translation>
+    </message>
+    <message>
+        <source>It has no phase %1; it has %2</source>
+        <translation>Il n’y a pas de phase %1 ; il y en a %2</translation>
+    </message>
+    <message>
+        <source>It has no series %1</source>
+        <translation>Il n’y a pas de série %1</translation>
+    </message>
+    <message>
+        <source>It has no series %1; it is one scan</source>
+        <translation>Il n’y a pas de série %1 ; c’est un seul examen</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan</source>
+        <translation>Il n’y a pas de coupes d’un examen</translation>
+    </message>
+    <message>
+        <source>It has no slices of a scan: %1 %2</source>
+        <translation>Il n’y a pas de coupes d’un examen : %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>Il n’a pas de surface « %1 »</translation>
     </message>
     <message>
+        <source>It has no triangles</source>
+        <translation>Elle n’a pas de triangles</translation>
+    </message>
+    <message>
+        <source>It has several labels: %1</source>
+        <translation>Il y a plusieurs étiquettes : %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel (%1)</source>
+        <translation>Elle a plusieurs valeurs par voxel (%1)</translation>
+    </message>
+    <message>
         <source>It has to be a text</source>
         <translation>Ce doit être un texte</translation>
     </message>
     <message>
+        <source>It has to be positive</source>
+        <translation>La valeur doit être positive</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: it has more than %1 different values</source>
+        <translation>Il contient une image, non des étiquettes : il a plus de %1 valeurs différentes</translation>
+    </message>
+    <message>
+        <source>It holds an image, not labels: one of its values is %1</source>
+        <translation>Il contient une image, non des étiquettes : l’une de ses valeurs est %1</translation>
+    </message>
+    <message>
         <source>It holds less than %1</source>
         <translation>Il contient moins que %1</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 masks</source>
+        <translation>Il contient plus de %1 masques</translation>
+    </message>
+    <message>
+        <source>It holds neither surfaces nor label maps</source>
+        <translation>Il ne contient ni surfaces ni cartes d’étiquettes</translation>
+    </message>
+    <message>
+        <source>It holds no label map</source>
+        <translation>Il ne contient pas de carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>It holds no points</source>
+        <translation>Il ne contient pas de points</translation>
+    </message>
+    <message>
+        <source>It holds no triangle that has three different corners</source>
+        <translation>Il ne contient aucun triangle à trois sommets distincts</translation>
+    </message>
+    <message>
+        <source>It holds no triangles</source>
+        <translation>Il ne contient pas de triangles</translation>
+    </message>
+    <message>
+        <source>It holds no triangles, only points</source>
+        <translation>Il ne contient pas de triangles, seulement des points</translation>
+    </message>
+    <message>
+        <source>It holds only empty masks</source>
+        <translation>Il ne contient que des masques vides</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file without an image</source>
+        <translation>C’est un fichier DICOM sans image</translation>
+    </message>
+    <message>
+        <source>It is a folder, not a file</source>
+        <translation>C’est un dossier, non un fichier</translation>
     </message>
     <message>
         <source>It is a scan and no organ</source>
@@ -792,6 +1249,10 @@
         <translation>Il est endommagé : son SHA-256 n’est pas %1</translation>
     </message>
     <message>
+        <source>It is named %1 but looks like %2</source>
+        <translation>Il est nommé %1 mais semble être %2</translation>
+    </message>
+    <message>
         <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
         <translation>Ce n’est ni « embedded » ni « linked »</translation>
     </message>
@@ -804,6 +1265,14 @@
         <translation>Ce n’est pas un fichier de type %1 : son « format » n’est pas « %2 »</translation>
     </message>
     <message>
+        <source>It is not a NIfTI image: its header is not one</source>
+        <translation>Ce n’est pas une image NIfTI : son en-tête n’en est pas un</translation>
+    </message>
+    <message>
+        <source>It is not a file of several volumes</source>
+        <translation>Ce n’est pas un fichier de plusieurs volumes</translation>
+    </message>
+    <message>
         <source>It is not a file that can be read</source>
         <translation>Ce n’est pas un fichier lisible</translation>
     </message>
@@ -812,8 +1281,28 @@
         <translation>Ce n’est pas un nombre fini</translation>
     </message>
     <message>
+        <source>It is not a handle file</source>
+        <translation>Ce n’est pas un fichier de poignées</translation>
+    </message>
+    <message>
         <source>It is not a list of three numbers</source>
         <translation>Ce n’est pas une liste de trois nombres</translation>
+    </message>
+    <message>
+        <source>It is not a regular file</source>
+        <translation>Ce n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>It is not a scan that Viscera knows</source>
+        <translation>Ce n’est pas un examen que Viscera connaît</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan</source>
+        <translation>Ce n’est pas une coupe d’un examen</translation>
+    </message>
+    <message>
+        <source>It is not a slice of a scan: it %1</source>
+        <translation>Ce n’est pas une coupe d’un examen : %1</translation>
     </message>
     <message>
         <source>It is not a text</source>
@@ -840,16 +1329,60 @@
         <translation>Ce n’est pas du JSON complet : %1</translation>
     </message>
     <message>
+        <source>It is not complete JSON: the mistake is in line %1</source>
+        <translation>Ce n’est pas du JSON complet : l’erreur est à la ligne %1</translation>
+    </message>
+    <message>
+        <source>It is not convex at its triangle %1</source>
+        <translation>Elle n’est pas convexe à son triangle %1</translation>
+    </message>
+    <message>
+        <source>It is not finite</source>
+        <translation>Elle n’est pas finie</translation>
+    </message>
+    <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Il est de la version %1 ; ce programme lit jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
+        <translation>C’est la moitié d’une image NIfTI avec les voxels ; son en-tête, %1, n’est pas à côté</translation>
+    </message>
+    <message>
+        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
+        <translation>C’est l’en-tête d’une image NIfTI en deux fichiers ; celui des voxels, %1, n’est pas à côté</translation>
+    </message>
+    <message>
+        <source>It is too large: %1 points</source>
+        <translation>Elle est trop grande : %1 points</translation>
     </message>
     <message>
         <source>It is too long</source>
         <translation>Il est trop long</translation>
     </message>
     <message>
+        <source>It leads to more than 20 million points</source>
+        <translation>Cela donne plus de 20 millions de points</translation>
+    </message>
+    <message>
+        <source>It mixes surfaces and label maps</source>
+        <translation>Il mélange surfaces et cartes d’étiquettes</translation>
+    </message>
+    <message>
+        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
+        <translation>Il nomme la poignée %1, qui n’est pas parmi « handles »</translation>
+    </message>
+    <message>
+        <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
+        <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse : il est de l’autre côté du milieu du patient</translation>
+    </message>
+    <message>
         <source>Its axes lie in one plane</source>
         <translation>Ses axes sont dans un même plan</translation>
+    </message>
+    <message>
+        <source>Its grid is sheared: its axes are not at right angles</source>
+        <translation>Sa grille est cisaillée : ses axes ne sont pas à angle droit</translation>
     </message>
     <message>
         <source>Keep as before</source>
@@ -1027,8 +1560,16 @@
         <translation>Maximum</translation>
     </message>
     <message>
+        <source>Maximum of %1 mm</source>
+        <translation>Maximum sur %1 mm</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Mean of %1 mm</source>
+        <translation>Moyenne sur %1 mm</translation>
     </message>
     <message>
         <source>Mean value</source>
@@ -1129,8 +1670,24 @@
         <translation>Système nerveux</translation>
     </message>
     <message>
+        <source>No cavity is a ventricle by its name</source>
+        <translation>Aucune cavité n’est un ventricule d’après son nom</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Aucun examen n’a %1 voxels le long d’un axe</translation>
+    </message>
+    <message>
+        <source>No surface is chosen</source>
+        <translation>Aucune surface n’est choisie</translation>
+    </message>
+    <message>
+        <source>No voxel has a label in %1</source>
+        <translation>Aucun voxel n’a d’étiquette dans la %1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Rien n’est enregistré</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -1143,6 +1700,10 @@
     <message>
         <source>Of the random numbers</source>
         <translation>Des nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>Only label maps have labels</source>
+        <translation>Seules les cartes d’étiquettes ont des étiquettes</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1162,6 +1723,10 @@
     <message>
         <source>Open scan %1</source>
         <translation>Ouvrir l’examen %1</translation>
+    </message>
+    <message>
+        <source>Open sequence %1</source>
+        <translation>Ouvrir la séquence %1</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -1527,6 +2092,10 @@
         <translation>Peau et graisse</translation>
     </message>
     <message>
+        <source>Slice %1 (%2) is shifted sideways against those below it</source>
+        <translation>La coupe %1 (%2) est décalée latéralement par rapport à celles du dessous</translation>
+    </message>
+    <message>
         <source>Small bowel</source>
         <translation>Intestin grêle</translation>
     </message>
@@ -1545,6 +2114,10 @@
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
         <translation>Solutions de l’équation de Laplace dans une cage de forme quelconque ; locales, sans lobes négatifs</translation>
+    </message>
+    <message>
+        <source>Some files say that they are in RAS and this one does not say what it is in</source>
+        <translation>Certains fichiers indiquent RAS et celui-ci n’indique pas ses axes</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -1630,6 +2203,10 @@
         <translation>Queue</translation>
     </message>
     <message>
+        <source>Take handles of %1</source>
+        <translation>Prendre les poignées de %1</translation>
+    </message>
+    <message>
         <source>Take the cage %1</source>
         <translation>Prendre la cage %1</translation>
     </message>
@@ -1638,8 +2215,28 @@
         <translation>Tamponnade</translation>
     </message>
     <message>
+        <source>TetGen cannot fill this surface (%1)</source>
+        <translation>TetGen ne peut pas remplir cette surface (%1)</translation>
+    </message>
+    <message>
         <source>TetGen placed no point inside the surface</source>
         <translation>TetGen n’a placé aucun point à l’intérieur de la surface</translation>
+    </message>
+    <message>
+        <source>TetGen wanted more than %1 MB of memory</source>
+        <translation>TetGen a demandé plus de %1 Mo de mémoire</translation>
+    </message>
+    <message>
+        <source>TetGen was not done after %1 s</source>
+        <translation>TetGen n’avait pas terminé après %1 s</translation>
+    </message>
+    <message>
+        <source>TetGen's program %1 cannot be started: %2</source>
+        <translation>impossible de lancer le programme %1 de TetGen : %2</translation>
+    </message>
+    <message>
+        <source>Textbook heartbeat</source>
+        <translation>Battement du manuel</translation>
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
@@ -1650,6 +2247,10 @@
         <translation>La cage nomme une poignée qui n’existe pas</translation>
     </message>
     <message>
+        <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
+        <translation>La cavité %1 n’est pas dans la surface externe %2 : %3 % sont à l’extérieur</translation>
+    </message>
+    <message>
         <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
         <translation>Le centre de toutes les réponses positives, par échantillonnage ; aussi bon que le nombre d’échantillons</translation>
     </message>
@@ -1658,8 +2259,28 @@
         <translation>Les coordonnées classiques d’une cage fermée ; positives là où la cage est convexe</translation>
     </message>
     <message>
+        <source>The files' names are not in the order of the slices; they were put in order by position</source>
+        <translation>Les noms des fichiers ne sont pas dans l’ordre des coupes ; elles ont été ordonnées par position</translation>
+    </message>
+    <message>
+        <source>The grid of %1 is another one than that of the first phase</source>
+        <translation>La grille de la %1 n’est pas celle de la première phase</translation>
+    </message>
+    <message>
+        <source>The heart rate has to be a positive number of beats a minute</source>
+        <translation>La fréquence cardiaque doit être un nombre positif de battements par minute</translation>
+    </message>
+    <message>
+        <source>The label &quot;%1&quot; is missing in %2</source>
+        <translation>L’étiquette « %1 » manque dans la %2</translation>
+    </message>
+    <message>
         <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
         <translation>La carte d’étiquettes de %1 a une autre grille (%2) que l’examen (%3) ; chacune est là où son fichier le dit, et rien n’est rééchantillonné</translation>
+    </message>
+    <message>
+        <source>The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours %2 mm at most</source>
+        <translation>La dernière phase ne ramène pas à la première : elles sont distantes de %1 mm en moyenne, les voisines de %2 mm au plus</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
@@ -1694,6 +2315,10 @@
         <translation>La sortie de l’estomac</translation>
     </message>
     <message>
+        <source>The period is not a positive time</source>
+        <translation>La période n’est pas une durée positive</translation>
+    </message>
+    <message>
         <source>The points of n-space that the wire connects</source>
         <translation>Les points de l’espace à n dimensions que le fil relie</translation>
     </message>
@@ -1706,6 +2331,18 @@
         <translation>La pose a une position qui n’est pas un nombre fini, ou trop éloignée</translation>
     </message>
     <message>
+        <source>The program ffmpeg could not write the movie</source>
+        <translation>Le programme ffmpeg n’a pas pu écrire le film</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg could not write the movie: %1</source>
+        <translation>Le programme ffmpeg n’a pas pu écrire le film : %1</translation>
+    </message>
+    <message>
+        <source>The rate is out of range</source>
+        <translation>La fréquence est hors limites</translation>
+    </message>
+    <message>
         <source>The sequence moves %1 handles, but there are %2</source>
         <translation>La séquence déplace %1 poignées, mais il y en a %2</translation>
     </message>
@@ -1713,9 +2350,35 @@
         <source>The sequence was made for another place of a handle</source>
         <translation>La séquence a été faite pour une autre position d’une poignée</translation>
     </message>
+    <message numerus="yes">
+        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <translation>
+            <numerusform>La série a des images de plusieurs tailles : %n image de %2 omise, celles de %3 lues</numerusform>
+            <numerusform>La série a des images de plusieurs tailles : %n images de %2 omises, celles de %3 lues</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <translation>
+            <numerusform>La série a des pixels de plusieurs tailles : %n image de %2 mm omise, celles de %3 mm lues</numerusform>
+            <numerusform>La série a des pixels de plusieurs tailles : %n images de %2 mm omises, celles de %3 mm lues</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1 degrees against the way they are stacked (a tilted gantry); the shear is kept</source>
+        <translation>Les coupes sont inclinées de %1 degrés par rapport à leur empilement (statif incliné) ; le cisaillement est conservé</translation>
+    </message>
     <message>
         <source>The smallest number is raised as high as it goes; positive, with kinks</source>
         <translation>Le plus petit nombre est élevé autant que possible ; positif, avec des plis</translation>
+    </message>
+    <message>
+        <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
+        <translation>L’espacement est inégal entre la coupe %1 (%2) et la suivante, distantes de %3 mm au lieu de %4 mm (%5 %)</translation>
+    </message>
+    <message>
+        <source>The speed is out of range</source>
+        <translation>La vitesse est hors limites</translation>
     </message>
     <message>
         <source>The surface has no triangle</source>
@@ -1734,12 +2397,20 @@
         <translation>Le rayon de la thèse ; il s’élimine dans les coordonnées et ne change rien</translation>
     </message>
     <message>
+        <source>The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms</source>
+        <translation>Les instants des phases ne croissent pas dans une période de %1 ms : la %2 est à %3 ms</translation>
+    </message>
+    <message>
         <source>The tip of the heart</source>
         <translation>La pointe du cœur</translation>
     </message>
     <message>
         <source>The top of the fundus</source>
         <translation>Le sommet du fundus</translation>
+    </message>
+    <message>
+        <source>The volume of %1 jumps from %2 to %3 ml between %4 and %5</source>
+        <translation>Le volume de %1 saute de %2 à %3 ml entre la %4 et la %5</translation>
     </message>
     <message>
         <source>The width has to be positive</source>
@@ -1774,6 +2445,14 @@
         <translation>Ces sommets à entourer n’existent pas</translation>
     </message>
     <message>
+        <source>There are no volumes to compute an ejection fraction from</source>
+        <translation>Il n’y a pas de volumes pour calculer une fraction d’éjection</translation>
+    </message>
+    <message>
+        <source>There is no %1</source>
+        <translation>Il n’y a pas de %1</translation>
+    </message>
+    <message>
         <source>There is no file to open</source>
         <translation>Il n’y a pas de fichier à ouvrir</translation>
     </message>
@@ -1788,6 +2467,18 @@
     <message>
         <source>There is no scan to close</source>
         <translation>Il n’y a pas d’examen à fermer</translation>
+    </message>
+    <message>
+        <source>There is no sequence that could move these handles</source>
+        <translation>Il n’y a pas de séquence qui puisse déplacer ces poignées</translation>
+    </message>
+    <message>
+        <source>There is no sequence whose rate could be set</source>
+        <translation>Il n’y a pas de séquence dont on puisse régler la fréquence</translation>
+    </message>
+    <message>
+        <source>There is no series</source>
+        <translation>Il n’y a pas de série</translation>
     </message>
     <message>
         <source>There is no stress map yet</source>
@@ -1810,8 +2501,23 @@
         <translation>Ce point n’existe pas</translation>
     </message>
     <message>
+        <source>There is no surface &quot;%1&quot;</source>
+        <translation>Il n’y a pas de surface « %1 »</translation>
+    </message>
+    <message>
         <source>There is no type of samples &quot;%1&quot;</source>
         <translation>Il n’y a pas de type d’échantillons « %1 »</translation>
+    </message>
+    <message>
+        <source>There is no volume in it</source>
+        <translation>Il ne contient aucun volume</translation>
+    </message>
+    <message numerus="yes">
+        <source>There {is|are} %n {time|times} for %2 phases</source>
+        <translation>
+            <numerusform>Il y a %n instant pour %2 phases</numerusform>
+            <numerusform>Il y a %n instants pour %2 phases</numerusform>
+        </translation>
     </message>
     <message>
         <source>Thickening</source>
@@ -1824,6 +2530,10 @@
     <message>
         <source>Time (s)</source>
         <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Tracing the displacement field</source>
+        <translation>Calcul du champ de déplacements</translation>
     </message>
     <message>
         <source>Transverse colon</source>
@@ -1957,6 +2667,54 @@
         <translation>Points témoins de %1</translation>
     </message>
     <message>
+        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <translation>%1 de %2 ml n’est pas de taille réelle : %3</translation>
+    </message>
+    <message>
+        <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
+        <translation>un fichier .fcsv est une seule liste : les %1 groupes et leurs couleurs ne sont pas conservés (.mrk.json les conserve)</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer fiducial table</source>
+        <translation>un tableau de repères de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer markups file</source>
+        <translation>un fichier de marqueurs de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>un fichier JSON</translation>
+    </message>
+    <message>
+        <source>a NIfTI image</source>
+        <translation>une image NIfTI</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <translation>une surface PLY</translation>
+    </message>
+    <message>
+        <source>a VTK XML file that holds no surface</source>
+        <translation>un fichier VTK XML sans surface</translation>
+    </message>
+    <message>
+        <source>a VTK XML surface</source>
+        <translation>une surface VTK XML</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>une archive ZIP</translation>
+    </message>
+    <message>
+        <source>a binary glTF scene</source>
+        <translation>une scène glTF binaire</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>une cage est une surface grossière : prenez-en une de %1 sommets au plus</translation>
     </message>
@@ -1969,6 +2727,14 @@
         <translation>une enveloppe convexe demande au moins 4 points, il y en a %1</translation>
     </message>
     <message>
+        <source>a curve needs one number for each time</source>
+        <translation>une courbe demande un nombre pour chaque instant</translation>
+    </message>
+    <message>
+        <source>a curve needs one y for each x</source>
+        <translation>une courbe demande un y pour chaque x</translation>
+    </message>
+    <message>
         <source>a displacement</source>
         <translation>un déplacement</translation>
     </message>
@@ -1977,16 +2743,52 @@
         <translation>une grille de distances de ce pas est trop grande</translation>
     </message>
     <message>
+        <source>a glTF scene</source>
+        <translation>une scène glTF</translation>
+    </message>
+    <message>
+        <source>a gzip-compressed file</source>
+        <translation>un fichier compressé avec gzip</translation>
+    </message>
+    <message>
         <source>a handle of a recorded key</source>
         <translation>une poignée d’une clé enregistrée</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <translation>un ancien fichier VTK</translation>
+    </message>
+    <message>
+        <source>a locked volume must be positive</source>
+        <translation>un volume verrouillé doit être positif</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
         <translation>une partie de l’examen n’est sur aucun organe</translation>
     </message>
     <message>
+        <source>a phase has not all surfaces</source>
+        <translation>une phase n’a pas toutes les surfaces</translation>
+    </message>
+    <message>
         <source>a point of its surface</source>
         <translation>un point de sa surface</translation>
+    </message>
+    <message>
+        <source>a point of the centreline lies %1 outside the organ</source>
+        <translation>un point de la ligne médiane est à %1 hors de l’organe</translation>
+    </message>
+    <message>
+        <source>a point of the divided cage is not on the cage</source>
+        <translation>un point de la cage divisée n’est pas sur la cage</translation>
+    </message>
+    <message>
+        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>un polygone renvoie au point %1, mais il y en a %2 (comptés à partir de 0)</translation>
+    </message>
+    <message>
+        <source>a pose of %1 handles does not fit witness points of %2</source>
+        <translation>une pose de %1 poignées ne convient pas à des points témoins de %2</translation>
     </message>
     <message>
         <source>a recorded key</source>
@@ -1997,8 +2799,20 @@
         <translation>une remarque à son sujet n’est pas en UTF-8</translation>
     </message>
     <message>
+        <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
+        <translation>une surface de %1 sommets et %2 triangles est trop petite pour des poignées</translation>
+    </message>
+    <message>
         <source>a surface without triangles has no inside</source>
         <translation>une surface sans triangles n’a pas d’intérieur</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that does not exist</source>
+        <translation>un tétraèdre a un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a corner that is none of the %1 points</source>
+        <translation>un tétraèdre a un sommet qui n’est aucun des %1 points</translation>
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
@@ -2009,16 +2823,60 @@
         <translation>un triangle nomme une poignée qui n’existe pas</translation>
     </message>
     <message>
+        <source>a triangle refers to a point that is not there</source>
+        <translation>un triangle renvoie à un point qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>add a group that encloses them, or put handles around them into a group</source>
+        <translation>ajoutez un groupe qui les entoure, ou mettez dans un groupe des poignées autour d’eux</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>ajoutez des poignées, ou placez-les automatiquement</translation>
+    </message>
+    <message>
+        <source>add its file, or remove those of the other surfaces in that phase</source>
+        <translation>ajoutez son fichier, ou supprimez ceux des autres surfaces de cette phase</translation>
+    </message>
+    <message>
+        <source>add the enclosing handles, or move handles outward until they surround the organ</source>
+        <translation>ajoutez les poignées englobantes, ou déplacez des poignées vers l’extérieur jusqu’à ce qu’elles entourent l’organe</translation>
     </message>
     <message>
         <source>added by automatic grouping</source>
         <translation>ajoutée par le groupement automatique</translation>
     </message>
     <message>
+        <source>all handles lie in one plane</source>
+        <translation>toutes les poignées sont dans un plan</translation>
+    </message>
+    <message>
+        <source>all handles lie on one line</source>
+        <translation>toutes les poignées sont sur une droite</translation>
+    </message>
+    <message>
+        <source>all of it is a cavity</source>
+        <translation>tout est cavité</translation>
+    </message>
+    <message>
         <source>all points lie in one plane</source>
         <translation>tous les points sont dans un même plan</translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation>une image NRRD</translation>
+    </message>
+    <message>
+        <source>an OBJ surface</source>
+        <translation>une surface OBJ</translation>
+    </message>
+    <message>
+        <source>an OFF surface</source>
+        <translation>une surface OFF</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <translation>une surface STL</translation>
     </message>
     <message>
         <source>an angle has three points, any other measurement two</source>
@@ -2033,8 +2891,40 @@
         <translation>antre</translation>
     </message>
     <message>
+        <source>as in --period-ms 829</source>
+        <translation>comme dans --period-ms 829</translation>
+    </message>
+    <message>
+        <source>ask for a volume nearer to that at rest, or let more handles compensate</source>
+        <translation>demandez un volume plus proche de celui au repos, ou laissez compenser plus de poignées</translation>
+    </message>
+    <message>
+        <source>ask for at least %1</source>
+        <translation>demandez-en au moins %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer groups</source>
+        <translation>demandez moins de groupes</translation>
+    </message>
+    <message>
+        <source>ask for fewer witness points</source>
+        <translation>demandez moins de points témoins</translation>
+    </message>
+    <message>
+        <source>ask for fewer, or put them nearer to the surface</source>
+        <translation>demandez-en moins, ou placez-les plus près de la surface</translation>
+    </message>
+    <message>
+        <source>at least %1 are needed</source>
+        <translation>il en faut au moins %1</translation>
+    </message>
+    <message>
         <source>atrial systole</source>
         <translation>systole auriculaire</translation>
+    </message>
+    <message>
+        <source>bind by way of the deformation module, or choose another system</source>
+        <translation>liez au moyen du module deformation, ou choisissez un autre système</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -2045,8 +2935,28 @@
         <translation>corps</translation>
     </message>
     <message>
+        <source>bounded biharmonic weights</source>
+        <translation>poids biharmoniques bornés</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
+        <translation>d’après son nom il va à gauche du patient, mais il est à droite (x = %1 mm) : %2</translation>
+    </message>
+    <message>
+        <source>by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2</source>
+        <translation>d’après son nom il va à droite du patient, mais il est à gauche (x = %1 mm) : %2</translation>
+    </message>
+    <message>
+        <source>call the left ventricle's cavity LV and the right one's RV</source>
+        <translation>appelez LV la cavité du ventricule gauche et RV celle du droit</translation>
+    </message>
+    <message>
         <source>cannot be opened: %1</source>
         <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>cannot draw without a display: %1</source>
+        <translation>impossible de dessiner sans écran : %1</translation>
     </message>
     <message>
         <source>cannot place %1 witness points</source>
@@ -2061,20 +2971,80 @@
         <translation>vérifiez ses droits d’accès</translation>
     </message>
     <message>
+        <source>check its scale and its number format</source>
+        <translation>vérifiez son échelle et son format de nombres</translation>
+    </message>
+    <message>
         <source>check its unit; coordinates are in mm</source>
         <translation>vérifiez l’unité ; les coordonnées sont en mm</translation>
+    </message>
+    <message>
+        <source>check that its surface is closed and outward</source>
+        <translation>vérifiez que sa surface est fermée et orientée vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>check that its triangles face outward and that its holes are small</source>
+        <translation>vérifiez que ses triangles sont orientés vers l’extérieur et que ses trous sont petits</translation>
+    </message>
+    <message>
+        <source>check that the segmentation was saved</source>
+        <translation>vérifiez que la segmentation a été enregistrée</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>vérifiez qu’il y a de la place sur le disque</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>vérifiez que vous avez le droit de le lire</translation>
+    </message>
+    <message>
+        <source>check the disk or the connection</source>
+        <translation>vérifiez le disque ou la connexion</translation>
     </message>
     <message>
         <source>check the name</source>
         <translation>vérifiez le nom</translation>
     </message>
     <message>
+        <source>check the name and the folder</source>
+        <translation>vérifiez le nom et le dossier</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>check their order, and the period</source>
+        <translation>vérifiez leur ordre et la période</translation>
+    </message>
+    <message>
+        <source>check this phase, or leave it out</source>
+        <translation>vérifiez cette phase, ou omettez-la</translation>
+    </message>
+    <message>
+        <source>check what the file is and where it came from</source>
+        <translation>vérifiez ce qu’est le fichier et d’où il vient</translation>
+    </message>
+    <message>
+        <source>check whether one of them is mislabelled, or leave it out</source>
+        <translation>vérifiez si l’une d’elles est mal étiquetée, ou omettez-la</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>choisissez de %1 à %2</translation>
     </message>
     <message>
+        <source>choose %1 to %2 a minute</source>
+        <translation>choisissez de %1 à %2 par minute</translation>
+    </message>
+    <message>
         <source>choose a closed surface</source>
         <translation>choisissez une surface fermée</translation>
+    </message>
+    <message>
+        <source>choose a file that Viscera has saved as .sequence.json</source>
+        <translation>choisissez un fichier que Viscera a enregistré en .sequence.json</translation>
     </message>
     <message>
         <source>choose a file that Viscera has saved as .viscera</source>
@@ -2089,6 +3059,18 @@
         <translation>choisissez un pas plus grand</translation>
     </message>
     <message>
+        <source>choose a sequence first</source>
+        <translation>choisissez d’abord une séquence</translation>
+    </message>
+    <message>
+        <source>choose a sequence, and use its handles</source>
+        <translation>choisissez une séquence et utilisez ses poignées</translation>
+    </message>
+    <message>
+        <source>choose a surface that has some</source>
+        <translation>choisissez une surface qui en a</translation>
+    </message>
+    <message>
         <source>choose a volume nearer to the present one, or let more handles compensate</source>
         <translation>choisissez un volume plus proche de l’actuel, ou laissez compenser plus de poignées</translation>
     </message>
@@ -2097,12 +3079,32 @@
         <translation>choisissez-en un autre</translation>
     </message>
     <message>
+        <source>choose at least one</source>
+        <translation>choisissez-en au moins une</translation>
+    </message>
+    <message>
+        <source>choose it again in Play mode</source>
+        <translation>choisissez-le à nouveau dans le mode Lire</translation>
+    </message>
+    <message>
+        <source>choose it on the organ; check the axes (RAS or LPS) too</source>
+        <translation>choisissez-le sur l’organe ; vérifiez aussi les axes (RAS ou LPS)</translation>
+    </message>
+    <message>
+        <source>choose more than 0 and up to 10 times</source>
+        <translation>choisissez plus de 0 et jusqu’à 10 fois</translation>
+    </message>
+    <message>
         <source>choose one of them</source>
         <translation>choisissez l’un d’eux</translation>
     </message>
     <message>
         <source>choose organ, axis or cluster</source>
         <translation>choisissez organ, axis ou cluster</translation>
+    </message>
+    <message>
+        <source>choose the two ends of the organ</source>
+        <translation>choisissez les deux extrémités de l’organe</translation>
     </message>
     <message>
         <source>choose two ends of one surface</source>
@@ -2117,12 +3119,52 @@
         <translation>fermez d’abord ses trous</translation>
     </message>
     <message>
+        <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
+        <translation>fermez ses trous, par exemple avec viscera convert ENTRÉE SORTIE --fill-holes ; une surface ouverte n’a pas de volume à conserver</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>fermez d’autres programmes, ou travaillez avec moins d’organes ou des surfaces plus grossières</translation>
     </message>
     <message>
+        <source>compare it with the example in docs/lessons.md</source>
+        <translation>comparez-le avec l’exemple de docs/lessons.md</translation>
+    </message>
+    <message>
+        <source>compensating handles</source>
+        <translation>poignées qui compensent</translation>
+    </message>
+    <message>
         <source>coordinates need at least four handles, there are %1</source>
         <translation>les coordonnées demandent au moins quatre poignées, il y en a %1</translation>
+    </message>
+    <message>
+        <source>copy its contents to a file first</source>
+        <translation>copiez d’abord son contenu dans un fichier</translation>
+    </message>
+    <message>
+        <source>copy the file anew, or take it out of the folder to read the others</source>
+        <translation>recopiez le fichier, ou retirez-le du dossier pour lire les autres</translation>
+    </message>
+    <message>
+        <source>crop the image to the organs</source>
+        <translation>recadrez l’image sur les organes</translation>
+    </message>
+    <message>
+        <source>crop the images to the organ</source>
+        <translation>recadrez les images sur l’organe</translation>
+    </message>
+    <message>
+        <source>crop the scan to the organs</source>
+        <translation>recadrez l’examen sur les organes</translation>
+    </message>
+    <message>
+        <source>deeper ones would push folds of the surface into one another</source>
+        <translation>des ondes plus profondes pousseraient les plis de la surface les uns dans les autres</translation>
+    </message>
+    <message>
+        <source>derivatives at the witness points</source>
+        <translation>dérivées aux points témoins</translation>
     </message>
     <message>
         <source>diastasis</source>
@@ -2133,8 +3175,16 @@
         <translation>diastole</translation>
     </message>
     <message>
+        <source>displacement fields cannot be written as &quot;%1&quot;</source>
+        <translation>les champs de déplacements ne peuvent pas être écrits en « %1 »</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distance</translation>
+    </message>
+    <message>
+        <source>does not fit into memory</source>
+        <translation>ne tient pas en mémoire</translation>
     </message>
     <message>
         <source>does not lie between 0 and 1</source>
@@ -2153,20 +3203,88 @@
         <translation>volume télésystolique</translation>
     </message>
     <message>
+        <source>ends the cycle at another volume than it begins</source>
+        <translation>termine le cycle à un autre volume qu’au début</translation>
+    </message>
+    <message>
+        <source>even so, folds of the surface meet when they pass</source>
+        <translation>malgré cela, des plis de la surface se touchent à leur passage</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>expiration</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same axes</source>
+        <translation>exportez toutes les surfaces d’un patient dans les mêmes axes</translation>
+    </message>
+    <message>
+        <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
+        <translation>exportez toutes les surfaces d’un patient de la même façon (viscera convert --space LPS)</translation>
+    </message>
+    <message>
+        <source>export it as a surface</source>
+        <translation>exportez-le comme surface</translation>
+    </message>
+    <message>
+        <source>export it as a surface of triangles</source>
+        <translation>exportez-la comme surface de triangles</translation>
+    </message>
+    <message>
+        <source>export or copy the file again</source>
+        <translation>exportez ou copiez le fichier à nouveau</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exportez de nouveau la surface</translation>
     </message>
     <message>
+        <source>filling the handles with tetrahedra</source>
+        <translation>remplissage des poignées par des tétraèdres</translation>
+    </message>
+    <message>
         <source>filling the organ with tetrahedra</source>
         <translation>remplissage de l’organe par des tétraèdres</translation>
     </message>
     <message>
+        <source>finding landmarks</source>
+        <translation>recherche des repères</translation>
+    </message>
+    <message>
+        <source>folded where it is hatched</source>
+        <translation>replié là où c’est hachuré</translation>
+    </message>
+    <message>
         <source>fundus</source>
         <translation>fundus</translation>
+    </message>
+    <message>
+        <source>fundus, centreline from the fundus down, body in between, pylorus</source>
+        <translation>fundus, ligne médiane à partir du fundus, corps entre les deux, pylore</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>donnez un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>give a whole number from %1 to %2</source>
+        <translation>donnez un nombre entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>give apex and base too</source>
+        <translation>donnez aussi apex et base</translation>
+    </message>
+    <message>
+        <source>give both, or none to have them computed</source>
+        <translation>donnez les deux, ou aucun pour qu’ils soient calculés</translation>
+    </message>
+    <message>
+        <source>give every handle a label of its own</source>
+        <translation>donnez à chaque poignée sa propre étiquette</translation>
+    </message>
+    <message>
+        <source>give fundus and pylorus too</source>
+        <translation>donnez aussi fundus et pylorus</translation>
     </message>
     <message>
         <source>give it another one</source>
@@ -2175,6 +3293,30 @@
     <message>
         <source>give it one</source>
         <translation>donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>give one between 0.1 and 0.8</source>
+        <translation>donnez-en une entre 0,1 et 0,8</translation>
+    </message>
+    <message>
+        <source>give one for each phase</source>
+        <translation>donnez-en un pour chaque phase</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>donnez l’un de : %1</translation>
+    </message>
+    <message>
+        <source>give points of the centreline yourself</source>
+        <translation>donnez vous-même des points de la ligne médiane</translation>
+    </message>
+    <message>
+        <source>give the outer surface the labels of its cavities too, as in EPI=1,2,3</source>
+        <translation>donnez aussi à la surface externe les étiquettes de ses cavités, comme dans EPI=1,2,3</translation>
+    </message>
+    <message>
+        <source>grid inside the surface</source>
+        <translation>grille à l’intérieur de la surface</translation>
     </message>
     <message>
         <source>group</source>
@@ -2197,8 +3339,43 @@
         <translation>poignées %1 et %2</translation>
     </message>
     <message>
+        <source>handles cannot be written as &quot;%1&quot;</source>
+        <translation>les poignées ne peuvent pas être écrites en « %1 »</translation>
+    </message>
+    <message>
+        <source>handles come from .mrk.json or .fcsv files</source>
+        <translation>les poignées viennent de fichiers .mrk.json ou .fcsv</translation>
+    </message>
+    <message>
+        <source>harmonic coordinates</source>
+        <translation>coordonnées harmoniques</translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n {column|columns}</source>
+        <translation>
+            <numerusform>a %n colonne</numerusform>
+            <numerusform>a %n colonnes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>has a volume that is not positive</source>
+        <translation>a un volume qui n’est pas positif</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>maintien</translation>
+    </message>
+    <message>
+        <source>holds something that is not a number</source>
+        <translation>contient quelque chose qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
+        <translation>si ce n’est pas un cycle entier, indiquez qu’il doit être lu une fois (--once) ; sinon ajoutez les phases qui manquent</translation>
+    </message>
+    <message>
+        <source>images cannot be written as &quot;%1&quot;</source>
+        <translation>les images ne peuvent pas être écrites en « %1 »</translation>
     </message>
     <message>
         <source>in</source>
@@ -2209,6 +3386,44 @@
         <translation>inspiration</translation>
     </message>
     <message>
+        <source>install Viscera again, or name it in VISCERA_TETGEN_WORKER</source>
+        <translation>réinstallez Viscera, ou indiquez-le dans VISCERA_TETGEN_WORKER</translation>
+    </message>
+    <message>
+        <source>install ffmpeg, or write an .ogv</source>
+        <translation>installez ffmpeg, ou écrivez un .ogv</translation>
+    </message>
+    <message>
+        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
+        <translation>installez libegl1 et libgl1-mesa-dri, ou lancez-le avec un écran</translation>
+    </message>
+    <message>
+        <source>is not a file that can be read</source>
+        <translation>n’est pas un fichier qui puisse être lu</translation>
+    </message>
+    <message>
+        <source>is not later than the line before</source>
+        <translation>n’est pas postérieure à la ligne précédente</translation>
+    </message>
+    <message numerus="yes">
+        <source>is not manifold at %n {edge|edges}</source>
+        <translation>
+            <numerusform>n’est pas une variété à %n arête</numerusform>
+            <numerusform>n’est pas une variété à %n arêtes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>is open at %n {edge|edges}</source>
+        <translation>
+            <numerusform>est ouverte à %n arête</numerusform>
+            <numerusform>est ouverte à %n arêtes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>is too thin in places for a surface with the volume of its voxels</source>
+        <translation>est par endroits trop mince pour une surface ayant le volume de ses voxels</translation>
+    </message>
+    <message>
         <source>isovolumic contraction</source>
         <translation>contraction isovolumique</translation>
     </message>
@@ -2217,12 +3432,28 @@
         <translation>relaxation isovolumique</translation>
     </message>
     <message>
+        <source>it crashed</source>
+        <translation>il a planté</translation>
+    </message>
+    <message>
         <source>it does not lie within the period</source>
         <translation>elle n’est pas dans la période</translation>
     </message>
     <message>
+        <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
+        <translation>il n’indique pas où sont les côtés du patient ; les axes sont pris comme droite, avant et haut</translation>
+    </message>
+    <message>
         <source>it follows no handles, so nothing can change its volume</source>
         <translation>il ne suit aucune poignée, rien ne peut donc changer son volume</translation>
+    </message>
+    <message>
+        <source>it gave up</source>
+        <translation>il a renoncé</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>il y a %1</translation>
     </message>
     <message>
         <source>it has %1 triangles</source>
@@ -2233,8 +3464,20 @@
         <translation>il n’a pas de nom</translation>
     </message>
     <message>
+        <source>it has no organ for each surface, or no phases</source>
+        <translation>il n’a pas d’organe pour chaque surface, ou pas de phases</translation>
+    </message>
+    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>elle n’est pas au moins une milliseconde après la clé précédente</translation>
+    </message>
+    <message>
+        <source>it is not a record of a measured motion</source>
+        <translation>ce n’est pas l’enregistrement d’un mouvement mesuré</translation>
+    </message>
+    <message>
+        <source>it may be mirrored</source>
+        <translation>il est peut-être en miroir</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
@@ -2257,12 +3500,24 @@
         <translation>ses poignées ne sont pas celles de l’ensemble, chacune une fois et dans l’ordre</translation>
     </message>
     <message>
+        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
+        <translation>son en-tête est endommagé : une image a de 2 à 7 dimensions, non %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its size along %1 is %2</source>
+        <translation>son en-tête est endommagé : sa taille selon %1 est %2</translation>
+    </message>
+    <message>
         <source>its id is another thing's, too</source>
         <translation>son identifiant est aussi celui d’autre chose</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
         <translation>son identifiant n’est pas un entier de 1 à 2^52</translation>
+    </message>
+    <message>
+        <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
+        <translation>ses étiquettes sont celles d’un cœur : le muscle et les cavités forment sa surface externe, chaque chambre est une cavité</translation>
     </message>
     <message>
         <source>its name is not UTF-8</source>
@@ -2277,12 +3532,24 @@
         <translation>son organe parent n’est pas avant lui</translation>
     </message>
     <message>
+        <source>its points and triangles are no lists of threes</source>
+        <translation>ses points et triangles ne sont pas des listes de triplets</translation>
+    </message>
+    <message>
         <source>its position</source>
         <translation>sa position</translation>
     </message>
     <message>
         <source>its position at rest</source>
         <translation>sa position au repos</translation>
+    </message>
+    <message>
+        <source>its sform and qform place the image differently; the sform is used</source>
+        <translation>son sform et son qform placent l’image différemment ; sform est utilisé</translation>
+    </message>
+    <message>
+        <source>its sform is singular or not finite and is not used</source>
+        <translation>son sform est singulier ou non fini et n’est pas utilisé</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -2308,6 +3575,14 @@
         <translation>ses deux extrémités sont sur des morceaux séparés</translation>
     </message>
     <message>
+        <source>its unit is the metre; converted to mm</source>
+        <translation>son unité est le mètre ; converti en mm</translation>
+    </message>
+    <message>
+        <source>its unit is the micrometre; converted to mm</source>
+        <translation>son unité est le micromètre ; converti en mm</translation>
+    </message>
+    <message>
         <source>its value is not a finite number</source>
         <translation>sa valeur n’est pas un nombre fini</translation>
     </message>
@@ -2316,24 +3591,108 @@
         <translation>son volume ne peut être gardé que s’il est lié aux poignées présentes</translation>
     </message>
     <message>
+        <source>its volume is another one</source>
+        <translation>son volume en est un autre</translation>
+    </message>
+    <message>
         <source>its volume is not locked any more: the surface is open now</source>
         <translation>son volume n’est plus verrouillé : la surface est maintenant ouverte</translation>
+    </message>
+    <message>
+        <source>its voxels are more than 1000 km away</source>
+        <translation>ses voxels sont à plus de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels lie elsewhere than those of the other masks</source>
+        <translation>ses voxels sont ailleurs que ceux des autres masques</translation>
     </message>
     <message>
         <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
         <translation>ses poids ne sont pas un lieu d’un triangle : ils doivent être d’au moins 0, et 1 ensemble</translation>
     </message>
     <message>
+        <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
+        <translation>gardez le plus grand, par exemple avec viscera convert ENTRÉE SORTIE --keep-largest</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clé</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>clé %1</translation>
+    </message>
+    <message>
+        <source>known endings: %1</source>
+        <translation>extensions connues : %1</translation>
+    </message>
+    <message>
+        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
+        <translation>extensions connues : .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
+    </message>
+    <message>
+        <source>label it in every phase, or leave this phase out</source>
+        <translation>étiquetez-le dans chaque phase, ou omettez cette phase</translation>
+    </message>
+    <message>
+        <source>label the points %1</source>
+        <translation>nommez les points %1</translation>
+    </message>
+    <message>
+        <source>leave it out for surfaces</source>
+        <translation>omettez-le pour les surfaces</translation>
+    </message>
+    <message>
+        <source>leave the landmarks out</source>
+        <translation>omettez les repères</translation>
+    </message>
+    <message>
+        <source>leave two: the instant, and the volume in ml</source>
+        <translation>laissez-en deux : l’instant et le volume en ml</translation>
     </message>
     <message>
         <source>lengthen the period first</source>
         <translation>allongez d’abord la période</translation>
     </message>
     <message>
+        <source>let its name end in .mrk.json or .fcsv</source>
+        <translation>faites finir son nom par .mrk.json ou .fcsv</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii.gz, .nii or .nrrd</source>
+        <translation>faites finir son nom par .nii.gz, .nii ou .nrrd</translation>
+    </message>
+    <message>
+        <source>let its name end in .nrrd or .mha</source>
+        <translation>faites finir son nom par .nrrd ou .mha</translation>
+    </message>
+    <message>
+        <source>let more handles compensate, or ask for a volume nearer to the present one</source>
+        <translation>laissez compenser plus de poignées, ou demandez un volume plus proche de l’actuel</translation>
+    </message>
+    <message>
+        <source>let the last volume be the first one</source>
+        <translation>donnez au dernier volume la valeur du premier</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>load a closed surface</source>
+        <translation>chargez une surface fermée</translation>
+    </message>
+    <message>
+        <source>looking for folds</source>
+        <translation>recherche de plis</translation>
+    </message>
+    <message>
+        <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
+        <translation>faites les poignées à partir de cette cage : viscera handles ORGANE --cage FICHIER</translation>
+    </message>
+    <message>
+        <source>measured motion</source>
+        <translation>mouvement mesuré</translation>
     </message>
     <message>
         <source>measurement</source>
@@ -2356,20 +3715,112 @@
         <translation>déplacez-en un hors du plan</translation>
     </message>
     <message>
+        <source>move or delete one of them</source>
+        <translation>déplacez ou supprimez l’une d’elles</translation>
+    </message>
+    <message>
         <source>move or remove one of them</source>
         <translation>déplacez ou retirez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>move some off the line</source>
+        <translation>sortez-en quelques-unes de la droite</translation>
+    </message>
+    <message>
+        <source>move some off the plane, or add enclosing handles</source>
+        <translation>sortez-en quelques-unes du plan, ou ajoutez des poignées englobantes</translation>
     </message>
     <message>
         <source>move the vertices there apart, or take another cage</source>
         <translation>écartez les sommets à cet endroit, ou prenez une autre cage</translation>
     </message>
     <message>
+        <source>movies of this kind cannot be written</source>
+        <translation>les films de ce type ne peuvent pas être écrits</translation>
+    </message>
+    <message>
+        <source>name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase</source>
+        <translation>indiquez un NIfTI 4D, un .seq.nrrd de 3D Slicer ou un fichier pour chaque phase</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>indiquez un fichier qu’il contient</translation>
+    </message>
+    <message>
+        <source>name a folder with one file for each phase</source>
+        <translation>indiquez un dossier avec un fichier pour chaque phase</translation>
+    </message>
+    <message>
+        <source>name a folder with one mask for each organ, such as liver.nii.gz</source>
+        <translation>indiquez un dossier avec un masque pour chaque organe, tel que liver.nii.gz</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle</source>
+        <translation>indiquez toutes les phases du cycle</translation>
+    </message>
+    <message>
+        <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
+        <translation>indiquez toutes les phases du cycle ; une seule image d’un cœur avec cavités peut battre comme dans le manuel (--textbook ; dans la fenêtre, ajuster une séquence à un organe)</translation>
+    </message>
+    <message>
+        <source>name compensating handles</source>
+        <translation>indiquez des poignées qui compensent</translation>
+    </message>
+    <message>
+        <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
+        <translation>indiquez des instants de 0 à 1, ou écrivez « time_s » au-dessus pour des secondes</translation>
+    </message>
+    <message>
         <source>name it %1</source>
         <translation>nommez-le %1</translation>
     </message>
     <message>
+        <source>name its files, a folder, or a file of several volumes</source>
+        <translation>indiquez ses fichiers, un dossier ou un fichier de plusieurs volumes</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series</source>
+        <translation>indiquez le dossier d’une série de TDM ou d’IRM</translation>
+    </message>
+    <message>
+        <source>name the folder of a CT or MR series, or one of its files</source>
+        <translation>indiquez le dossier d’une série de TDM ou d’IRM, ou l’un de ses fichiers</translation>
+    </message>
+    <message>
+        <source>name the folder of one patient</source>
+        <translation>indiquez le dossier d’un seul patient</translation>
+    </message>
+    <message>
+        <source>name the folder, or another file in it</source>
+        <translation>indiquez le dossier, ou un autre fichier de celui-ci</translation>
+    </message>
+    <message>
+        <source>names an instant outside the cycle</source>
+        <translation>nomme un instant hors du cycle</translation>
+    </message>
+    <message>
+        <source>no EGL platform works without a window system</source>
+        <translation>aucune plateforme EGL ne fonctionne sans système de fenêtres</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.2 context</source>
+        <translation>pas de contexte OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>no compensation within %1 mm restores the volume</source>
+        <translation>aucune compensation en deçà de %1 mm ne rétablit le volume</translation>
+    </message>
+    <message>
         <source>no edge joins more than two triangles</source>
         <translation>aucune arête ne joint plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>no handle is left to compensate the change of volume</source>
+        <translation>il ne reste aucune poignée pour compenser le changement de volume</translation>
+    </message>
+    <message>
+        <source>no handle is left to make up for the volume</source>
+        <translation>il ne reste aucune poignée pour compenser le volume</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -2384,12 +3835,35 @@
         <translation>aucune surface n’a autant de triangles</translation>
     </message>
     <message>
+        <source>no witness point lies inside</source>
+        <translation>aucun point témoin n’est à l’intérieur</translation>
+    </message>
+    <message>
+        <source>nothing that Viscera knows</source>
+        <translation>rien que Viscera connaisse</translation>
+    </message>
+    <message>
         <source>one of its points</source>
         <translation>un de ses points</translation>
+    </message>
+    <message numerus="yes">
+        <source>only %n {handle|handles}</source>
+        <translation>
+            <numerusform>seulement %n poignée</numerusform>
+            <numerusform>seulement %n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
+        <translation>ouvrez un fichier NIfTI, NRRD ou MetaImage, ou une série DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
         <translation>ouvrez-le à côté des organes (Fichier &gt; Ouvrir un examen), ou faites-en d’abord une carte d’étiquettes, avec 3D Slicer ou TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>open it by itself, or remove it from the folder</source>
+        <translation>ouvrez-le seul, ou retirez-le du dossier</translation>
     </message>
     <message>
         <source>open one first</source>
@@ -2398,6 +3872,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>ouvrez les autres fichiers ensuite</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from the image</source>
+        <translation>ouvrez la segmentation faite à partir de l’image</translation>
     </message>
     <message>
         <source>organ</source>
@@ -2416,6 +3894,10 @@
         <translation>paramètre %1</translation>
     </message>
     <message>
+        <source>parameters: %1</source>
+        <translation>paramètres : %1</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>pause</translation>
     </message>
@@ -2424,24 +3906,88 @@
         <translation>contrainte maximale sur la séquence</translation>
     </message>
     <message>
+        <source>phase %1</source>
+        <translation>phase %1</translation>
+    </message>
+    <message>
+        <source>phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it out</source>
+        <translation>la phase %1 s’ajuste beaucoup moins bien que ses voisines (%2 contre %3 mm) : vérifiez ses données, ou omettez-la</translation>
+    </message>
+    <message>
+        <source>phase %1: %2</source>
+        <translation>phase %1 : %2</translation>
+    </message>
+    <message>
         <source>pick the point on the surface again</source>
         <translation>choisissez de nouveau le point sur la surface</translation>
+    </message>
+    <message>
+        <source>pictures of different sizes do not fit on one sheet</source>
+        <translation>des images de tailles différentes ne vont pas sur une même planche</translation>
     </message>
     <message>
         <source>place handles around it</source>
         <translation>placez des poignées autour</translation>
     </message>
     <message>
+        <source>place more handles</source>
+        <translation>placez plus de poignées</translation>
+    </message>
+    <message>
         <source>place some first</source>
         <translation>placez-en d’abord</translation>
+    </message>
+    <message>
+        <source>place some points and save them again</source>
+        <translation>placez quelques points et enregistrez-les à nouveau</translation>
+    </message>
+    <message>
+        <source>place the handle again</source>
+        <translation>placez la poignée à nouveau</translation>
+    </message>
+    <message>
+        <source>placing handles</source>
+        <translation>placement des poignées</translation>
+    </message>
+    <message>
+        <source>play at least one whole beat</source>
+        <translation>lisez au moins un battement entier</translation>
+    </message>
+    <message>
+        <source>play at the rate that the times are for</source>
+        <translation>lisez à la fréquence pour laquelle les instants sont donnés</translation>
     </message>
     <message>
         <source>point %1 has a coordinate that is not a finite number</source>
         <translation>le point %1 a une coordonnée qui n’est pas un nombre fini</translation>
     </message>
     <message>
+        <source>point %1 lies more than 1000 km away: the file is damaged</source>
+        <translation>le point %1 est à plus de 1000 km : le fichier est endommagé</translation>
+    </message>
+    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>des points confondus ou presque plans en sont la cause</translation>
+    </message>
+    <message>
+        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>le polygone %1 renvoie au point %2, mais il y en a %3 (comptés à partir de 0)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder</source>
+        <translation>mettez les deux fichiers dans un même dossier</translation>
+    </message>
+    <message>
+        <source>put it into the middle of the stomach</source>
+        <translation>placez-le au milieu de l’estomac</translation>
+    </message>
+    <message>
+        <source>put masks of one image into a folder of their own</source>
+        <translation>mettez les masques d’une même image dans un dossier à part</translation>
+    </message>
+    <message>
+        <source>put those of one kind into a folder of their own</source>
+        <translation>mettez ceux d’un même type dans un dossier à part</translation>
     </message>
     <message>
         <source>pylorus</source>
@@ -2456,16 +4002,48 @@
         <translation>remplissage rapide</translation>
     </message>
     <message>
+        <source>reaches the edge of the image, which may cut it off</source>
+        <translation>atteint le bord de l’image, qui le coupe peut-être</translation>
+    </message>
+    <message>
+        <source>record a pose first</source>
+        <translation>enregistrez d’abord une pose</translation>
+    </message>
+    <message>
+        <source>record and save the sequence again</source>
+        <translation>enregistrez et sauvegardez la séquence à nouveau</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>rectangle</translation>
+    </message>
+    <message>
+        <source>reduce the surface first</source>
+        <translation>réduisez d’abord la surface</translation>
+    </message>
+    <message>
+        <source>reduce the surfaces first</source>
+        <translation>réduisez d’abord les surfaces</translation>
     </message>
     <message>
         <source>reduced ejection</source>
         <translation>éjection lente</translation>
     </message>
     <message>
+        <source>remove one of the two</source>
+        <translation>supprimez l’un des deux</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>supprimez l’un d’eux</translation>
+    </message>
+    <message>
         <source>remove one of them from the file</source>
         <translation>retirez l’une d’elles du fichier</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>renommez-le pour qu’il se termine par %1</translation>
     </message>
     <message>
         <source>repair the surface</source>
@@ -2484,20 +4062,68 @@
         <translation>réparation de la surface</translation>
     </message>
     <message>
+        <source>resample all phases to one grid, in the same axes</source>
+        <translation>rééchantillonnez toutes les phases sur une seule grille, avec les mêmes axes</translation>
+    </message>
+    <message>
+        <source>resample the images to an upright grid</source>
+        <translation>rééchantillonnez les images sur une grille droite</translation>
+    </message>
+    <message>
+        <source>restore its definition from the installation</source>
+        <translation>restaurez sa définition depuis l’installation</translation>
+    </message>
+    <message>
+        <source>restoring the volume would move a handle by %1 mm</source>
+        <translation>rétablir le volume déplacerait une poignée de %1 mm</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, and so are front and back: the files seem to be in RAS</source>
+        <translation>droite et gauche sont échangées, ainsi que l’avant et l’arrière : les fichiers semblent être en RAS</translation>
+    </message>
+    <message>
         <source>right and left are exchanged, front and back are not: mirrored</source>
         <translation>droite et gauche sont échangées, avant et arrière non : en miroir</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged: the files may be in RAS, or mirrored</source>
+        <translation>droite et gauche sont échangées : les fichiers sont peut-être en RAS, ou en miroir</translation>
     </message>
     <message>
         <source>save it as a file of its own first</source>
         <translation>enregistrez-le d’abord dans un fichier à part</translation>
     </message>
     <message>
+        <source>save it as a label map</source>
+        <translation>enregistrez-le comme carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>save it with one value a voxel</source>
+        <translation>enregistrez-la avec une valeur par voxel</translation>
+    </message>
+    <message>
         <source>save often, or make room there</source>
         <translation>enregistrez souvent, ou faites-y de la place</translation>
     </message>
     <message>
+        <source>save one of them, or follow the motion over all of them with viscera track</source>
+        <translation>enregistrez l’un d’eux, ou suivez le mouvement sur tous avec viscera track</translation>
+    </message>
+    <message>
+        <source>say it with --period-ms, or the rate with --rate</source>
+        <translation>indiquez-la avec --period-ms, ou la fréquence avec --rate</translation>
+    </message>
+    <message>
+        <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
+        <translation>indiquez quelles surfaces elles forment, comme dans --surface LV=1 --surface RV=2 --surface EPI=1,2,3, la surface externe avec toutes les étiquettes qu’elle contient</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>douce</translation>
+    </message>
+    <message>
+        <source>sort the lines by their instants</source>
+        <translation>triez les lignes par instant</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -2508,12 +4134,48 @@
         <translation>volume d’éjection systolique</translation>
     </message>
     <message>
+        <source>surfaces at rest</source>
+        <translation>surfaces au repos</translation>
+    </message>
+    <message>
+        <source>surfaces cannot be written as &quot;%1&quot;</source>
+        <translation>les surfaces ne peuvent pas être écrites en « %1 »</translation>
+    </message>
+    <message>
+        <source>system parameter %1</source>
+        <translation>paramètre %1 du système</translation>
+    </message>
+    <message>
+        <source>system parameters</source>
+        <translation>paramètres du système</translation>
+    </message>
+    <message>
         <source>systole</source>
         <translation>systole</translation>
     </message>
     <message>
         <source>take a backup of the file, or begin a new session with the organs' own files</source>
         <translation>prenez une sauvegarde du fichier, ou commencez une nouvelle session avec les fichiers des organes</translation>
+    </message>
+    <message>
+        <source>take a cage that surrounds the organ, or the handles' convex hull as the cage</source>
+        <translation>prenez une cage qui entoure l’organe, ou l’enveloppe convexe des poignées comme cage</translation>
+    </message>
+    <message>
+        <source>take a closed cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>prenez une cage fermée, ou aucune : l’enveloppe convexe des poignées est alors la cage</translation>
+    </message>
+    <message>
+        <source>take a convex cage, or none: then the convex hull of the handles is the cage</source>
+        <translation>prenez une cage convexe, ou aucune : l’enveloppe convexe des poignées est alors la cage</translation>
+    </message>
+    <message>
+        <source>take a larger one</source>
+        <translation>prenez-en un plus grand</translation>
+    </message>
+    <message>
+        <source>take another positivity</source>
+        <translation>choisissez une autre positivité</translation>
     </message>
     <message>
         <source>take the sequence's own handles</source>
@@ -2524,44 +4186,242 @@
         <translation>contraction antrale terminale</translation>
     </message>
     <message>
+        <source>tetrahedron %1 has a corner that does not exist</source>
+        <translation>le tétraèdre %1 a un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>tetrahedron %1 is flat or turned around</source>
+        <translation>le tétraèdre %1 est plat ou retourné</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>les tétraèdres de Delaunay de %1 points ne peuvent pas être calculés</translation>
+    </message>
+    <message>
+        <source>the biharmonic energy cannot be factorised</source>
+        <translation>l’énergie biharmonique ne peut pas être factorisée</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>la cage</translation>
+    </message>
+    <message>
+        <source>the context cannot be used without a surface</source>
+        <translation>le contexte ne peut pas être utilisé sans surface</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>l’enveloppe convexe de %1 points ne peut pas être calculée</translation>
     </message>
     <message>
+        <source>the directions and spacing of its voxels enclose no volume</source>
+        <translation>les directions et l’espacement de ses voxels n’enferment aucun volume</translation>
+    </message>
+    <message>
+        <source>the directions, spacing or origin of its voxels are not finite</source>
+        <translation>les directions, l’espacement ou l’origine de ses voxels ne sont pas finis</translation>
+    </message>
+    <message>
+        <source>the driver's OpenGL is older than 3.2</source>
+        <translation>l’OpenGL du pilote est antérieur à 3.2</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a label map</source>
+        <translation>l’extension « %1 » n’est pas celle d’une carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>the ending &quot;%1&quot; is none of a surface file</source>
+        <translation>l’extension « %1 » n’est pas celle d’un fichier de surface</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>le fichier n’indique pas ses axes : LPS est supposé</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
+        <translation>
+            <numerusform>le fichier est tronqué : il a %n octet, un en-tête NIfTI seul en a 348</numerusform>
+            <numerusform>le fichier est tronqué : il a %n octets, un en-tête NIfTI seul en a 348</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
+        <translation>le fichier est tronqué : son en-tête promet %1 octets de voxels, il y en a %2</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its packed data end too early</source>
+        <translation>le fichier est tronqué : ses données compressées s’arrêtent trop tôt</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file may be in RAS, or mirrored</source>
+        <translation>le fichier est peut-être en RAS, ou en miroir</translation>
+    </message>
+    <message>
+        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
+        <translation>le fichier indique les axes %1, que Viscera ne connaît pas ; LPS est supposé</translation>
     </message>
     <message>
         <source>the file states its axes: %1</source>
         <translation>le fichier indique ses axes : %1</translation>
     </message>
     <message>
+        <source>the first one is 0</source>
+        <translation>la première est 0</translation>
+    </message>
+    <message>
+        <source>the first one there is: &quot;%1&quot;</source>
+        <translation>la première qui existe : « %1 »</translation>
+    </message>
+    <message>
+        <source>the first phase</source>
+        <translation>la première phase</translation>
+    </message>
+    <message>
+        <source>the folder for the frames cannot be written</source>
+        <translation>impossible d’écrire dans le dossier des images</translation>
+    </message>
+    <message>
+        <source>the frame rate has to be positive</source>
+        <translation>la fréquence d’images doit être positive</translation>
+    </message>
+    <message>
+        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
+        <translation>les images d’un film doivent avoir une même taille : celle-ci fait %1 x %2, la première %3 x %4</translation>
+    </message>
+    <message>
         <source>the handle %1 comes twice</source>
         <translation>la poignée %1 apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the handle %1 is in two groups</source>
+        <translation>la poignée %1 est dans deux groupes</translation>
     </message>
     <message>
         <source>the handles enclose nothing: %1</source>
         <translation>les poignées n’entourent rien : %1</translation>
     </message>
     <message>
+        <source>the handles that may compensate cannot restore the volume</source>
+        <translation>les poignées qui peuvent compenser ne rétablissent pas le volume</translation>
+    </message>
+    <message>
+        <source>the handles' tetrahedra</source>
+        <translation>les tétraèdres des poignées</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>l’identifiant %1 apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; comes twice</source>
+        <translation>l’étiquette « %1 » apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
+        <translation>l’étiquette « %1 » n’est pas un repère de la séquence %2</translation>
+    </message>
+    <message>
+        <source>the landmark &quot;%1&quot; comes twice</source>
+        <translation>le repère « %1 » apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the landmark lies %1 outside the organ</source>
+        <translation>le repère est à %1 hors de l’organe</translation>
+    </message>
+    <message>
+        <source>the landmark's position is not a finite number</source>
+        <translation>la position du repère n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the landmarks are not in order along the stomach</source>
+        <translation>les repères ne sont pas dans l’ordre le long de l’estomac</translation>
+    </message>
+    <message>
+        <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
+        <translation>la dernière phase est égale à la première et est omise : la phase %1 serait à nouveau la phase 1</translation>
     </message>
     <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>les limites de temps et de mémoire doivent être supérieures à 0</translation>
     </message>
     <message>
+        <source>the locked volumes cannot be kept</source>
+        <translation>les volumes verrouillés ne peuvent pas être conservés</translation>
+    </message>
+    <message>
+        <source>the middle line that was computed leaves the organ</source>
+        <translation>la ligne médiane calculée sort de l’organe</translation>
+    </message>
+    <message>
+        <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
+        <translation>le mouvement est celui du manuel, ajusté à une image : ce n’est pas celui de ce patient</translation>
+    </message>
+    <message>
+        <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
+        <translation>le mouvement d’un organe ne peut pas être refait : on ne sait pas comment il a été fait</translation>
+    </message>
+    <message>
+        <source>the movie cannot be written</source>
+        <translation>le film ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>the movie has no frame</source>
+        <translation>le film n’a aucune image</translation>
+    </message>
+    <message>
+        <source>the name of a sequence file ends in .sequence.json</source>
+        <translation>le nom d’un fichier de séquence se termine par .sequence.json</translation>
+    </message>
+    <message>
         <source>the name of a session file ends in .viscera</source>
         <translation>le nom d’un fichier de session se termine par .viscera</translation>
     </message>
     <message>
+        <source>the names of its labels are those of %1</source>
+        <translation>les noms de ses étiquettes sont ceux de %1</translation>
+    </message>
+    <message>
+        <source>the number of groups must be at least 1, not %1</source>
+        <translation>le nombre de groupes doit être d’au moins 1, non %1</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as long as that of an adult; check its unit</source>
+        <translation>l’organe est %1 fois aussi long que celui d’un adulte ; vérifiez son unité</translation>
+    </message>
+    <message>
+        <source>the organ is in %1 pieces</source>
+        <translation>l’organe est en %1 morceaux</translation>
+    </message>
+    <message>
+        <source>the organ is inside out or flat</source>
+        <translation>l’organe est retourné ou plat</translation>
+    </message>
+    <message numerus="yes">
+        <source>the organ is open: %n boundary {edge|edges}</source>
+        <translation>
+            <numerusform>l’organe est ouvert : %n arête de bord</numerusform>
+            <numerusform>l’organe est ouvert : %n arêtes de bord</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the organ that it is a cavity of is not before it</source>
         <translation>l’organe dont il est une cavité n’est pas avant lui</translation>
+    </message>
+    <message>
+        <source>the outline of %1 vertices cannot follow %2</source>
+        <translation>le contour de %1 sommets ne peut pas en suivre %2</translation>
+    </message>
+    <message>
+        <source>the overlap of groups must lie between 0 and 1</source>
+        <translation>le recouvrement des groupes doit être compris entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged</source>
+        <translation>les données compressées sont endommagées</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -2572,12 +4432,63 @@
         <translation>la période n’est pas un nombre positif de secondes</translation>
     </message>
     <message>
+        <source>the picture cannot be written</source>
+        <translation>l’image ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>the picture does not exist</source>
+        <translation>l’image n’existe pas</translation>
+    </message>
+    <message>
+        <source>the picture is not of three channels of 8 bits</source>
+        <translation>l’image n’a pas trois canaux de 8 bits</translation>
+    </message>
+    <message>
+        <source>the points to show are %1, the surface has %2</source>
+        <translation>les points à montrer sont %1, la surface en a %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
+        <translation>
+            <numerusform>la pose a %n poignée, l’organe est lié à %2</numerusform>
+            <numerusform>la pose a %n poignées, l’organe est lié à %2</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the pose has another number of handles than the document</source>
         <translation>la pose n’a pas le même nombre de poignées que le document</translation>
     </message>
     <message>
+        <source>the position is not finite</source>
+        <translation>la position n’est pas finie</translation>
+    </message>
+    <message>
+        <source>the position of the handle %1 in %2 is not finite</source>
+        <translation>la position de la poignée %1 dans %2 n’est pas finie</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
+        <translation>ce type de film demande le programme ffmpeg, qui n’est pas installé</translation>
+    </message>
+    <message>
         <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
         <translation>la qualité des tétraèdres est un rapport de 1,1 (meilleur) à 10</translation>
+    </message>
+    <message>
+        <source>the reply is cut short</source>
+        <translation>la réponse est tronquée</translation>
+    </message>
+    <message>
+        <source>the reply is damaged</source>
+        <translation>la réponse est endommagée</translation>
+    </message>
+    <message>
+        <source>the right ventricle is too small to eject as much as the left one</source>
+        <translation>le ventricule droit est trop petit pour éjecter autant que le gauche</translation>
+    </message>
+    <message>
+        <source>the sample organ has no surface &quot;%1&quot;</source>
+        <translation>l’organe d’exemple n’a pas de surface « %1 »</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -2592,6 +4503,18 @@
         <translation>la taille est plausible : %1</translation>
     </message>
     <message>
+        <source>the sizes of its voxels are missing, zero or not finite</source>
+        <translation>les tailles de ses voxels manquent, sont nulles ou non finies</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; has two files of one phase</source>
+        <translation>la surface « %1 » a deux fichiers d’une même phase</translation>
+    </message>
+    <message>
+        <source>the surface &quot;%1&quot; is missing in phase number %2</source>
+        <translation>la surface « %1 » manque dans la phase numéro %2</translation>
+    </message>
+    <message>
         <source>the surface consists of %1 separate pieces</source>
         <translation>la surface se compose de %1 morceaux séparés</translation>
     </message>
@@ -2600,12 +4523,32 @@
         <translation>la surface ne se traverse pas</translation>
     </message>
     <message>
+        <source>the surface encloses nothing that witness points could lie in</source>
+        <translation>la surface n’entoure rien où des points témoins puissent se trouver</translation>
+    </message>
+    <message>
         <source>the surface has %1 usable triangles, so it encloses nothing</source>
         <translation>la surface a %1 triangles utilisables, elle n’enferme donc rien</translation>
     </message>
     <message>
         <source>the surface has no such triangle</source>
         <translation>la surface n’a pas ce triangle</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or is flat, so it encloses nothing</source>
+        <translation>la surface n’a pas de triangles ou est plate, elle n’entoure donc rien</translation>
+    </message>
+    <message>
+        <source>the surface has room for %1 of %2 handles</source>
+        <translation>la surface a de la place pour %1 poignées sur %2</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
+        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres</translation>
+    </message>
+    <message>
+        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
+        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres, ce sont peut-être des %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -2618,6 +4561,13 @@
     <message>
         <source>the surface is of one piece</source>
         <translation>la surface est d’un seul morceau</translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges})</source>
+        <translation>
+            <numerusform>la surface est ouverte (%n arête de bord)</numerusform>
+            <numerusform>la surface est ouverte (%n arêtes de bord)</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
@@ -2634,6 +4584,10 @@
         </translation>
     </message>
     <message>
+        <source>the tetrahedra do not determine the coordinates</source>
+        <translation>les tétraèdres ne déterminent pas les coordonnées</translation>
+    </message>
+    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>les triangles autour d’un trou ne tournent pas tous dans le même sens, il ne peut donc pas être fermé</translation>
     </message>
@@ -2642,20 +4596,88 @@
         <translation>les triangles sont tournés vers l’extérieur</translation>
     </message>
     <message>
+        <source>the values to show are %1, the surface has %2 vertices</source>
+        <translation>les valeurs à montrer sont %1, la surface a %2 sommets</translation>
+    </message>
+    <message>
+        <source>the values to show are %1, the tissue has %2 points</source>
+        <translation>les valeurs à montrer sont %1, le tissu a %2 points</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>le volume ne peut pas être gardé ici : %1</translation>
+    </message>
+    <message>
+        <source>the waves are %1 % as deep as in an adult: %2</source>
+        <translation>les ondes ont %1 % de la profondeur de celles d’un adulte : %2</translation>
     </message>
     <message>
         <source>the weights of a measured point are no place in its triangle</source>
         <translation>les poids d’un point mesuré ne sont pas un lieu de son triangle</translation>
     </message>
     <message>
+        <source>there are %1</source>
+        <translation>il y en a %1</translation>
+    </message>
+    <message>
+        <source>there are no points to group handles around</source>
+        <translation>il n’y a pas de points autour desquels grouper des poignées</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra in it; the surface may be open</source>
+        <translation>elle ne contient pas de tétraèdres ; la surface est peut-être ouverte</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>il y a : %1</translation>
+    </message>
+    <message>
         <source>there is no %1 &quot;%2&quot;</source>
         <translation>« %2 » n’est pas une valeur de %1</translation>
     </message>
     <message>
+        <source>there is no colour map of this name</source>
+        <translation>il n’y a pas d’échelle de couleurs de ce nom</translation>
+    </message>
+    <message>
+        <source>there is no coordinate system &quot;%1&quot;</source>
+        <translation>il n’y a pas de système de coordonnées « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no handle %1</source>
+        <translation>il n’y a pas de poignée %1</translation>
+    </message>
+    <message>
+        <source>there is no handle at vertex %1</source>
+        <translation>il n’y a pas de poignée au sommet %1</translation>
+    </message>
+    <message>
         <source>there is no organ %1</source>
         <translation>il n’y a pas d’organe %1</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>il n’y a pas de paramètre %1</translation>
+    </message>
+    <message>
+        <source>there is no picture to put on the sheet</source>
+        <translation>il n’y a pas d’image à mettre sur la planche</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot;</source>
+        <translation>il n’y a pas de séquence « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot; for other organs</source>
+        <translation>il n’y a pas de séquence « %1 » pour d’autres organes</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou dossier n’existe pas</translation>
     </message>
     <message>
         <source>there is no such slice</source>
@@ -2664,6 +4686,14 @@
     <message>
         <source>there is no triangle %1</source>
         <translation>il n’y a pas de triangle %1</translation>
+    </message>
+    <message>
+        <source>there is no triangle to write</source>
+        <translation>il n’y a pas de triangle à écrire</translation>
+    </message>
+    <message>
+        <source>there is no view of this name</source>
+        <translation>il n’y a pas de vue de ce nom</translation>
     </message>
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
@@ -2678,8 +4708,36 @@
         <translation>simplification de la surface</translation>
     </message>
     <message>
+        <source>this EGL knows no desktop OpenGL</source>
+        <translation>cet EGL ne connaît pas OpenGL de bureau</translation>
+    </message>
+    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>c’est une faute du programme ; merci de la signaler</translation>
+    </message>
+    <message>
+        <source>this is not a PNG picture</source>
+        <translation>ce n’est pas une image PNG</translation>
+    </message>
+    <message>
+        <source>this system has no parameters</source>
+        <translation>ce système n’a pas de paramètres</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
+        <translation>trop peu de repères : il y a %1 mais ni fundus ni pylorus</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is %1 but no %2</source>
+        <translation>trop peu de repères : il y a %1 mais pas %2</translation>
+    </message>
+    <message>
+        <source>too few landmarks: there is right but neither apex nor base</source>
+        <translation>trop peu de repères : il y a right mais ni apex ni base</translation>
+    </message>
+    <message>
+        <source>track surfaces that are not within each other one by one</source>
+        <translation>suivez une par une les surfaces qui ne sont pas l’une dans l’autre</translation>
     </message>
     <message>
         <source>triangle %1</source>
@@ -2688,6 +4746,22 @@
     <message>
         <source>triangle %1 refers to vertex %2, but there are %3</source>
         <translation>le triangle %1 renvoie au sommet %2, mais il y en a %3</translation>
+    </message>
+    <message>
+        <source>try another resolution</source>
+        <translation>essayez une autre résolution</translation>
+    </message>
+    <message>
+        <source>try another resolution, or a cage without needle-like triangles</source>
+        <translation>essayez une autre résolution, ou une cage sans triangles en aiguille</translation>
+    </message>
+    <message>
+        <source>turn its triangles around, as viscera convert IN OUT --orient does</source>
+        <translation>retournez ses triangles, par exemple avec viscera convert ENTRÉE SORTIE --orient</translation>
+    </message>
+    <message>
+        <source>turn the surface outward, or choose a target above 0 ml</source>
+        <translation>orientez la surface vers l’extérieur, ou choisissez une cible supérieure à 0 ml</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -2718,8 +4792,20 @@
         <translation>mettez Viscera à jour</translation>
     </message>
     <message>
+        <source>use .ogv, .mp4, .gif, or a folder for PNG frames</source>
+        <translation>utilisez .ogv, .mp4, .gif, ou un dossier pour des images PNG</translation>
+    </message>
+    <message>
         <source>use a pose of the same handles</source>
         <translation>prenez une pose des mêmes poignées</translation>
+    </message>
+    <message>
+        <source>use anterior, posterior, left, right, superior or inferior</source>
+        <translation>utilisez anterior, posterior, left, right, superior ou inferior</translation>
+    </message>
+    <message>
+        <source>use images that show all of it in every phase</source>
+        <translation>utilisez des images qui le montrent en entier dans chaque phase</translation>
     </message>
     <message>
         <source>use one of %1</source>
@@ -2728,6 +4814,14 @@
     <message>
         <source>use one of: %1</source>
         <translation>utilisez l’un de : %1</translation>
+    </message>
+    <message>
+        <source>use one of: heartbeat, peristalsis, breathing</source>
+        <translation>utilisez l’une de : heartbeat, peristalsis, breathing</translation>
+    </message>
+    <message>
+        <source>use viridis or diverging</source>
+        <translation>utilisez viridis ou diverging</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -2770,8 +4864,16 @@
         <translation>onde dans le corps</translation>
     </message>
     <message>
+        <source>what TetGen made is not a filling of this surface: %1</source>
+        <translation>ce que TetGen a fait n’est pas un remplissage de cette surface : %1</translation>
+    </message>
+    <message>
         <source>what is measured on it is now at the nearest places of that surface</source>
         <translation>ce qui y est mesuré est maintenant aux endroits les plus proches de cette surface</translation>
+    </message>
+    <message>
+        <source>witness point %1 has a coordinate that is not finite</source>
+        <translation>le point témoin %1 a une coordonnée qui n’est pas finie</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -2839,6 +4941,38 @@
     <message>
         <source>These two probes have a profile already</source>
         <translation>Ces deux sondes ont déjà un profil</translation>
+    </message>
+    <message>
+        <source>witness points on a grid</source>
+        <translation>points témoins sur une grille</translation>
+    </message>
+    <message>
+        <source>women and men have on average %1 to %2 ml</source>
+        <translation>femmes et hommes ont en moyenne de %1 à %2 ml</translation>
+    </message>
+    <message>
+        <source>write an .ogv instead</source>
+        <translation>écrivez plutôt un .ogv</translation>
+    </message>
+    <message>
+        <source>write it as .nrrd</source>
+        <translation>écrivez-la en .nrrd</translation>
+    </message>
+    <message>
+        <source>write lines of the instant and the volume in ml</source>
+        <translation>écrivez des lignes avec l’instant et le volume en ml</translation>
+    </message>
+    <message>
+        <source>write the instant and the volume in ml, as in 0.25,98.5</source>
+        <translation>écrivez l’instant et le volume en ml, comme dans 0.25,98.5</translation>
+    </message>
+    <message>
+        <source>write volumes in ml</source>
+        <translation>écrivez les volumes en ml</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>écriture du film</translation>
     </message>
 </context>
 </TS>

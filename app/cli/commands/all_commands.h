@@ -4,7 +4,7 @@
 
 #include "cli/command.h"
 
-/// The subcommands, each in a file of its own, in the order in which the help shows them.
+/// Functions that make the subcommands of `viscera`, in the order in which the help lists them.
 namespace viscera::app::cli {
 
 std::unique_ptr<Command> infoCommand();

@@ -93,7 +93,7 @@ private:
                         static_cast<std::size_t>(bent.size[2]);
     if (bent.report.folded > 0)
       outcome.warnings.push_back("The pose folds the tissue at " + std::to_string(bent.report.folded) +
-                                 " voxels: what they show is a guess");
+                                 " voxels: what they show is an estimate");
     outcome.json = {{"file", output_},
                     {"kind", bent.kind},
                     {"size", bent.size},

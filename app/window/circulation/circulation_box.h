@@ -18,8 +18,8 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// What moves the heart, for the property page: the textbook's beat or a circulation; its scenarios with one
-/// click each, its controls with what is normal for them, and what is kept to compare with.
+/// The controls for what moves the heart: the textbook's beat or a circulation, with scenarios, parameters
+/// with their normal ranges, and a circulation that is kept to compare with.
 class CirculationBox final : public QWidget {
   Q_OBJECT
 

@@ -17,11 +17,11 @@
 
 namespace viscera::app {
 
-/// The circulation that the document has chosen, solved, and the sample heart that follows it. Both are done
-/// by workers: what is under way is let finish and shown, and the next one begins with the newest choice, so
-/// that a control that moves is seen to move. While it moves, the heart's beat is taken from that of the
-/// choice before; it is found anew, and tried at all instants, as soon as the control rests. Where the
-/// document lets the textbook's beat move the heart, the heart gets that back.
+/// Solves the circulation that the document has chosen and makes the sample heart beat with it. Workers do
+/// both: what is under way is let finish and shown, and the next one begins with the newest choice, so that a
+/// control that moves is seen to move. While it moves, the heart's beat is taken from that of the choice
+/// before; it is found anew, and tried at all instants, as soon as the control rests. Where the document lets
+/// the textbook's beat move the heart, the heart gets that back.
 class CirculationModel final : public QObject {
   Q_OBJECT
 

@@ -3,7 +3,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <vtkNew.h>
 
 #include "window/circulation/numbers_table.h"
+#include "window/language.h"
 #include "window/timeline/person_box.h"
 #include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
@@ -39,7 +39,7 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
       chart_(new QVTKOpenGLNativeWidget(this)), numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  panels_->setDecimalMark(QLocale().decimalPoint().toLatin1());
+  panels_->setDecimalMark(decimalMark());
   auto* row = makeLayout<QHBoxLayout>(this, 8, {8, 4, 8, 4});
   auto* column = makeLayout<QVBoxLayout>(nullptr, 2);
   legend_->setObjectName(QStringLiteral("circulationLegend"));

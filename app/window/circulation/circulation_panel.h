@@ -17,9 +17,9 @@ namespace viscera::app {
 class NumbersTable;
 class ViewModel;
 
-/// The circulation as charts: Wiggers's diagram over one beat with a cursor at the instant that is shown, the
-/// pressure-volume loops of both ventricles with a mark at that instant, and their numbers; dashed and in a
-/// column of its own what was kept to compare with.
+/// A panel with the charts of the circulation: Wiggers's diagram over one beat with a cursor at the instant
+/// that is shown, the pressure-volume loops of both ventricles with a mark at that instant, and their
+/// numbers; dashed and in a column of its own what was kept to compare with.
 class CirculationPanel final : public QWidget {
   Q_OBJECT
 

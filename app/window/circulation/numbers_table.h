@@ -7,7 +7,8 @@
 
 namespace viscera::app {
 
-/// The numbers of a circulation beside what is normal, and beside those of one before.
+/// A table of the computed numbers of a circulation, with normal ranges and the numbers of a kept
+/// circulation.
 class NumbersTable final : public QTableWidget {
   Q_OBJECT
 

@@ -12,8 +12,8 @@
 
 namespace viscera::app {
 
-/// Other coordinates for the first document's organs and handles in the second one: the list to choose them
-/// from, and the first one's selection, so that the two systems are seen under the same motion.
+/// Shows the first view's organs and handles with another coordinate system in the second view. It offers the
+/// list of systems and copies pose and selection, so that both are seen under the same motion.
 class ComparedSystem final : public QObject {
   Q_OBJECT
 

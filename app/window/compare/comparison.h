@@ -24,9 +24,9 @@ class SideHeader;
 class ViewArea;
 class ViewWidget;
 
-/// Two organs side by side: a second document with its own binding, playback and view beside the first, under
-/// one timeline and linked cameras. The second one shows the first's organs at another rate or by other
-/// coordinates, another sample organ, or files; nothing of it is in the first document.
+/// Compares two organs side by side: manages a second document with its own binding, playback and view beside
+/// the first, under one timeline and linked cameras. The second one shows the first's organs at another rate
+/// or by other coordinates, another sample organ, or files; nothing of it is in the first document.
 class Comparison final : public QObject {
   Q_OBJECT
 

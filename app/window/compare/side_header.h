@@ -7,7 +7,8 @@
 
 namespace viscera::app {
 
-/// The line above one of two views: its letter, what moves there and how fast, the phase and the volumes.
+/// The heading of one of two compared views: its letter, what moves there and how fast, the phase and the
+/// volumes.
 class SideHeader final : public QFrame {
   Q_OBJECT
 

@@ -15,8 +15,8 @@ namespace viscera::app {
 class Picture;
 class Playback;
 
-/// Shows organs in the view one after another while a worker still reads the others: one sees at once that it
-/// is the right patient. They are guests of the picture until all are there.
+/// Shows organs in the view one after another while a worker still reads the others, so that the user sees at
+/// once whether it is the right patient. The document gets them when all are read.
 class Arrival final : public QObject {
   Q_OBJECT
 

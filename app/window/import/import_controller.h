@@ -14,8 +14,8 @@ class ImportPanel;
 class Picture;
 class Workspace;
 
-/// Files that are looked at before they are accepted: keeps the draft, lets a worker repair it, shows it in
-/// panel and view. Accepting is one undo step; cancelling leaves everything as it was.
+/// Controls the import of files that the user checks first: keeps the draft, lets a worker repair it, shows
+/// it in panel and view. Accepting is one undo step; cancelling leaves everything as it was.
 class ImportController final : public QObject {
   Q_OBJECT
 

@@ -16,8 +16,8 @@ namespace viscera::app {
 
 class OrganCheck;
 
-/// What files hold before any of it is in the document: what was found in several organs alike, a list of
-/// organs with what was found in each, buttons that repair, and Import and Cancel. Many organs can be
+/// A panel that shows the organs of files before they are imported: findings that several organs share, a
+/// list of organs with what was found in each, buttons that repair, and Import and Cancel. Many organs can be
 /// filtered by name and by finding, and taken along or left out together. Changes nothing itself.
 class ImportPanel final : public QWidget {
   Q_OBJECT

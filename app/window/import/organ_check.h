@@ -11,16 +11,16 @@ class QMenu;
 
 namespace viscera::app {
 
-/// What a button for a repair (an id of `medical_io::surfaceRepairs`) says: "Fill holes".
+/// The text of the button for a repair (an id of `medical_io::surfaceRepairs`): "Fill holes".
 QString repairName(const std::string& id);
 
-/// What it does, as a sentence for its tooltip.
+/// The tooltip of that button: what the repair does, as a sentence.
 QString repairTip(const std::string& id);
 
-/// A heading for what findings are about: "Facing".
+/// The heading above findings of one subject: "Facing".
 QString subjectName(medical_io::FindingSubject subject);
 
-/// A finding as a line: a light, a sentence, and buttons for what would help.
+/// One finding as a line: a light, a sentence, and buttons for the repairs that would help.
 class FindingLine final : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ Q_SIGNALS:
   void repairRequested(const QString& id);
 };
 
-/// One organ in the import panel: whether it comes, its measures, what was found, what was done.
+/// One organ in the import panel: a check box, its size and volume, its findings and the repairs done.
 class OrganCheck final : public QFrame {
   Q_OBJECT
 

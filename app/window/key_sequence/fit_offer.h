@@ -11,9 +11,9 @@ class QPushButton;
 
 namespace viscera::app {
 
-/// The question what a sequence is to move when organs of the user's own are open: the current organ, to
-/// which it is fitted, or its sample organ, which takes the place of all organs. Hidden until something is
-/// asked; the better answer by the organ's name is the button that stands out.
+/// A card over the view that asks which organ a sequence is to move when the user's own organs are open: the
+/// current organ, to which it is fitted, or its sample organ, which takes the place of all organs. Hidden
+/// until something is asked; the better answer by the organ's name is the button that stands out.
 class FitOffer final : public QFrame {
   Q_OBJECT
 

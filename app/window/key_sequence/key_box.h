@@ -13,9 +13,9 @@ class QTableWidget;
 
 namespace viscera::app {
 
-/// Records a sequence out of poses: a key takes the pose of Deform mode at a time. Keys are listed, moved in
-/// time, given another easing, taken back into the pose, replaced and removed; the whole is played, saved and
-/// opened. Every change is an undo step.
+/// The controls that record a key sequence: each key stores the pose of Deform mode with a time. Keys are
+/// listed, moved in time, given another easing, taken back into the pose, replaced and removed; the whole is
+/// played, saved and opened. Every change is an undo step.
 class KeyBox final : public QWidget {
   Q_OBJECT
 

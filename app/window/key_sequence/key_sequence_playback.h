@@ -10,20 +10,20 @@
 
 namespace viscera::app {
 
-/// What the user records pose by pose, as a motion that can be played: it follows the document's recording.
+/// Makes the document's key sequence available for playing, and updates it after every change of its keys.
 class KeySequencePlayback final : public QObject {
   Q_OBJECT
 
 public:
   KeySequencePlayback(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// The recording as a sequence; null without keys for the handles there are.
+  /// The key sequence as a sequence to play; null without keys for the handles there are.
   const sequences::Sequence* sequence() const { return present_.get(); }
 
   /// Where the next key is proposed: at the beginning, then a step behind the last one.
   double nextSeconds() const;
-  /// Takes the document's pose as a key at `seconds`; a later time than the recording lasts makes it longer.
-  /// One undo step.
+  /// Takes the document's pose as a key at `seconds`; a later time than the key sequence lasts makes it
+  /// longer. One undo step.
   bool addKey(double seconds, sequences::Easing easing);
   /// The pose of a key becomes the document's, for changing it.
   bool takePose(document::KeyId key);

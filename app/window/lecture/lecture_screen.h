@@ -12,9 +12,9 @@ class QLabel;
 
 namespace viscera::app {
 
-/// What a lecture hall sees: the view alone on the whole screen, with the slide's caption, the phase and the
-/// volumes below it in large letters. The keys of a presentation remote go through the slides (Page Down,
-/// Page Up), darken the screen (B) and end it (Escape).
+/// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
+/// the phase and the volumes below it in large letters. The keys of a presentation remote go through the
+/// slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 

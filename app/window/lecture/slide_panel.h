@@ -8,7 +8,8 @@ class QListWidget;
 
 namespace viscera::app {
 
-/// The list of slides: a click shows one, a double click changes its caption, dragging changes the order.
+/// A panel with the list of slides: a click shows one, a double click changes its caption, dragging changes
+/// the order.
 class SlidePanel final : public QWidget {
   Q_OBJECT
 

@@ -8,8 +8,8 @@
 
 namespace viscera::app {
 
-/// The slides of the session: views that were kept with a caption, and where in its cycle a sequence stood.
-/// They are part of the view's state, which a session keeps.
+/// Manages the slides of the session: kept views, each with a caption and an instant of a sequence. They are
+/// part of the view's state, which a session keeps.
 class Slides final : public QObject {
   Q_OBJECT
 

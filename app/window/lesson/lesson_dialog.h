@@ -12,8 +12,8 @@ class QTableWidget;
 
 namespace viscera::app {
 
-/// Shows every text that a lesson will hold, to be read and changed before it leaves the house, and asks what
-/// it is to become.
+/// A dialog that shows every text of a lesson to be checked and changed before export, and asks for the kind
+/// of file.
 class LessonDialog final : public QDialog {
   Q_OBJECT
 

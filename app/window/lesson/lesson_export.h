@@ -14,8 +14,7 @@ namespace viscera::app {
 class Actions;
 class Settings;
 
-/// File > Export lesson...: the organs that are shown with the present motion as one file that opens in a
-/// browser.
+/// Exports the visible organs with the present motion as one file for a browser (File > Export lesson...).
 class LessonExport final : public QObject {
   Q_OBJECT
 

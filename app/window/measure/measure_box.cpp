@@ -150,6 +150,7 @@ void MeasureBox::rebuild() {
 void MeasureBox::syncValues() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const document::MeasurementList& measurements = workspace_.document().measurements();
+  const char mark = decimalMark();
   for (std::size_t row = 0; row < measurements.size(); ++row) {
     const document::MeasuredValues values = document::measure(
         measurements[row], workspace_.state(),
@@ -158,14 +159,15 @@ void MeasureBox::syncValues() {
     const document::MeasurementKind kind = measurements[row].kind;
     const std::string unit = document::unitOf(measurements[row], workspace_.state());
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
-    item->setText(kNow, text(presentation::formatMeasured(kind, values.now, unit)));
+    item->setText(kNow, text(presentation::formatMeasured(kind, values.now, unit, mark)));
     // The scan's values are the same in every pose: their deviation says more than the mean once again.
     const bool region = document::isRegion(kind);
     const bool known = region && values.region && values.region->count > 0;
-    item->setText(kRest, !region ? text(presentation::formatMeasured(kind, values.rest))
+    item->setText(kRest, !region ? text(presentation::formatMeasured(kind, values.rest, {}, mark))
                          : known ? QStringLiteral("\u00b1 %1").arg(formatNumber(values.region->deviation, 1))
                                  : QStringLiteral("-"));
-    const QString spread = text(presentation::describeSpread(measurements[row], values, unit, translated));
+    const QString spread =
+        text(presentation::describeSpread(measurements[row], values, unit, translated, mark));
     for (const int column : {kNow, kRest})
       item->setToolTip(column, spread);
   }

@@ -14,8 +14,8 @@ class QTreeWidgetItem;
 
 namespace viscera::app {
 
-/// The measurements of the document: what begins one, and the list with each value now and at rest. Names
-/// are edited in the list; the chosen one is highlighted in the view, and the other way round.
+/// The controls for measurements: buttons that begin one, and the list of all with each value now and at
+/// rest. Names are edited in the list; the chosen one is highlighted in the view, and the other way round.
 class MeasureBox final : public QWidget {
   Q_OBJECT
 

@@ -13,10 +13,10 @@
 
 namespace viscera::app {
 
-/// What the mouse does with measurements, where it is enabled: while a kind is being measured every click on
-/// an organ is a point, and the last one completes a measurement; else points that are there can be dragged
-/// along the organs, which is one undo step. Nothing is in the document before a measurement is complete.
-/// The mouse on slices comes by `SliceMeasuring`; rectangles and spheres are measured there alone.
+/// Handles the mouse for measuring in the 3D view: while a kind is being measured every click on an organ is
+/// a point, and the last one completes a measurement; else points that are there can be dragged along the
+/// organs, which is one undo step. Nothing is in the document before a measurement is complete. The mouse on
+/// slices comes by `SliceMeasuring`; rectangles and spheres are measured there alone.
 class MeasureTool final : public QObject {
   Q_OBJECT
 

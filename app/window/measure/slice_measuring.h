@@ -8,8 +8,8 @@ namespace viscera::app {
 
 class SlicePanes;
 
-/// The hand of the measure tool on slices: while a kind is being measured a click is a point, and so are both
-/// ends of a drag; else points that are on no organ can be dragged in the slice.
+/// Handles the mouse for measuring on slices: while a kind is being measured a click is a point, and so are
+/// both ends of a drag; else points that are on no organ can be dragged in the slice.
 class SliceMeasuring final : public SliceGrip {
 public:
   /// Both have to live longer.

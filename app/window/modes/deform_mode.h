@@ -5,7 +5,8 @@
 
 namespace viscera::app {
 
-/// Moving the handles in the pose: volumes are kept, handles are turned and scaled, drags are mirrored.
+/// The mode Deform, in which the user moves handles in the pose: volumes are kept, handles are turned and
+/// scaled, drags are mirrored.
 class DeformMode final : public Mode {
   Q_OBJECT
 

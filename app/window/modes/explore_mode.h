@@ -8,7 +8,7 @@
 
 namespace viscera::app {
 
-/// Looking at the organs and measuring them.
+/// The mode Explore, in which the user looks at organs and measures them.
 class ExploreMode final : public Mode {
   Q_OBJECT
 

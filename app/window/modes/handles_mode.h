@@ -5,7 +5,8 @@
 
 namespace viscera::app {
 
-/// Editing the handles at rest: they are placed, moved and removed, and everything is bound anew.
+/// The mode Handles, in which the user edits the handles at rest: they are placed, moved and removed, and
+/// everything is bound anew.
 class HandlesMode final : public Mode {
   Q_OBJECT
 

@@ -41,14 +41,14 @@ struct ModeParts {
   HandleController& handles;
 };
 
-/// Where a click met an organ: mm, on the surface as it is shown.
+/// The organ that was clicked and the place on its displayed surface, mm.
 struct ClickedPlace {
   document::OrganId organ;
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
 };
 
-/// The panels that a mode has a use for, beside the organs and the properties, which are always there.
+/// The panels that a mode needs beside the organs and the properties, which every mode shows.
 struct UsefulPanels {
   bool handles = false;
   bool timeline = false;
@@ -57,9 +57,9 @@ struct UsefulPanels {
   bool operator==(const UsefulPanels&) const = default;
 };
 
-/// One way to work with the organs: what is seen of them, what a click on the view does, and the actions and
-/// the property page for it. It adds its actions when it is made; which mode is on, only the `ModeController`
-/// knows.
+/// The base of the window's modes (Explore, Handles, Deform, Stress, Play): what the view shows, what a click
+/// on it does, and the mode's actions and property page. It adds its actions when it is made; which mode is
+/// on, only the `ModeController` knows.
 class Mode : public QObject {
   Q_OBJECT
 

@@ -15,8 +15,8 @@
 
 namespace viscera::app {
 
-/// The modes of the window and which of them is on: nobody else keeps it. What the present mode wants to be
-/// seen is written into the view's state, where everybody who draws looks for it.
+/// Switches between the modes of the window. It alone knows the current one, and writes what that mode shows
+/// into the view's state, which everything that draws reads.
 class ModeController final : public QObject {
   Q_OBJECT
 

@@ -20,8 +20,8 @@ namespace viscera::app {
 
 class StatusLine;
 
-/// Looking at sequences and teaching with them: the sequences to choose from, labels, looking through
-/// walls, two views, and recording.
+/// The mode Play, in which the user watches sequences and teaches with them: the sequences to choose from,
+/// labels, see-through walls, two views, and movies.
 class PlayMode final : public Mode {
   Q_OBJECT
 

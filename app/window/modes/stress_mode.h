@@ -12,7 +12,8 @@ class StressChart;
 class StressExport;
 class StressPage;
 
-/// Stress mode as the window has it: model, view, page, chart, probe card and actions.
+/// The mode Stress, in which the user looks at the distortion of tissue: model, view, page, chart, probe card
+/// and actions.
 class StressMode final : public Mode {
   Q_OBJECT
 

@@ -16,8 +16,8 @@ class QSpinBox;
 
 namespace viscera::app {
 
-/// Where a recording is described and started: kind, file, size, frames a second, cycles. Kinds that this
-/// computer cannot write are not offered, and it says why.
+/// The controls that choose how a movie is recorded, and start it: kind, file, size, frames a second, cycles.
+/// Kinds that this computer cannot write are not offered, and it says why.
 class MovieBox final : public QWidget {
   Q_OBJECT
 

@@ -7,10 +7,10 @@
 
 namespace viscera::app {
 
-/// What a recording becomes.
+/// The kind of file that a movie or table is recorded to.
 enum class MovieFormat { ogg, mp4, gif, pictures, table };
 
-/// A format as a user meets it.
+/// Name, file ending and requirements of a movie format.
 struct MovieFormatInfo {
   MovieFormat format = MovieFormat::ogg;
   QString name;   ///< "Ogg movie (.ogv)"
@@ -23,7 +23,7 @@ struct MovieFormatInfo {
 std::vector<MovieFormatInfo> movieFormats();
 MovieFormatInfo infoOf(MovieFormat format);
 
-/// What is to be recorded, and where to.
+/// The settings of a movie: its file, format, size, frames and cycles.
 struct MoviePlan {
   MovieFormat format = MovieFormat::ogg;
   QString file; ///< For pictures a folder.

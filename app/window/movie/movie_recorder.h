@@ -11,8 +11,9 @@
 
 namespace viscera::app {
 
-/// Records one view, or two side by side: a job on a thread of its own poses, draws off the screen, encodes
-/// and writes, shows its progress and can be cancelled. What is cancelled or fails leaves nothing behind.
+/// Records a movie of one view, or of two side by side: a job on a thread of its own poses, draws off the
+/// screen, encodes and writes, shows its progress and can be cancelled. What is cancelled or fails leaves
+/// nothing behind.
 class MovieRecorder final : public QObject {
   Q_OBJECT
 

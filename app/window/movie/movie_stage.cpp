@@ -41,6 +41,7 @@ MovieStage::MovieStage(const Source& source, const QSize& size, bool caption)
 void MovieStage::openStage() {
   stage_ =
       std::make_unique<presentation::Stage>(size_.width(), size_.height(), theme_, Threads(), translated);
+  stage_->view().setDecimalMark(decimalMark());
   presentation::lookFrom(*view_.camera, stage_->view());
   if (captionWanted_)
     addCaption();

@@ -21,8 +21,8 @@
 
 namespace viscera::app {
 
-/// One view as it was when a recording began, with organs of its own: whatever the user does in the meantime,
-/// the recording goes on as it was. Made on the main thread, drawn on one other.
+/// A copy of a view and its organs, made when the recording of a movie begins: whatever the user does in the
+/// meantime, the movie goes on unchanged. Made on the main thread, drawn on one other.
 class MovieStage {
 public:
   /// What is recorded; only looked at while the stage is made.

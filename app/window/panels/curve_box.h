@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace viscera::app {
 
-/// Prescribes the volume of an organ over the cycle of the present sequence by a file of two columns, and
-/// takes it back. That belongs to the view: it is no step of undo, and another sequence begins without it.
+/// The controls that prescribe an organ's volume over the cycle of the present sequence by a file, and remove
+/// it again. That belongs to the view: it is no step of undo, and another sequence begins without it.
 class CurveBox final : public QWidget {
   Q_OBJECT
 

@@ -9,7 +9,8 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// Cuts organs open in the view: the switch "view.cut", the direction of the plane and its place.
+/// The controls of the plane that cuts organs open in the 3D view: the switch "view.cut", the direction of
+/// the plane and its place.
 class CutBox final : public QWidget {
   Q_OBJECT
 

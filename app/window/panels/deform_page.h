@@ -12,8 +12,8 @@ namespace viscera::app {
 
 class VolumeBox;
 
-/// Deform: the volume as it changes, its lock and target, where the selected handles go by number, who
-/// compensates, the mirror, back to rest.
+/// The property page of the mode Deform: volume, lock and target, positions to type, compensating handles,
+/// mirror, and reset.
 class DeformPage final : public Page {
   Q_OBJECT
 

@@ -6,8 +6,8 @@
 
 namespace viscera::app {
 
-/// Explore: standard views, what the view shows, what is measured, and what is known of the selected organ
-/// and of the scan.
+/// The property page of the mode Explore: standard views, appearance, measurements, and facts about the
+/// selected organ and the scan.
 class ExplorePage final : public Page {
   Q_OBJECT
 

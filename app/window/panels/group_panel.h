@@ -14,8 +14,8 @@ class QTreeWidgetItem;
 
 namespace viscera::app {
 
-/// The groups of handles: a list with names and colours, what can be done to the chosen group and the
-/// selected handles, and groups that make themselves. Every change is one undo step.
+/// A panel with the groups of handles: a list with names and colours, buttons that edit the chosen group, and
+/// automatic grouping. Every change is one undo step.
 class GroupPanel final : public QWidget {
   Q_OBJECT
 

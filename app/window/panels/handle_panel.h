@@ -14,7 +14,7 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// The handles by group, with automatic placement above and what can be done to the selected ones.
+/// A panel with the handles by group, their automatic placement, and buttons that edit the selected ones.
 class HandlePanel final : public QWidget {
   Q_OBJECT
 

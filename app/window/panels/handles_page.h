@@ -6,8 +6,8 @@
 
 namespace viscera::app {
 
-/// Handles: the coordinates and their parameters, the cage of those that need one, the groups, how well the
-/// organ is bound, and the place of the current handle.
+/// The property page of the mode Handles: the coordinates and their parameters, the cage of those that need
+/// one, the groups, how well the organ is bound, and the place of the current handle.
 class HandlesPage final : public Page {
   Q_OBJECT
 

@@ -21,9 +21,10 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// The organs of the document: eye, colour, name, volume and its change, padlock, and the opacity of the
-/// selected ones. Cavities stand under their organ; many organs stand under the systems of the body, and can
-/// be searched for. Several can be chosen: what is done to organs' looks is done to all of them.
+/// A panel with the organs of the document: eye, colour, name, volume and its change, padlock, and the
+/// opacity of the selected ones. Cavities stand under their organ; many organs stand under the systems of the
+/// body, and can be searched for. Several can be chosen: what is done to organs' looks is done to all of
+/// them.
 class OrganPanel final : public QWidget {
   Q_OBJECT
 

@@ -16,8 +16,8 @@ class QTableWidget;
 
 namespace viscera::app {
 
-/// Play: the sequences to choose from, how the organs look, what the tracked volumes do over a beat beside
-/// what is normal, recording, and motions of the user's own.
+/// The property page of the mode Play: sequences, appearance, tracked volumes with normal ranges, movies, and
+/// motions of the user's own.
 class PlayPage final : public Page {
   Q_OBJECT
 

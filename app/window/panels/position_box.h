@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace viscera::app {
 
-/// Where the current handle is, as numbers that can be typed: at rest, or in the pose.
+/// Fields with the current handle's position, at rest or in the pose, in which a new one can be typed.
 class PositionBox final : public QWidget {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ private:
   std::vector<Subscription> subscriptions_;
 };
 
-/// Moves the selected handles by a displacement that is typed, in mm along the patient's axes.
+/// Fields for a displacement, in mm along the patient's axes, by which the selected handles are moved.
 class DisplacementBox final : public QWidget {
   Q_OBJECT
 

@@ -6,8 +6,8 @@
 
 namespace viscera::app {
 
-/// The sequences there are, each with a picture: those that suit the current organ first, then the others
-/// that the program brings, then those of the user.
+/// A list of the sequences that can be played, each with a picture: those that suit the current organ first,
+/// then the others that the program brings, then those of the user.
 class SequenceList final : public QListWidget {
   Q_OBJECT
 

@@ -16,8 +16,8 @@ namespace viscera::app {
 
 class SystemCombo;
 
-/// The choice of the coordinates: a list of the systems, a line about the chosen one, badges for
-/// what it can do, and its parameters, made from what the system says of itself. A slider ends where the
+/// The controls that choose the coordinate system: a list of the systems, a line about the chosen one, badges
+/// for what it can do, and its parameters, made from what the system says of itself. A slider ends where the
 /// handles bound its parameter.
 class SystemBox final : public QWidget {
   Q_OBJECT

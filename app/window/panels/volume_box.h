@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace viscera::app {
 
-/// Gives the current organ a volume that is typed, and back the one at rest.
+/// The controls that give the current organ a typed volume, or its volume at rest.
 class VolumeBox final : public QWidget {
   Q_OBJECT
 

@@ -9,7 +9,7 @@ class QLabel;
 
 namespace viscera::app {
 
-/// The names of parts, and the quiz that asks for them.
+/// The controls for the labels of organ parts, and for the quiz about them.
 class QuizBox final : public QWidget {
   Q_OBJECT
 

@@ -9,9 +9,8 @@
 
 namespace viscera::app {
 
-/// Asks where the parts of the organs are: the names go, a part is asked for, a click on an organ is the
-/// answer, and what was found keeps its name. Changes nothing in the document; another list of organs ends
-/// it.
+/// A quiz about the parts of the organs: labels are hidden, the user is asked to click on a part, and the
+/// label of a part that was found stays. Changes nothing in the document; another list of organs ends it.
 class QuizTool final : public QObject {
   Q_OBJECT
 

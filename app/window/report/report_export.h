@@ -14,8 +14,8 @@ namespace viscera::app {
 class Actions;
 class SessionFiles;
 
-/// The session told in other forms: File > Report... as pages, Edit > Copy as commands as a script. Both are
-/// made by a worker from what there is at that moment.
+/// Exports the session as a report (File > Report...) or as a script of commands (Edit > Copy as commands).
+/// Both are made by a worker from what there is at that moment.
 class ReportExport final : public QObject {
   Q_OBJECT
 

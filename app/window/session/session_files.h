@@ -20,8 +20,8 @@ class QWidget;
 
 namespace viscera::app {
 
-/// The session that is open: where it is saved, whether it is, and its recovery file. Reading and writing is
-/// done on workers; what fails leaves the document and the file as they were and says one thing.
+/// Opens and saves the session: knows its file, whether it has unsaved changes, and its recovery file.
+/// Workers read and write; a failure leaves the document and the file unchanged and shows one message.
 class SessionFiles final : public QObject {
   Q_OBJECT
 

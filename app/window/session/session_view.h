@@ -13,9 +13,9 @@
 
 namespace viscera::app {
 
-/// The view of a session in the window: gathers what is kept elsewhere (camera, selection, motions) into the
-/// view's state, and brings the window to a state that was saved. The theme and the panels are not in it:
-/// they are the user's, not the session's.
+/// Saves and restores the view of a session: gathers camera, selection and motions from the parts of the
+/// window into the view's state, and brings the window to a state that was saved. The theme and the panels
+/// are not in it: they are the user's, not the session's.
 class SessionView final : public QObject {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ class Actions;
 class Settings;
 class Workspace;
 
-/// The scan as the pose bends it, as a file for other programs, with the label map that the organs came from
-/// beside it. Written by a worker, which can be cancelled.
+/// Exports the scan, and the label map that the organs came from, deformed by the present pose. Written by a
+/// worker, which can be cancelled.
 class BentExport final : public QObject {
   Q_OBJECT
 

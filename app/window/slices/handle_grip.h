@@ -8,7 +8,7 @@ namespace viscera::app {
 class Picture;
 class SlicePanes;
 
-/// The hand for handles on slices: drags one in the slice's plane. It moves the handles of the 3D view, so
+/// Drags handles with the mouse on slices, each in the slice's plane. It moves the handles of the 3D view, so
 /// that all else (undo, locks, mirrors, the handles that move along) is as it is there.
 class HandleGrip final : public SliceGrip {
 public:

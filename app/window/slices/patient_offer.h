@@ -16,8 +16,8 @@ namespace viscera::app {
 class FileActions;
 class ScanActions;
 
-/// Organs and scan are one patient: when one of them has come from a file and the other is missing, looks for
-/// that beside the file and offers to open it. Each file is asked about once.
+/// Offers to open the scan that belongs to opened organs, or the organs that belong to an opened scan, when
+/// it finds them beside the file. Each file is asked about once.
 class PatientOffer final : public QObject {
   Q_OBJECT
 

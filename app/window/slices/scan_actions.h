@@ -13,7 +13,8 @@
 
 namespace viscera::app {
 
-/// The scan in and out, and how it is looked at: layouts of the views, level and width, thickness.
+/// The actions that open and close a scan and change how it is shown: layouts of the views, level and width,
+/// thickness.
 class ScanActions final : public QObject {
   Q_OBJECT
 

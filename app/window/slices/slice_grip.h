@@ -8,8 +8,8 @@
 
 namespace viscera::app {
 
-/// Somebody who takes hold of what lies on slices, before the slice itself answers the left button: of
-/// handles, of points that are measured. Pixels are those of the slice's picture, `direction` is one of
+/// The interface of tools that drag things on slices (handles, measured points); they get the left button
+/// before the slice itself. Pixels are those of the slice's picture, `direction` is one of
 /// `slices::sliceDirections`.
 class SliceGrip {
 public:

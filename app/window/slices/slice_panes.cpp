@@ -31,6 +31,7 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
                        QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model), picture_(picture), area_(area),
       presenter_({}, translated) {
+  presenter_.setDecimalMark(decimalMark());
   for (int i = 0; i < 3; ++i) {
     auto* widget = new SliceWidget;
     widget->setObjectName(QStringLiteral("slice.%1")
@@ -242,7 +243,7 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)
-    place << text(presentation::formatSlicePosition(axis, reading.position[axis]))
+    place << text(presentation::formatSlicePosition(axis, reading.position[axis], decimalMark()))
                  .remove(QStringLiteral(" mm"));
   parts << place.join(QStringLiteral(", ")) + QStringLiteral(" mm");
   if (const auto organ = workspace_.document().organ(reading.organ))

@@ -20,8 +20,9 @@ namespace viscera::app {
 
 class Picture;
 
-/// The three slices beside the 3D view: brings their pictures up to date after every change of the document,
-/// of its organs and of the view's state, and turns what the mouse does there into changes of that state.
+/// Manages the three slices beside the 3D view: brings their pictures up to date after every change of the
+/// document, of its organs and of the view's state, and turns what the mouse does there into changes of that
+/// state.
 class SlicePanes final : public QObject {
   Q_OBJECT
 

@@ -13,6 +13,8 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include "window/language.h"
+
 namespace viscera::app {
 namespace {
 
@@ -39,6 +41,7 @@ SliceWidget::SliceWidget(QWidget* parent)
   setRenderWindow(window);
   interactor()->SetInteractorStyle(nullptr);
   view_->setWindow(window);
+  view_->setDecimalMark(decimalMark());
   reading_->setObjectName(QStringLiteral("sliceReading"));
   reading_->setAttribute(Qt::WA_TransparentForMouseEvents);
   reading_->setStyleSheet(QStringLiteral("background: transparent; color: #e6e8ea;"));

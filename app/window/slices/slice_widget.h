@@ -14,8 +14,8 @@ class QLabel;
 
 namespace viscera::app {
 
-/// One slice of a scan in the window. Tells what the mouse wants in pixels of the slice's picture; what
-/// becomes of it is decided elsewhere. Renders at most once for all that changed since the event loop last
+/// A widget that shows one slice of a scan. It reports mouse gestures as signals, in pixels of the slice's
+/// picture, and changes nothing itself. Renders at most once for all that changed since the event loop last
 /// came round.
 class SliceWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT

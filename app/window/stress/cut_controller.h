@@ -14,8 +14,8 @@
 
 namespace viscera::app {
 
-/// What the mouse does with a stress map: it moves the plane that cuts the organ open, and asks for the
-/// values at a place.
+/// Handles the mouse for a stress map: it moves the plane that cuts the organ open, and shows the values at a
+/// clicked place.
 class CutController final : public QObject {
   Q_OBJECT
 

@@ -9,8 +9,8 @@
 
 namespace viscera::app {
 
-/// How numbers are spread: bars in the colours of a map over its range, with a line at the mean and one at
-/// the 95th percentile, and what is left out by a limit dimmed.
+/// A widget that draws the histogram of a stress map: bars in the colours of a map over its range, with a
+/// line at the mean and one at the 95th percentile, and what is left out by a limit dimmed.
 class Histogram final : public QWidget {
   Q_OBJECT
 

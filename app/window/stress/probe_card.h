@@ -9,7 +9,7 @@ class QLabel;
 
 namespace viscera::app {
 
-/// The values at the point that was clicked, over the view; they follow the pose.
+/// A card over the view with the stress values at the clicked point, which follow the pose.
 class ProbeCard final : public QFrame {
   Q_OBJECT
 

@@ -1,7 +1,6 @@
 #include "window/stress/stress_chart.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
@@ -11,6 +10,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -28,7 +28,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
       widget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  chart_->setDecimalMark(QLocale().decimalPoint().toLatin1());
+  chart_->setDecimalMark(decimalMark());
   auto* column = makeLayout<QVBoxLayout>(this, -1, {8, 4, 8, 4});
   column->addLayout(stack_);
   auto* hint = new QLabel(tr("The stress over time is drawn here while a sequence plays (Space)."), this);

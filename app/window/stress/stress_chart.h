@@ -13,7 +13,8 @@ class QStackedLayout;
 
 namespace viscera::app {
 
-/// The rotational stress over the time of a sequence: mean, 95th percentile and largest, as curves.
+/// A chart of the rotational stress over the time of a sequence: mean, 95th percentile and largest, as
+/// curves.
 class StressChart final : public QWidget {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace viscera::app {
 
 class Actions;
 
-/// The stress map that is shown as files for other programs, the same as `viscera stress` writes. Written by
-/// a worker, as a whole or not at all.
+/// Exports the displayed stress map to the same files that `viscera stress` writes. Written by a worker, as a
+/// whole or not at all.
 class StressExport final : public QObject {
   Q_OBJECT
 

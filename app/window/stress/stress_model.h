@@ -19,9 +19,9 @@ namespace viscera::app {
 using presentation::GlyphChoice;
 using presentation::StressLook;
 
-/// What Stress mode knows: the map of the current organ as the picture has it, live or as the peak over a
-/// cycle, and what became of it over time. Page, chart and probe all look at this. The look is a part of the
-/// view's state; it is remembered in the settings.
+/// The data of the mode Stress: the stress map of the current organ, live or as the peak over a cycle, and
+/// its course over time. Page, chart and probe read it. The look is a part of the view's state; it is
+/// remembered in the settings.
 class StressModel final : public QObject {
   Q_OBJECT
 

@@ -17,8 +17,8 @@ class Histogram;
 class MarksBox;
 class ValueSlider;
 
-/// Stress: which map, its numbers and how they are spread, what was pinned, the witness points and where they
-/// come from, and how to look inside.
+/// The property page of the mode Stress: choice of the map, statistics and histogram, pinned probes, witness
+/// points, and the cut.
 class StressPage final : public Page {
   Q_OBJECT
 

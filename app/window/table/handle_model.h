@@ -8,15 +8,15 @@
 
 namespace viscera::app {
 
-/// One vertex of an organ, whose coordinates are looked at.
+/// The vertex of an organ whose coordinates a table shows.
 struct ShownVertex {
   document::OrganId organ;
   int vertex = -1;
 };
 
-/// The handles of the document as rows: label, groups, where they are at rest and in the pose (mm, LPS), how
-/// far they moved, and their coordinate at one vertex. Numbers and labels can be typed; each is one step of
-/// undo.
+/// An item model with a row for each handle of the document: label, groups, where they are at rest and in the
+/// pose (mm, LPS), how far they moved, and their coordinate at one vertex. Numbers and labels can be typed;
+/// each is one step of undo.
 class HandleModel final : public QAbstractTableModel {
   Q_OBJECT
 

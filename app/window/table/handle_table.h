@@ -14,7 +14,7 @@ namespace viscera::app {
 
 class Actions;
 
-/// All handles in numbers beside the window: positions to read and to type, and the coordinates of the vertex
+/// A dialog with a table of all handles: positions to read and to type, and the coordinates of the vertex
 /// that was clicked last while the table is open. Rows can be copied into a spreadsheet.
 class HandleTable final : public QDialog {
   Q_OBJECT

@@ -9,9 +9,9 @@
 
 namespace viscera::app {
 
-/// What belongs to the textbook's beat, over the same stretch of time as the strip of its phases: a schematic
-/// electrocardiogram, the first and the second heart sound, and when each of the four valves is open, with a
-/// lamp for the present instant.
+/// A strip below the timeline with the events of the textbook's beat: a schematic electrocardiogram, the
+/// first and the second heart sound, and when each of the four valves is open, with a lamp for the present
+/// instant.
 class BeatStrip final : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@ namespace viscera::app {
 class VolumePanel;
 class WindowLayout;
 
-/// The place of the charts: the present mode's own chart while that is wanted, else the volumes.
+/// Shows the current mode's own chart where it has one and that is switched on, else the chart of volumes.
 class ModeCharts final : public QStackedWidget {
   Q_OBJECT
 

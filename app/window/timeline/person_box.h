@@ -11,7 +11,8 @@ namespace viscera::app {
 
 class ViewModel;
 
-/// Whose normal ranges are shown: women, men or either, of a body surface or of any. Kept in the view.
+/// The controls that choose for whom normal ranges are shown: women, men or either, and a body surface. Kept
+/// in the view.
 class PersonBox final : public QWidget {
   Q_OBJECT
 

@@ -8,9 +8,9 @@
 
 namespace viscera::app {
 
-/// One cycle as a strip of its phases with the present instant on it; drag or use the arrow keys to look
-/// elsewhere. Under the strip stand the names of the phases, or what travels through the organ: its way with
-/// the names of places and a mark for each wave.
+/// A strip that shows one cycle with its phases and the present instant, which mouse and arrow keys move.
+/// Under the strip stand the names of the phases, or what travels through the organ: its way with the names
+/// of places and a mark for each wave.
 class PhaseScrubber final : public QWidget {
   Q_OBJECT
 

@@ -13,10 +13,10 @@
 
 namespace viscera::app {
 
-/// The motions of a document's organs, and the present one in its view: a transport's player with the frame
-/// timer, the signals and the messages of a window. It knows the motions of several organs: undo brings an
-/// organ back with its motion. What the document does to a motion is shown after everybody has heard of it,
-/// not from within the document's notification.
+/// Plays the motions of a document's organs in a view: a transport's player with the frame timer, the signals
+/// and the messages of a window. It knows the motions of several organs: undo brings an organ back with its
+/// motion. What the document does to a motion is shown after everybody has heard of it, not from within the
+/// document's notification.
 class Playback final : public QObject {
   Q_OBJECT
 

@@ -17,8 +17,8 @@ class QToolButton;
 
 namespace viscera::app {
 
-/// Transport of a sequence: to the start, step, play or pause, loop, rate, slow motion, the cycle with its
-/// phases; and the actions that do the same by keys.
+/// The buttons and the strip that play a sequence: to the start, step, play or pause, loop, rate, slow
+/// motion, the cycle with its phases; and the actions that do the same by keys.
 class TimelineBar final : public QWidget {
   Q_OBJECT
 public:

@@ -19,10 +19,10 @@
 
 namespace viscera::app {
 
-/// Follows the volumes of the organs that are tracked: now, over the time of a sequence, and over the time in
-/// which handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker,
-/// so that curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a
-/// second view can be followed beside them. Tells at most ten times a second that there is something new.
+/// Measures the volumes of the tracked organs: now, over the time of a sequence, and over the time in which
+/// handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker, so that
+/// curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a second view
+/// can be followed beside them. Tells at most ten times a second that there is something new.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 

@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPixmap>
 #include <QStackedLayout>
 #include <QToolButton>
@@ -72,7 +71,7 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
       stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  chart_->setDecimalMark(QLocale().decimalPoint().toLatin1());
+  chart_->setDecimalMark(decimalMark());
   auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
   column_ = makeLayout<QVBoxLayout>(nullptr, 0);

@@ -23,8 +23,8 @@ class ElidedLabel;
 class MeasuredMotion;
 class ViewModel;
 
-/// The volumes as numbers and as a live chart, with ejection fraction and stroke volume, and what healthy
-/// people have behind the curve of one organ.
+/// A panel with the tracked volumes as numbers and as a live chart, ejection fraction, stroke volume and
+/// normal ranges.
 class VolumePanel final : public QWidget {
   Q_OBJECT
 

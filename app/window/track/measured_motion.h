@@ -15,11 +15,12 @@
 
 namespace viscera::app {
 
-/// Motions out of a patient's series: found on a worker, taken into the document as organs with handles and a
-/// recorded sequence in one undo step, and known here as long as these organs are in the document, with what
-/// was measured. While the sequence is shown, the surfaces that were measured in the nearest phase can stand
-/// in the view as glass, and the organs have the distances from them as colours. A session keeps the numbers:
-/// measured volumes and how well each phase fits; the surfaces themselves are in no session.
+/// Finds a patient's own motion in a series of phases and keeps it: found on a worker, taken into the
+/// document as organs with handles and a recorded sequence in one undo step, and known here as long as these
+/// organs are in the document, with what was measured. While the sequence is shown, the surfaces that were
+/// measured in the nearest phase can stand in the view as glass, and the organs have the distances from them
+/// as colours. A session keeps the numbers: measured volumes and how well each phase fits; the surfaces
+/// themselves are in no session.
 class MeasuredMotion final : public QObject {
   Q_OBJECT
 

@@ -17,9 +17,9 @@ class QVBoxLayout;
 
 namespace viscera::app {
 
-/// Sequence > Motion from a series: which files, what of them is a cavity and what is tissue, how long one
-/// cycle lasts, and how the motion is looked for. What is refused is said here, and can be mended here.
-/// Stands beside the window, which goes on working.
+/// The dialog that finds a patient's motion in a series (Sequence > Motion from a series): which files, which
+/// parts are cavities and which are tissue, the duration of a cycle, and the options of the search. Refusals
+/// are shown here and can be mended here. Stands beside the window, which goes on working.
 class MotionDialog final : public QDialog {
   Q_OBJECT
 

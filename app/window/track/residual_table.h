@@ -13,9 +13,9 @@ class QTableWidget;
 
 namespace viscera::app {
 
-/// How well a motion fits what it was found from, phase by phase, of all surfaces together or of one: how far
-/// they lie apart, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a row
-/// shows its phase. With another series known from before, what differs between the two. Above it the
+/// A table of how well a tracked motion fits the measured series, for each phase, of all surfaces together or
+/// of one: distances, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a
+/// row shows its phase. With another series known from before, what differs between the two. Above it the
 /// switches for what stands in the view.
 class ResidualTable final : public QWidget {
   Q_OBJECT

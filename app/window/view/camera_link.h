@@ -11,7 +11,8 @@ class vtkCallbackCommand;
 
 namespace viscera::app {
 
-/// Lets two views look from the same side and at the same scale: whoever moves one camera moves the other.
+/// Links the cameras of two views, so that they have the same direction and scale: a change of one is applied
+/// to the other.
 class CameraLink final {
 public:
   /// The second camera goes to where the first one is. Both views have to outlive the link.

@@ -12,9 +12,9 @@
 
 namespace viscera::app {
 
-/// What the mouse does with the handles and the gizmo of a view, as commands: at rest it edits the rest
-/// shape, else the pose, where locked volumes are kept. One drag is one undo step. Shows nothing itself but
-/// the plane in which a drag may go; the picture shows the rest.
+/// Turns mouse gestures on handles and on the gizmo of a view into commands: at rest it edits the rest shape,
+/// else the pose, where locked volumes are kept. One drag is one undo step. Shows nothing itself but the
+/// plane in which a drag may go; the picture shows the rest.
 class HandleController final : public QObject {
   Q_OBJECT
 

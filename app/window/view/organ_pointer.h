@@ -13,7 +13,7 @@ class QMenu;
 
 namespace viscera::app {
 
-/// What the mouse does to organs in the view, in every mode: the name of the organ under the cursor stands
+/// Handles the mouse for organs in the view, in every mode: the name of the organ under the cursor stands
 /// beside it, a double click shows that organ alone and another one all of them, and the right button opens
 /// the menu of what can be done to it.
 class OrganPointer final : public QObject {

@@ -13,7 +13,7 @@
 
 namespace viscera::app {
 
-/// A view of the window with the presenter that draws the document in it: brings it up to date whenever the
+/// A view of the window together with the presenter that draws the document in it. It redraws whenever the
 /// document, its organs, the selection, the stress or the view's state have changed. What handles the mouse
 /// is given this; it is not needed to see something.
 class Picture final : public QObject {
@@ -84,7 +84,7 @@ private:
   std::vector<Subscription> subscriptions_;
 };
 
-/// What a presenter writes, in the window's language. For any thread.
+/// Translates a text of the presenter into the language of the window. For any thread.
 std::string translated(const char* text);
 
 } // namespace viscera::app

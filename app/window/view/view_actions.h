@@ -13,7 +13,7 @@
 
 namespace viscera::app {
 
-/// Where one looks from, what is shown in every mode, and pictures of it.
+/// The actions for the camera, for what every mode can show or hide, and for saving pictures.
 class ViewActions final : public QObject {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ class QTimer;
 
 namespace viscera::app {
 
-/// The 3D view with what lies over it: the message bar at the top, a badge, cards; around it up to three
-/// slices; and beside all that, while two organs are compared, a second view.
+/// The central widget of the window: the 3D view with the message bar at the top, a badge, cards; around it
+/// up to three slices; and beside all that, while two organs are compared, a second view.
 class ViewArea final : public QWidget {
   Q_OBJECT
 

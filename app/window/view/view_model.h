@@ -9,9 +9,9 @@
 
 namespace viscera::app {
 
-/// How the document is looked at, for the whole window: parts read it and change it, the presenter draws it,
-/// a session keeps it. Actions are its switches and nothing else. Selection, camera, motions and the shown
-/// pose are kept where they live and gathered when a session is saved.
+/// Holds how the document is shown (colours, labels, cuts, slices), shared by all parts of the window: they
+/// read and change it, the presenter draws it, a session saves it. Actions only switch it. Selection, camera,
+/// motions and the shown pose are kept where they live and gathered when a session is saved.
 ///
 ///     view.change([](presentation::ViewState& state) { state.ghost = true; });
 class ViewModel final : public QObject {

@@ -13,6 +13,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include "window/language.h"
+
 namespace viscera::app {
 namespace {
 
@@ -35,6 +37,7 @@ QStringList localFiles(const QMimeData* data) {
 
 ViewWidget::ViewWidget(QWidget* parent)
     : QVTKOpenGLNativeWidget(parent), view_(std::make_unique<scene::OrganView>()) {
+  view_->setDecimalMark(decimalMark());
   setObjectName(QStringLiteral("view3d"));
   setAcceptDrops(true);
   setFocusPolicy(Qt::StrongFocus);

@@ -15,8 +15,8 @@
 
 namespace viscera::app {
 
-/// The 3D view in the window. Renders at most once for all that changed since the event loop last came round,
-/// whoever asked for it, and tells a click from a drag. Where a whole, smooth frame takes long
+/// The widget that shows the 3D view. Renders at most once for all that changed since the event loop last
+/// came round, whoever asked for it, and tells a click from a drag. Where a whole, smooth frame takes long
 /// (`scene::OrganView::isSlow`), what happens is answered by a quick frame, and the smooth one follows when
 /// nothing else has happened for a moment. A click on a side of the orientation cube looks from that side.
 class ViewWidget final : public QVTKOpenGLNativeWidget {

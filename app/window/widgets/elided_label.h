@@ -4,7 +4,7 @@
 
 namespace viscera::app {
 
-/// A line of text that gives way: what does not fit ends in an ellipsis and is in the tooltip.
+/// A label that shortens its text with an ellipsis where it does not fit, and shows all of it in the tooltip.
 class ElidedLabel final : public QLabel {
   Q_OBJECT
 

@@ -6,7 +6,7 @@
 
 namespace viscera::app {
 
-/// Puts its items in lines like words, as many in each as fit.
+/// A layout that places its items in lines, as many in each as fit, like the words of a text.
 class FlowLayout final : public QLayout {
 public:
   explicit FlowLayout(QWidget* parent, int spacing);

@@ -12,13 +12,12 @@ class QMenu;
 class QMenuBar;
 class QPushButton;
 
-/// What help puts over the view.
+/// The cards that the help shows over the view: welcome, tour and shortcuts.
 namespace viscera::app {
 
 class PointingFrame;
 
-/// What a first visitor can do, beside the beating heart: open a file, take a sample organ, or be shown
-/// around.
+/// The card of the first start, which offers to open a file, to load a sample organ, or to begin the tour.
 class WelcomeCard final : public QFrame {
   Q_OBJECT
 
@@ -40,8 +39,8 @@ struct TourStep {
   std::function<void()> enter; ///< Brings the window to where the text is true.
 };
 
-/// Shows a visitor around, step by step, over the view, and frames what each step speaks of; the window stays
-/// usable all the time.
+/// A card that leads a new user through the window step by step and frames what each step explains; the
+/// window stays usable.
 class TourCard final : public QFrame {
   Q_OBJECT
 
@@ -69,7 +68,7 @@ private:
   QPushButton* next_;
 };
 
-/// What the mouse does and all shortcuts, in the order of the menus, over the view.
+/// A card that lists what the mouse does and all shortcuts, in the order of the menus.
 class ShortcutCard final : public QFrame {
   Q_OBJECT
 

@@ -12,7 +12,7 @@ class QTimer;
 
 namespace viscera::app {
 
-/// Something to tell the user without stopping the work.
+/// A message for the user, with actions to choose from, that does not interrupt the work.
 struct Message {
   enum class Severity { info, warning, error };
   struct Offer {
@@ -26,7 +26,8 @@ struct Message {
   int seconds = 0;           ///< Closes by itself after so long; 0: stays until closed.
 };
 
-/// One line over the view with a message and what can be done about it. A new message replaces the old one.
+/// A line over the view that shows a message with buttons for what can be done about it. A new message
+/// replaces the old one.
 class MessageBar final : public QFrame {
   Q_OBJECT
 

@@ -6,7 +6,7 @@ namespace viscera::app {
 
 class ModeController;
 
-/// The slim column of modes at the left edge: an icon and a word each.
+/// The narrow column of buttons at the left edge that switch between modes, each an icon with a word.
 class ModeRail final : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@ class QVBoxLayout;
 
 namespace viscera::app {
 
-/// A title that shows and hides what is under it, for what is not needed every time.
+/// A section of a page that a click on its title folds and unfolds.
 class CollapsibleSection final : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ private:
   QWidget* contents_;
 };
 
-/// A property page: titled sections from top to bottom.
+/// A page of the properties panel: titled sections from top to bottom.
 class Page : public QWidget {
   Q_OBJECT
 

@@ -4,8 +4,8 @@
 
 namespace viscera::app {
 
-/// A dock with the program's own title line: a quiet heading, buttons to float and to hide. Its contents may
-/// scroll.
+/// A dock widget with the program's own title bar: a quiet heading, buttons to float and to hide. Its
+/// contents may scroll.
 class PanelDock final : public QDockWidget {
   Q_OBJECT
 

@@ -5,7 +5,7 @@
 
 namespace viscera::app {
 
-/// A frame around a widget of the same window that somebody speaks of. It goes with the widget, is hidden
+/// A coloured frame that draws attention to a widget, as during the tour. It goes with the widget, is hidden
 /// while that is, and takes no clicks.
 class PointingFrame final : public QWidget {
   Q_OBJECT

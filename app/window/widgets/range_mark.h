@@ -6,7 +6,7 @@ class QSlider;
 
 namespace viscera::app {
 
-/// A thin line under a slider on which a part of its range is marked: what is normal.
+/// A thin line under a slider that marks the normal part of its range.
 class RangeMark final : public QWidget {
 public:
   explicit RangeMark(const QSlider& slider, QWidget* parent = nullptr);

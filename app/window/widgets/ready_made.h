@@ -7,7 +7,7 @@
 class QAction;
 class QPushButton;
 
-/// What many panels are made of.
+/// Functions that create the layouts, labels and buttons that many panels use.
 namespace viscera::app {
 
 /// A layout of `parent` (null: to be put into another one); a negative spacing is the style's.

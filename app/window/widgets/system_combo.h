@@ -8,7 +8,7 @@
 
 namespace viscera::app {
 
-/// The coordinate systems to choose from, under headings: those recommended for organs, those with a cage,
+/// A combo box with the coordinate systems under headings: those recommended for organs, those with a cage,
 /// those that need tetrahedra, and the attempts of the thesis, which are there to be compared. Where a system
 /// stands follows from what it says of itself, so that a plugin's finds its place.
 class SystemCombo final : public QComboBox {

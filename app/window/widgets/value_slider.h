@@ -9,7 +9,7 @@ namespace viscera::app {
 
 class RangeMark;
 
-/// A named number with a slider to try values and a field to type one.
+/// A control for a named number: a slider to try values and a field to type one.
 class ValueSlider final : public QWidget {
   Q_OBJECT
 

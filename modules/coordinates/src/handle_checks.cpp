@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -17,8 +18,7 @@ void requireDistinct(const PointsOf<Dim>& handles, double tolerance) {
   for (Eigen::Index i = 0; i < handles.rows(); ++i)
     for (Eigen::Index j = i + 1; j < handles.rows(); ++j)
       if ((handles.row(i) - handles.row(j)).norm() <= tolerance)
-        throw DataError("two handles are at one place",
-                        "handles " + std::to_string(i) + " and " + std::to_string(j),
+        throw DataError("two handles are at one place", phrase("handles %1 and %2", i, j),
                         "move or delete one of them");
 }
 
@@ -28,11 +28,11 @@ template <int Dim>
 void requireUsableHandles(const PointsOf<Dim>& handles) {
   const Eigen::Index count = handles.rows();
   if (count < Dim + 1)
-    throw DataError("only " + std::to_string(count) + " handles", "handles",
-                    "at least " + std::to_string(Dim + 1) + " are needed");
+    throw DataError(phrase("only %n {handle|handles}", count), "handles",
+                    phrase("at least %1 are needed", Dim + 1));
   for (Eigen::Index i = 0; i < count; ++i)
     if (!handles.row(i).allFinite())
-      throw DataError("the position is not finite", "handle " + std::to_string(i), "place the handle again");
+      throw DataError("the position is not finite", phrase("handle %1", i), "place the handle again");
 
   const PointsOf<Dim> centred = handles.rowwise() - handles.colwise().mean();
   const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();

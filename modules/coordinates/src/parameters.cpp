@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -21,15 +23,15 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string allowed(const Parameter& parameter) {
+std::string adviceFor(const Parameter& parameter) {
   if (!parameter.choices.empty())
-    return "one of: " + joined(parameter.choices);
-  std::ostringstream text;
-  text << (parameter.integer ? "a whole number" : "a number") << " from " << parameter.minimum << " to "
-       << parameter.maximum;
+    return phrase("give one of: %1", joined(parameter.choices));
+  const std::string low = significant(parameter.minimum, 6);
+  std::string high = significant(parameter.maximum, 6);
   if (!parameter.unit.empty())
-    text << " " << parameter.unit;
-  return text.str();
+    high += " " + parameter.unit;
+  return parameter.integer ? phrase("give a whole number from %1 to %2", low, high)
+                           : phrase("give a number from %1 to %2", low, high);
 }
 
 const Parameter& find(const std::vector<Parameter>& offered, const std::string& name) {
@@ -40,8 +42,8 @@ const Parameter& find(const std::vector<Parameter>& offered, const std::string& 
   std::vector<std::string> names;
   for (const Parameter& each : offered)
     names.push_back(each.name);
-  throw UsageError("there is no parameter " + quoted(name), {},
-                   names.empty() ? "this system has no parameters" : "parameters: " + joined(names));
+  throw UsageError(phrase("there is no parameter %1", quoted(name)), {},
+                   names.empty() ? "this system has no parameters" : phrase("parameters: %1", joined(names)));
 }
 
 bool within(const Parameter& parameter, double value) {
@@ -61,16 +63,16 @@ double parsed(const Parameter& parameter, const std::string& text) {
   double value = 0;
   if (parameter.choices.empty() && stream >> value && stream.peek() == std::istringstream::traits_type::eof())
     return value;
-  throw UsageError(quoted(text) + " is not a value for parameter " + quoted(parameter.name), {},
-                   "give " + allowed(parameter));
+  throw UsageError(phrase("%1 is not a value for parameter %2", quoted(text), quoted(parameter.name)), {},
+                   adviceFor(parameter));
 }
 
 void require(const Parameter& parameter, double value) {
   if (within(parameter, value))
     return;
-  std::ostringstream text;
-  text << value << " is out of range for parameter " << quoted(parameter.name);
-  throw UsageError(text.str(), {}, "give " + allowed(parameter));
+  throw UsageError(
+      phrase("%1 is out of range for parameter %2", significant(value, 6), quoted(parameter.name)), {},
+      adviceFor(parameter));
 }
 
 } // namespace

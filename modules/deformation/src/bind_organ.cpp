@@ -1,10 +1,11 @@
 #include "viscera/deformation/bind_organ.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/convex_hull.h"
 
@@ -35,22 +36,23 @@ const char* adviceFor(Of of) {
     farthest = std::max(farthest, distance);
     outside += distance > 0;
   }
-  std::ostringstream what;
-  what << failures.size() << " of " << organ.rows() << " vertices ";
-  what << (of == Of::regions ? "lie in no group's region" : "have no coordinates");
+  const std::size_t count = failures.size();
+  std::string what = phrase("%1 of %2 vertices have no coordinates", count, organ.rows());
+  if (of == Of::regions)
+    what = phrase("%1 of %2 vertices lie in no group's region", count, organ.rows());
   if (of == Of::cage)
-    what << " in the cage";
+    what = phrase("%1 of %2 vertices have no coordinates in the cage", count, organ.rows());
   if (outside > 0)
-    what << ": " << outside << " lie outside the handles' hull, by up to " << farthest << " mm";
-  throw UnboundVertices(failures, outside, of, what.str(), adviceFor(of));
+    what = phrase("%1: %2 lie outside the handles' hull, by up to %3 mm", what, outside,
+                  significant(farthest, 6));
+  throw UnboundVertices(failures, outside, of, what, adviceFor(of));
 }
 
 } // namespace
 
 UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const std::string& what,
                                  const std::string& tryThis)
-    : DataError(what, vertices.empty() ? std::string() : "vertex " + std::to_string(vertices.front()),
-                tryThis),
+    : DataError(what, vertices.empty() ? std::string() : phrase("vertex %1", vertices.front()), tryThis),
       vertices_(std::move(vertices)), outsideHull_(outsideHull), of_(of) {}
 
 std::shared_ptr<const coordinates::Binding>

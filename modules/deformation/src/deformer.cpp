@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::deformation {
@@ -22,13 +23,12 @@ Deformer::Deformer(std::shared_ptr<const geometry::TriangleMesh> rest,
 
 void Deformer::setPose(const Points& pose) {
   if (pose.rows() != restHandles_.rows())
-    throw DataError("the pose has " + std::to_string(pose.rows()) + " handles, the organ is bound to " +
-                        std::to_string(restHandles_.rows()),
+    throw DataError(phrase("the pose has %n {handle|handles}, the organ is bound to %2", pose.rows(),
+                           restHandles_.rows()),
                     "pose", "use a pose of the same handles");
   for (Eigen::Index handle = 0; handle < pose.rows(); ++handle)
     if (!pose.row(handle).allFinite())
-      throw DataError("the position is not finite", "handle " + std::to_string(handle),
-                      "place the handle again");
+      throw DataError("the position is not finite", phrase("handle %1", handle), "place the handle again");
   pose_ = pose;
   binding_->deform(pose_, points_, threads_);
   changed();
@@ -37,8 +37,7 @@ void Deformer::setPose(const Points& pose) {
 void Deformer::moveHandle(int handle, const Vec3& position) {
   assert(handle >= 0 && handle < pose_.rows());
   if (!position.allFinite())
-    throw DataError("the position is not finite", "handle " + std::to_string(handle),
-                    "place the handle again");
+    throw DataError("the position is not finite", phrase("handle %1", handle), "place the handle again");
   const Vec3 delta = position - pose_.row(handle).transpose();
   binding_->moveHandle(pose_, handle, delta, points_, threads_);
   pose_.row(handle) = position.transpose();

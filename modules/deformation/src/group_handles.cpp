@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/convex_hull.h"
 
@@ -32,7 +33,7 @@ constexpr Eigen::Index kClusteredPoints = 4000;
 
 void requireInput(const Points& organPoints, int count) {
   if (count < 1)
-    throw UsageError("the number of groups must be at least 1, not " + std::to_string(count));
+    throw UsageError(phrase("the number of groups must be at least 1, not %1", count));
   if (organPoints.rows() == 0)
     throw DataError("there are no points to group handles around");
 }
@@ -196,13 +197,12 @@ Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int c
 Grouping groupsByCluster(const Points& handles, const Points& organPoints, int count) {
   requireInput(organPoints, count);
   if (handles.rows() < count)
-    throw DataError(std::to_string(handles.rows()) + " handles cannot form " + std::to_string(count) +
-                        " groups",
-                    {}, "place more handles");
+    throw DataError(phrase("%n {handle|handles} cannot form %2 groups", handles.rows(), count), {},
+                    "place more handles");
   if (organPoints.rows() < count)
-    throw DataError(std::to_string(organPoints.rows()) + " vertices cannot be divided among " +
-                        std::to_string(count) + " groups",
-                    {}, "ask for fewer groups");
+    throw DataError(
+        phrase("%n {vertex|vertices} cannot be divided among %2 groups", organPoints.rows(), count), {},
+        "ask for fewer groups");
   const Points centers = clusterCenters(everyFew(organPoints), count);
   Grouping grouping;
   grouping.added.resize(0, 3);

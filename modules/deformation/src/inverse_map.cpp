@@ -9,6 +9,7 @@
 #include "refine_rest.h"
 #include "rest_field.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::deformation {
 namespace {
@@ -241,9 +242,8 @@ InverseMap::~InverseMap() = default;
 
 void InverseMap::setPose(const Points& pose) {
   if (pose.rows() != handles_.positions.rows())
-    throw DataError("It has " + std::to_string(pose.rows()) + " handles in place of " +
-                        std::to_string(handles_.positions.rows()),
-                    "pose");
+    throw DataError(
+        phrase("It has %n {handle|handles} in place of %2", pose.rows(), handles_.positions.rows()), "pose");
   if (!pose.allFinite())
     throw DataError("It is not finite", "pose");
   field_->setPose(pose);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
 
 namespace viscera::deformation {
@@ -154,13 +155,13 @@ double nearestRow(const Points& points, Eigen::Index rows, const Vec3& to) {
 
 void requireEnough(const geometry::TriangleMesh& organ, const Placement& placement) {
   if (organ.points.rows() < kLeastWithoutBox || organ.triangles.rows() < kLeastWithoutBox)
-    throw DataError("a surface of " + std::to_string(organ.points.rows()) + " vertices and " +
-                        std::to_string(organ.triangles.rows()) + " triangles is too small for handles",
+    throw DataError(phrase("a surface of %1 vertices and %2 triangles is too small for handles",
+                           organ.points.rows(), organ.triangles.rows()),
                     "organ", "load a closed surface");
   const int least = placement.enclosing ? kCorners : kLeastWithoutBox;
   if (placement.count < least)
-    throw DataError(std::to_string(placement.count) + " handles are too few", "handles",
-                    "ask for at least " + std::to_string(least));
+    throw DataError(phrase("%n {handle is|handles are} too few", placement.count), "handles",
+                    phrase("ask for at least %1", least));
 }
 
 } // namespace
@@ -191,9 +192,8 @@ Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placem
   while (placed < handles.rows()) {
     const std::optional<Eigen::Index> vertex = vertices.next();
     if (!vertex)
-      throw DataError("the surface has room for " + std::to_string(placed) + " of " +
-                          std::to_string(placement.count) + " handles",
-                      "handles", "ask for fewer, or put them nearer to the surface");
+      throw DataError(phrase("the surface has room for %1 of %2 handles", placed, placement.count), "handles",
+                      "ask for fewer, or put them nearer to the surface");
     const Vec3 outward = normals.row(*vertex).cast<double>().transpose();
     const Vec3 handle = organ.points.row(*vertex).transpose() + offset * outward;
     if (outward.squaredNorm() > 0 && nearestRow(handles, placed, handle) >= kClearance * offset &&

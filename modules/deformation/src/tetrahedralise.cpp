@@ -12,6 +12,7 @@
 
 #include "../tetgen_worker/tetgen_exchange.h"
 #include "viscera/core/child_process.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/winding_number.h"
 
@@ -54,15 +55,15 @@ std::string said(const std::string& messages) {
                           const std::filesystem::path& worker) {
   using End = ChildResult::End;
   if (result.end == End::notStarted)
-    throw TetrahedraError(Reason::missing,
-                          "TetGen's program " + worker.string() +
-                              " cannot be started: " + std::strerror(result.code),
-                          "install Viscera again, or name it in VISCERA_TETGEN_WORKER");
+    throw TetrahedraError(
+        Reason::missing,
+        phrase("TetGen's program %1 cannot be started: %2", worker.string(), std::strerror(result.code)),
+        "install Viscera again, or name it in VISCERA_TETGEN_WORKER");
   if (result.end == End::timeLimit)
-    throw TetrahedraError(Reason::timeLimit,
-                          "TetGen was not done after " +
-                              std::to_string(std::lround(std::ceil(options.timeLimitSeconds))) + " s",
-                          "ask for fewer witness points");
+    throw TetrahedraError(
+        Reason::timeLimit,
+        phrase("TetGen was not done after %1 s", std::lround(std::ceil(options.timeLimitSeconds))),
+        "ask for fewer witness points");
   std::string lower = result.messages;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   const bool outOfMemory =
@@ -72,16 +73,16 @@ std::string said(const std::string& messages) {
       static_cast<double>(result.peakMemoryBytes) > kNearMemoryLimit * double(options.memoryLimitBytes);
   if (outOfMemory)
     throw TetrahedraError(Reason::memoryLimit,
-                          "TetGen wanted more than " + std::to_string(options.memoryLimitBytes >> 20) +
-                              " MB of memory",
+                          phrase("TetGen wanted more than %1 MB of memory", options.memoryLimitBytes >> 20),
                           "ask for fewer witness points");
   const std::string how = result.end == End::killed ? "it crashed" : "it gave up";
   throw TetrahedraError(Reason::refused,
-                        "TetGen cannot fill this surface (" + how + said(result.messages) + ")");
+                        phrase("TetGen cannot fill this surface (%1)", how + said(result.messages)));
 }
 
 [[noreturn]] void unusable(const std::string& why) {
-  throw TetrahedraError(Reason::unusable, "what TetGen made is not a filling of this surface: " + why);
+  throw TetrahedraError(Reason::unusable,
+                        phrase("what TetGen made is not a filling of this surface: %1", why));
 }
 
 /// The points and tetrahedra as they came.
@@ -165,7 +166,7 @@ coordinates::SolidMesh solidOf(const geometry::TriangleMesh& surface, const Witn
       ++found;
     }
   if (found != known)
-    unusable(std::to_string(known - found) + " of the given points are not in it");
+    unusable(phrase("%n of the given points {is|are} not in it", known - found));
   solid.points.resize(mesh.points.rows(), 3);
   Eigen::Index next = known;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -231,8 +232,8 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   geometry::requireValid(surface, "surface");
   const geometry::SurfaceReport report = geometry::checkSurface(surface);
   if (surface.triangles.rows() == 0 || !report.closed())
-    throw TetrahedraError(Reason::refused, "the surface is open (" + std::to_string(report.boundaryEdges) +
-                                               " boundary edges)");
+    throw TetrahedraError(Reason::refused,
+                          phrase("the surface is open (%n boundary {edge|edges})", report.boundaryEdges));
   const std::filesystem::path worker = options.worker.empty() ? installedTetgenWorker() : options.worker;
   ChildResult result = runChild(worker, requestFor(surface, options),
                                 {options.timeLimitSeconds, options.memoryLimitBytes}, progress);

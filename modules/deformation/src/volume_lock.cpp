@@ -11,6 +11,7 @@
 
 #include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/volume.h"
 
@@ -26,9 +27,10 @@ constexpr double kRoundingOfVolume = 1e-13;
 void requireClosed(const LockedSurface& surface) {
   const auto report = geometry::checkSurface(*surface.rest);
   if (!report.closed())
-    throw DataError("the surface is open (" + std::to_string(report.boundaryEdges) +
-                        " boundary edges), so it has no volume that could be locked",
-                    surface.name, "close its holes first");
+    throw DataError(
+        phrase("the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked",
+               report.boundaryEdges),
+        surface.name, "close its holes first");
 }
 
 void requireTarget(const LockedSurface& surface) {
@@ -213,8 +215,7 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
       direction /= longest;
     const double step = cubicStep(pose, direction, limitMm);
     if (!std::isfinite(step))
-      return fail("no compensation within " + std::to_string(std::lround(limitMm)) +
-                  " mm restores the volume");
+      return fail(phrase("no compensation within %1 mm restores the volume", std::lround(limitMm)));
     pose += step * direction;
     left = expectedError(pose);
   }
@@ -234,7 +235,7 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
   if (!(reached <= kRelativeTolerance))
     return fail("the handles that may compensate cannot restore the volume");
   if (shift > limitMm)
-    return fail("restoring the volume would move a handle by " + std::to_string(std::lround(shift)) + " mm");
+    return fail(phrase("restoring the volume would move a handle by %1 mm", std::lround(shift)));
   return {std::move(pose), true, shift, reached, {}};
 }
 
@@ -253,7 +254,7 @@ void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>&
   std::vector<int> free = compensating;
   std::sort(free.begin(), free.end());
   if (free.front() < 0 || free.back() >= deformer.pose().rows())
-    throw UsageError("there is no handle " + std::to_string(free.front() < 0 ? free.front() : free.back()),
+    throw UsageError(phrase("there is no handle %1", free.front() < 0 ? free.front() : free.back()),
                      "compensating handles");
   const VolumeLock lock({{"organ", deformer.sharedRest(), deformer.sharedBinding(), targetMm3}});
   const double limit = boundsOf(deformer.restHandles()).diagonal();

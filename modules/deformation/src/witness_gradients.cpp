@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/tetrahedralise.h"
 
 namespace viscera::deformation {
@@ -74,8 +75,7 @@ Eigen::Matrix3d WitnessGradients::deformationGradient(Eigen::Index witness, cons
 
 void WitnessGradients::evaluate(const Points& pose, StressMap& map, Threads threads) const {
   if (pose.rows() != handles_)
-    throw DataError("a pose of " + std::to_string(pose.rows()) + " handles does not fit witness points of " +
-                    std::to_string(handles_));
+    throw DataError(phrase("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
   for (Values* values : {&map.rotationalStress, &map.volumeRatio, &map.stretchMax, &map.stretchMin})
     values->resize(witnesses_);
   // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::deformation {
 namespace {
@@ -100,14 +101,14 @@ void requireUsable(const WitnessMesh& mesh, const std::string& where) {
     throw DataError("no witness point lies inside", where);
   for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
     if (!mesh.points.row(i).allFinite())
-      throw DataError("witness point " + std::to_string(i) + " has a coordinate that is not finite", where);
+      throw DataError(phrase("witness point %1 has a coordinate that is not finite", i), where);
   const Bounds box = boundsOf(mesh.points);
   const double smallest = kFlat * (box.high - box.low).prod();
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
     if (mesh.tetrahedra.row(t).minCoeff() < 0 || mesh.tetrahedra.row(t).maxCoeff() >= mesh.points.rows())
-      throw DataError("tetrahedron " + std::to_string(t) + " has a corner that does not exist", where);
+      throw DataError(phrase("tetrahedron %1 has a corner that does not exist", t), where);
     if (!(signedVolume(mesh.points, mesh.tetrahedra, t) > smallest))
-      throw DataError("tetrahedron " + std::to_string(t) + " is flat or turned around", where);
+      throw DataError(phrase("tetrahedron %1 is flat or turned around", t), where);
   }
 }
 

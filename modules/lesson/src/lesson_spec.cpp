@@ -1,12 +1,15 @@
 #include "viscera/lesson/lesson_spec.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include <QFile>
 
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::lesson {
 namespace {
@@ -53,14 +56,28 @@ LessonSpec specFrom(const json& tree) {
   return spec;
 }
 
+/// What the JSON library found wrong, in words for whoever wrote the file.
+std::string problemOf(const json::exception& error, const std::string& text) {
+  if (const auto* parsing = dynamic_cast<const json::parse_error*>(&error)) {
+    const auto read = static_cast<std::ptrdiff_t>(std::min(parsing->byte, text.size()));
+    return phrase("It is not complete JSON: the mistake is in line %1",
+                  1 + std::count(text.begin(), text.begin() + read, '\n'));
+  }
+  constexpr int kMissingKey = 403;
+  const std::string said = error.what();
+  const std::size_t from = said.find('\''), to = said.rfind('\'');
+  if (error.id == kMissingKey && to > from)
+    return phrase("It does not describe a lesson: \"%1\" is missing", said.substr(from + 1, to - from - 1));
+  return "It does not describe a lesson: a text, a number or a list stands where something else belongs";
+}
+
 } // namespace
 
 LessonSpec readSpec(const std::string& text, const std::string& where) {
   try {
     return specFrom(json::parse(text));
   } catch (const json::exception& error) {
-    throw DataError(std::string("It does not describe a lesson: ") + error.what(), where,
-                    "compare it with the example in docs/lessons.md");
+    throw DataError(problemOf(error, text), where, "compare it with the example in docs/lessons.md");
   }
 }
 

@@ -79,16 +79,20 @@ private:
                          std::abs(x) < kWithinBodyMm;
     if (telling && (x > 0) != (norm->side == BodySide::left)) {
       const bool left = norm->side == BodySide::left;
+      const long at = std::lround(x);
+      const char* why = origin_.statedSpace ? "it may be mirrored" : "the file may be in RAS, or mirrored";
       add(Light::doubt,
-          "by its name it belongs on the patient's " + std::string(left ? "left" : "right") +
-              ", but it lies on the " + (left ? "right" : "left") +
-              " (x = " + std::to_string(std::lround(x)) +
-              " mm): " + (origin_.statedSpace ? "it may be mirrored" : "the file may be in RAS, or mirrored"),
+          left ? phrase(
+                     "by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2",
+                     at, why)
+               : phrase(
+                     "by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2",
+                     at, why),
           {"ras-to-lps", "mirror"});
       return;
     }
     if (origin_.statedSpace)
-      add(Light::good, "the file states its axes: " + std::string(spaceName(*origin_.statedSpace)));
+      add(Light::good, phrase("the file states its axes: %1", spaceName(*origin_.statedSpace)));
     else
       add(Light::note, "the file does not state its axes: LPS is assumed", {"ras-to-lps", "mirror", "y-up"});
   }

@@ -14,6 +14,7 @@
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
@@ -70,7 +71,7 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
 void writeTransform(const std::filesystem::path& file, const deformation::DisplacementGrid& grid) {
   const std::string ending = extensionOf(file);
   if (ending != ".nrrd" && ending != ".mha")
-    throw CannotCreateError("displacement fields cannot be written as \"" + ending + "\"", file.string(),
+    throw CannotCreateError(phrase("displacement fields cannot be written as \"%1\"", ending), file.string(),
                             "let its name end in .nrrd or .mha");
   writeAtomically(file, [&](std::ostream& out) {
     out << (ending == ".nrrd" ? nrrdHeader(grid) : metaImageHeader(grid));

@@ -11,6 +11,7 @@
 #include <vtkBase64Utilities.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -40,8 +41,8 @@ FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream)
-    throw NoInputError("It cannot be opened: " + std::generic_category().message(errno), file.string(),
-                       "check that you may read it");
+    throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)),
+                       file.string(), "check that you may read it");
   FileBytes result{file, {}};
   try {
     result.bytes.resize(

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "viscera/core/phrase.h"
+
 #include "text_scanner.h"
 
 namespace viscera::medical_io {
@@ -152,14 +154,15 @@ FileKind fileKind(Signature signature) {
   return kindOf(signature).kind;
 }
 
-std::string looksLike(Signature found) {
-  return found == Signature::unknown ? "" : "; it looks like " + std::string(kindOf(found).description);
+std::string looksLike(const std::string& problem, Signature found) {
+  return found == Signature::unknown ? problem
+                                     : phrase("%1; it looks like %2", problem, kindOf(found).description);
 }
 
 void failAsAnotherKind(const FileBytes& file, Signature found, const std::string& otherwise) {
   const Kind& kind = kindOf(found);
-  file.fail("It is named " + extensionOf(file.file) + " but looks like " + std::string(kind.description),
-            kind.extension.empty() ? otherwise : "rename it to end in " + std::string(kind.extension));
+  file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), kind.description),
+            kind.extension.empty() ? otherwise : phrase("rename it to end in %1", kind.extension));
 }
 
 } // namespace viscera::medical_io

@@ -37,8 +37,9 @@ Signature signatureOf(const FileBytes& file);
 /// What a file of that signature holds.
 FileKind fileKind(Signature signature);
 
-/// "; it looks like an STL surface", to end a message; nothing for a file of no recognisable kind.
-std::string looksLike(Signature found);
+/// The problem with what the file seems to be: "It is not a handle file; it looks like an STL surface". The
+/// problem alone for a file of no recognisable kind.
+std::string looksLike(const std::string& problem, Signature found);
 
 /// Throws `DataError` for a file whose name promises another kind. `otherwise` says what to try when its kind
 /// has no usual ending.

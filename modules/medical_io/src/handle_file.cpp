@@ -11,6 +11,7 @@
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -33,10 +34,10 @@ public:
       }
     }
     if (named_ > 0)
-      file_.warnings.push_back(counted(named_, "handle", "handles") + " without a label got one");
+      file_.warnings.push_back(phrase("%n {handle|handles} without a label got one", named_));
     if (renamed_ > 0)
-      file_.warnings.push_back(counted(renamed_, "handle", "handles") +
-                               " whose label another one has got a new one");
+      file_.warnings.push_back(
+          phrase("%n {handle|handles} whose label another one has got a new one", renamed_));
   }
 
 private:
@@ -82,7 +83,7 @@ HandleFile readAny(const FileBytes& file) {
     return readFcsv(file);
   const bool json = extension == ".json" || extension == ".mrk.json";
   if (!json && found != Signature::markups)
-    file.fail("It is not a handle file" + looksLike(found), "handles come from .mrk.json or .fcsv files");
+    file.fail(looksLike("It is not a handle file", found), "handles come from .mrk.json or .fcsv files");
   return readMarkups(file);
 }
 
@@ -128,13 +129,13 @@ HandleFile readHandles(const std::filesystem::path& file) {
 void writeHandles(const std::filesystem::path& file, const HandleFile& handles, const WriteHandles& options) {
   const std::string ending = lowered(file.extension().string());
   if (ending != ".json" && ending != ".fcsv")
-    throw CannotCreateError("handles cannot be written as \"" + extensionOf(file) + "\"", file.string(),
+    throw CannotCreateError(phrase("handles cannot be written as \"%1\"", extensionOf(file)), file.string(),
                             "let its name end in .mrk.json or .fcsv");
   for (const HandleGroupRecord& group : handles.groups)
     for (const HandleRecord& handle : group.handles)
       if (!handle.position.allFinite())
-        throw DataError("the position of the handle " + inQuotes(handle.label) + " in " +
-                            inQuotes(group.name) + " is not finite",
+        throw DataError(phrase("the position of the handle %1 in %2 is not finite", inQuotes(handle.label),
+                               inQuotes(group.name)),
                         file.string(), "reset the pose");
   writeAtomically(file, [&](std::ostream& out) {
     (ending == ".fcsv" ? writeFcsv : writeMarkups)(out, handles, options.space);
@@ -144,8 +145,9 @@ void writeHandles(const std::filesystem::path& file, const HandleFile& handles, 
 std::vector<std::string> fcsvLoses(const HandleFile& handles) {
   if (handles.groups.size() < 2)
     return {};
-  return {"a .fcsv file is one list: the " + std::to_string(handles.groups.size()) +
-          " groups and their colours are not kept (.mrk.json keeps them)"};
+  return {
+      phrase("a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)",
+             handles.groups.size())};
 }
 
 } // namespace viscera::medical_io

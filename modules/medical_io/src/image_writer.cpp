@@ -15,6 +15,7 @@
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/image_file.h"
 
 namespace viscera::medical_io {
@@ -156,7 +157,7 @@ bool isNrrd(const std::filesystem::path& file) {
   if (ending == ".nrrd" || ending == ".seg.nrrd")
     return true;
   if (ending != ".nii" && ending != ".nii.gz")
-    throw CannotCreateError("images cannot be written as \"" + ending + "\"", file.string(),
+    throw CannotCreateError(phrase("images cannot be written as \"%1\"", ending), file.string(),
                             "let its name end in .nii.gz, .nii or .nrrd");
   return false;
 }

@@ -6,6 +6,7 @@
 #include "label_segments.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {
@@ -31,13 +32,13 @@ std::vector<std::filesystem::path> masksIn(const std::filesystem::path& folder) 
         entry->is_regular_file(ignored) && isLabelMap(entry->path()) && !isHalfOfAnother(entry->path()))
       files.push_back(entry->path());
   if (error)
-    throw NoInputError("It cannot be opened: " + error.message(), folder.string(),
+    throw NoInputError(phrase("It cannot be opened: %1", error.message()), folder.string(),
                        "check that you may read it");
   if (files.empty())
     throw DataError("It holds no label map", folder.string(),
                     "name a folder with one mask for each organ, such as liver.nii.gz");
   if (files.size() > kMostMasks)
-    throw DataError("It holds more than " + std::to_string(kMostMasks) + " masks", folder.string(),
+    throw DataError(phrase("It holds more than %1 masks", kMostMasks), folder.string(),
                     "name the folder of one patient");
   std::sort(files.begin(), files.end());
   return files;
@@ -58,8 +59,7 @@ class Patient {
 public:
   void add(const std::filesystem::path& file, LabelMap mask) {
     if (mask.segments.size() > 1)
-      throw DataError("It has " + std::to_string(mask.segments.size()) +
-                          " labels; a mask in a folder has one",
+      throw DataError(phrase("It has %1 labels; a mask in a folder has one", mask.segments.size()),
                       file.string(), "open it by itself, or remove it from the folder");
     if (map_.layers.empty()) {
       map_.size = mask.size;
@@ -86,8 +86,8 @@ public:
     if (map_.segments.empty())
       throw DataError("It holds only empty masks", folder.string(), "check that the segmentation was saved");
     if (!empty_.empty())
-      map_.warnings.push_back(counted(empty_.size(), "mask is", "masks are") + " empty (" + empty_.front() +
-                              (empty_.size() > 1 ? ", ...)" : ")"));
+      map_.warnings.push_back(phrase("%n {mask is|masks are} empty (%2)", empty_.size(),
+                                     empty_.front() + (empty_.size() > 1 ? ", ..." : "")));
     completeSegments(map_);
     return std::move(map_);
   }

@@ -12,6 +12,7 @@
 #include "label_segments.h"
 #include "label_tables.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -48,7 +49,7 @@ const Format& formatOf(const FileBytes& file) {
   if (format == kFormats.end()) {
     if (found == Signature::dicom)
       return kFormats.back();
-    file.fail("the ending \"" + extension + "\" is none of a label map" + looksLike(found),
+    file.fail(looksLike(phrase("the ending \"%1\" is none of a label map", extension), found),
               "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
   }
   const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;
@@ -68,8 +69,8 @@ void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated
       first = one.name;
   }
   if (empty > 0)
-    map.warnings.push_back(counted(empty, "segment has", "segments have") + " no voxels (" + first +
-                           (empty > 1 ? ", ...)" : ")"));
+    map.warnings.push_back(
+        phrase("%n {segment has|segments have} no voxels (%2)", empty, first + (empty > 1 ? ", ..." : "")));
 }
 
 } // namespace
@@ -101,7 +102,7 @@ void nameByTable(LabelMap& map, const std::filesystem::path& file) {
   if (table.segments.empty())
     return;
   nameSegments(map, table.segments);
-  map.warnings.push_back("the names of its labels are those of " + table.file.filename().string());
+  map.warnings.push_back(phrase("the names of its labels are those of %1", table.file.filename().string()));
 }
 
 Bounds LabelMap::bounds() const {

@@ -11,6 +11,7 @@
 #include "file_bytes.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -189,7 +190,8 @@ std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<st
         known = true;
       }
     if (!known)
-      throw UsageError("It has no label " + inQuotes(name), where, "it has " + someNames(map));
+      throw UsageError(phrase("It has no label %1", inQuotes(name)), where,
+                       phrase("it has %1", someNames(map)));
   }
   for (std::size_t s = 0; s < map.segments.size() && names.empty(); ++s)
     chosen.insert(s);

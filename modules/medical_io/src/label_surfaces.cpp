@@ -9,6 +9,7 @@
 #include "file_bytes.h"
 #include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/thin_surface.h"
@@ -85,10 +86,10 @@ std::vector<std::string> warningsOf(const LabelMap& map, std::size_t index, cons
   const Segment& segment = map.segments[index];
   std::vector<std::string> warnings;
   if (pieces.count > 1)
-    warnings.push_back(
-        counted(static_cast<std::uint64_t>(pieces.count), "piece", "pieces") + ", " +
-        counted(static_cast<std::uint64_t>(segment.voxels - pieces.largest), "voxel", "voxels") +
-        (largestOnly ? " besides the largest left out" : " besides the largest"));
+    warnings.push_back(largestOnly ? phrase("%2 pieces, %n {voxel|voxels} besides the largest left out",
+                                            segment.voxels - pieces.largest, pieces.count)
+                                   : phrase("%2 pieces, %n {voxel|voxels} besides the largest",
+                                            segment.voxels - pieces.largest, pieces.count));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (map.size[axis] > 1 && (segment.low[axis] == 0 || segment.high[axis] == map.size[axis] - 1)) {
       warnings.push_back("reaches the edge of the image, which may cut it off");

@@ -1,4 +1,5 @@
 #include "viscera/medical_io/organ_norms.h"
+#include "viscera/core/phrase.h"
 
 #include <algorithm>
 #include <array>
@@ -53,9 +54,9 @@ double awayFrom(const OrganNorm& organ, double volumeMl) {
 /// "19 of 20 adults have 814 to 1906 ml".
 std::string whatAdultsHave(const norms::Norm& norm) {
   const norms::Range range = norms::rangeOf(norm);
-  const std::string milliliters = rounded(range.low) + " to " + rounded(range.high) + " ml";
-  return norm.kind == norms::Kind::averages ? "women and men have on average " + milliliters
-                                            : "19 of 20 adults have " + milliliters;
+  return norm.kind == norms::Kind::averages
+             ? phrase("women and men have on average %1 to %2 ml", rounded(range.low), rounded(range.high))
+             : phrase("19 of 20 adults have %1 to %2 ml", rounded(range.low), rounded(range.high));
 }
 
 bool isTypical(double diagonalMm) {
@@ -97,8 +98,8 @@ std::optional<std::string> doubtAboutVolume(std::string_view name, double volume
   const auto norm = organNorm(name);
   if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
-  return "a " + std::string(norm->name) + " of " + rounded(volumeMl) +
-         " ml is not life-sized: " + whatAdultsHave(norms::norm(norm->volume));
+  return phrase("a %1 of %2 ml is not life-sized: %3", norm->name, rounded(volumeMl),
+                whatAdultsHave(norms::norm(norm->volume)));
 }
 
 const std::vector<LengthUnit>& lengthUnits() {
@@ -136,9 +137,12 @@ std::optional<std::string> doubtAboutSize(std::string_view name, double diagonal
   std::string units;
   for (const LengthUnit& unit : unitsThatFit(name, diagonalMm, 0))
     units += (units.empty() ? "" : " or ") + std::string(unit.name);
-  return "the surface is " + rounded(diagonalMm) +
-         " mm across, which no organ is; coordinates are taken as millimetres" +
-         (units.empty() ? "" : ", they may be " + units);
+  return units.empty()
+             ? phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres",
+                      rounded(diagonalMm))
+             : phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, "
+                      "they may be %2",
+                      rounded(diagonalMm), units);
 }
 
 } // namespace viscera::medical_io

@@ -16,6 +16,7 @@
 #include "quiet_vtk.h"
 #include "space_tag.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/organ_norms.h"
 
@@ -138,10 +139,10 @@ private:
 
   void checkSizes() const {
     if (raw_.polygonCount() == 0)
-      fail("It holds no triangles" + std::string(raw_.pointCount() > 0 ? ", only points" : ""),
+      fail(raw_.pointCount() > 0 ? "It holds no triangles, only points" : "It holds no triangles",
            "export it as a surface of triangles");
     if (raw_.pointCount() > std::numeric_limits<std::int32_t>::max() || raw_.corners.size() > kMostCorners)
-      fail("It is too large: " + std::to_string(raw_.pointCount()) + " points", "reduce the surface first");
+      fail(phrase("It is too large: %1 points", raw_.pointCount()), "reduce the surface first");
   }
 
   void markUsed() {
@@ -152,8 +153,8 @@ private:
       for (; at < raw_.ends[polygon]; ++at) {
         const std::int64_t point = raw_.corners[at];
         if (point < 0 || point >= count)
-          fail("polygon " + std::to_string(polygon) + " refers to point " + std::to_string(point) +
-               ", but there are " + std::to_string(count) + " (counted from 0)");
+          fail(phrase("polygon %1 refers to point %2, but there are %3 (counted from 0)", polygon, point,
+                      count));
         target_[static_cast<std::size_t>(point)] = 0;
       }
   }
@@ -163,9 +164,9 @@ private:
       for (std::size_t axis = 0; axis < 3 && target_[point] != kNone; ++axis) {
         const double value = raw_.coordinates[3 * point + axis];
         if (!std::isfinite(value))
-          fail("point " + std::to_string(point) + " has a coordinate that is not a finite number");
+          fail(phrase("point %1 has a coordinate that is not a finite number", point));
         if (std::abs(value) > kFarthestMm)
-          fail("point " + std::to_string(point) + " lies more than 1000 km away: the file is damaged");
+          fail(phrase("point %1 lies more than 1000 km away: the file is damaged", point));
       }
   }
 
@@ -274,17 +275,16 @@ private:
     result.warnings = std::move(raw_.warnings);
     auto& warnings = result.warnings;
     if (raw_.ignoredCells > 0)
-      warnings.push_back(counted(raw_.ignoredCells, "line or point cell", "line or point cells") +
-                         " ignored");
+      warnings.push_back(phrase("%n {line or point cell|line or point cells} ignored", raw_.ignoredCells));
     if (merged_ > 0 && raw_.pointsAreShared)
-      warnings.push_back(counted(merged_, "point that repeats", "points that repeat") + " another merged");
+      warnings.push_back(phrase("%n {point that repeats|points that repeat} another merged", merged_));
     if (dropped_ > 0)
-      warnings.push_back(counted(dropped_, "triangle", "triangles") + " with a repeated corner dropped");
+      warnings.push_back(phrase("%n {triangle|triangles} with a repeated corner dropped", dropped_));
     if (unused_ > 0)
-      warnings.push_back(counted(unused_, "point", "points") + " without a triangle dropped");
+      warnings.push_back(phrase("%n {point|points} without a triangle dropped", unused_));
     if (fans_ > 0)
-      warnings.push_back(counted(fans_, "polygon", "polygons") +
-                         " cut into fans, which is wrong where they are not convex");
+      warnings.push_back(
+          phrase("%n {polygon|polygons} cut into fans, which is wrong where they are not convex", fans_));
     result.mesh = std::move(mesh_);
     appendSurfaceWarnings(result);
     return result;

@@ -10,6 +10,7 @@
 #include "file_signature.h"
 #include "image_formats/data_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/scan.h"
 
 namespace viscera::medical_io {
@@ -45,7 +46,7 @@ HeaderReader headerReaderOf(const FileBytes& begin) {
   default:
     break;
   }
-  begin.fail("It is not a scan that Viscera knows" + looksLike(found),
+  begin.fail(looksLike("It is not a scan that Viscera knows", found),
              "open a NIfTI, NRRD or MetaImage file, or a DICOM series");
 }
 
@@ -190,7 +191,7 @@ std::vector<double> phaseTimes(const RawImage& image, std::vector<ScanFinding>& 
       times[i] = double(i);
     findings.push_back(
         {ScanFinding::Kind::other,
-         "It does not say the times of its " + counted(count, "phase", "phases") + "; they are numbered"});
+         phrase("It does not say the times of its %n {phase|phases}; they are numbered", count)});
   }
   return times;
 }
@@ -200,7 +201,7 @@ void requirePlainVoxels(const FileBytes& file, const RawImage& image) {
   const std::string& kind = image.listKind;
   if (image.layers > 1 && (kind.find("color") != kind.npos || kind.find("vector") != kind.npos ||
                            kind.find("matrix") != kind.npos || kind == "complex"))
-    file.fail("It has several values a voxel (" + kind + ")", "save it with one value a voxel");
+    file.fail(phrase("It has several values a voxel (%1)", kind), "save it with one value a voxel");
 }
 
 struct ImageFile {
@@ -222,11 +223,10 @@ Scan readImageScan(const std::filesystem::path& path, const ScanOptions& options
   const ImageFile file = openImage(path);
   const RawImage& image = file.header.image;
   if (!options.series.empty())
-    throw UsageError("It has no series " + options.series + "; it is one scan", path.string());
+    throw UsageError(phrase("It has no series %1; it is one scan", options.series), path.string());
   if (options.phase < 0 || options.phase >= image.layers)
-    throw UsageError("It has no phase " + std::to_string(options.phase) + ", but " +
-                         counted(static_cast<std::uint64_t>(image.layers), "phase", "phases"),
-                     path.string(), "the first one is 0");
+    throw UsageError(phrase("It has no phase %1; it has %2", options.phase, image.layers), path.string(),
+                     "the first one is 0");
   Scan scan;
   scan.size = image.size;
   scan.indexToLps = image.indexToLps;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viscera/core/phrase.h"
+
 #include "file_bytes.h"
 #include "text_scanner.h"
 
@@ -55,8 +57,9 @@ std::optional<Space> findSpace(std::string_view comment, std::vector<std::string
     if (value == "LPS" || value == "left-posterior-superior")
       return Space::lps;
     if (!value.empty())
-      warnings.push_back("the file says that its axes are " + inQuotes(value) +
-                         ", which Viscera does not know; LPS is assumed");
+      warnings.push_back(
+          phrase("the file says that its axes are %1, which Viscera does not know; LPS is assumed",
+                 inQuotes(value)));
   }
   return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "surface_formats.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -75,9 +76,9 @@ RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   const Format* format = formatOf(file);
   if (format == nullptr) {
-    bytes.fail("the ending \"" + extensionOf(file) + "\" is none of a surface file" +
-                   looksLike(signatureOf(bytes)),
-               "known endings: " + extensionList(false));
+    bytes.fail(looksLike(phrase("the ending \"%1\" is none of a surface file", extensionOf(file)),
+                         signatureOf(bytes)),
+               phrase("known endings: %1", extensionList(false)));
   }
   requireKind(bytes, *format);
   try {
@@ -118,8 +119,8 @@ void writeSurface(const std::filesystem::path& file, const geometry::TriangleMes
                   const WriteSurface& options) {
   const Format* format = formatOf(file);
   if (format == nullptr || format->write == nullptr)
-    throw CannotCreateError("surfaces cannot be written as \"" + extensionOf(file) + "\"", file.string(),
-                            "use one of " + extensionList(true));
+    throw CannotCreateError(phrase("surfaces cannot be written as \"%1\"", extensionOf(file)), file.string(),
+                            phrase("use one of: %1", extensionList(true)));
   geometry::requireValid(mesh, file.string());
   if (mesh.triangles.rows() == 0)
     throw DataError("there is no triangle to write", file.string(), "choose a surface that has some");

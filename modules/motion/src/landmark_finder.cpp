@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/tube_axis.h"
 #include "viscera/sequences/heart_fit.h"
@@ -64,11 +65,11 @@ LandmarkFinder::LandmarkFinder(std::string sequence, const document::Organ& orga
   const geometry::SurfaceReport report = geometry::checkSurface(*mesh_);
   if (!report.closed())
     throw DataError(
-        "the organ is open: " + std::to_string(report.boundaryEdges) + " boundary edges", name_,
+        phrase("the organ is open: %n boundary {edge|edges}", report.boundaryEdges), name_,
         "close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to "
         "keep");
   if (report.components != 1)
-    throw DataError("the organ is in " + std::to_string(report.components) + " pieces", name_,
+    throw DataError(phrase("the organ is in %1 pieces", report.components), name_,
                     "keep the largest, as viscera convert IN OUT --keep-largest does");
   if (!report.outward())
     throw DataError("the organ is inside out or flat", name_,
@@ -81,7 +82,8 @@ Landmarks LandmarkFinder::complete(const Landmarks& given) const {
   for (const Landmark& landmark : given.points) {
     if (std::none_of(roles.begin(), roles.end(),
                      [&](const LandmarkRole& role) { return role.role == landmark.role; }))
-      throw UsageError("\"" + landmark.role + "\" is not a landmark of the " + sequence_, name_);
+      throw UsageError(phrase("\"%1\" is not a landmark of the sequence %2", landmark.role, sequence_),
+                       name_);
     requireNear(landmark);
   }
   if (sequence_ == "heartbeat")
@@ -94,7 +96,7 @@ void LandmarkFinder::requireNear(const Landmark& landmark) const {
     throw DataError("the landmark's position is not a finite number", name_ + ", " + landmark.role);
   const double outside = depth(landmark.position);
   if (outside > kOutside * size_)
-    throw DataError("the landmark lies " + millimeters(outside) + " outside the organ",
+    throw DataError(phrase("the landmark lies %1 outside the organ", millimeters(outside)),
                     name_ + ", " + landmark.role, "choose it on the organ; check the axes (RAS or LPS) too");
 }
 
@@ -103,17 +105,17 @@ void LandmarkFinder::requireBothOrNone(const Landmarks& given, const std::string
   const bool first = given.find(one) != nullptr;
   const bool second = given.find(other) != nullptr;
   if (first != second)
-    throw DataError("too few landmarks: there is " + (first ? one : other) + " but no " +
-                        (first ? other : one),
-                    name_, "give both, or none to have them computed");
+    throw DataError(
+        phrase("too few landmarks: there is %1 but no %2", first ? one : other, first ? other : one), name_,
+        "give both, or none to have them computed");
 }
 
 void LandmarkFinder::requireApart(const Landmark& one, const Landmark& other) const {
   const double distance = (one.position - other.position).norm();
   if (distance < kAtOnePlace * size_)
-    throw DataError(one.role + " and " + other.role + " are at one place: " + millimeters(distance) +
-                        " from each other",
-                    name_, "choose the two ends of the organ");
+    throw DataError(
+        phrase("%1 and %2 are at one place: %3 from each other", one.role, other.role, millimeters(distance)),
+        name_, "choose the two ends of the organ");
 }
 
 Landmarks LandmarkFinder::heart(Landmarks landmarks) const {
@@ -155,14 +157,15 @@ Landmarks LandmarkFinder::stomach(Landmarks landmarks) const {
   requireBothOrNone(landmarks, "fundus", "pylorus");
   for (const char* role : {"centreline", "body"})
     if (landmarks.find(role) && !landmarks.find("fundus"))
-      throw DataError("too few landmarks: there is " + std::string(role) + " but neither fundus nor pylorus",
-                      name_, "give fundus and pylorus too");
+      throw DataError(phrase("too few landmarks: there is %1 but neither fundus nor pylorus", role), name_,
+                      "give fundus and pylorus too");
   if (landmarks.find("fundus"))
     requireApart(*landmarks.find("fundus"), *landmarks.find("pylorus"));
   for (const Vec3& place : landmarks.all("centreline"))
     if (depth(place) >= 0)
-      throw DataError("a point of the centreline lies " + millimeters(depth(place)) + " outside the organ",
-                      name_, "put it into the middle of the stomach");
+      throw DataError(
+          phrase("a point of the centreline lies %1 outside the organ", millimeters(depth(place))), name_,
+          "put it into the middle of the stomach");
   if (!landmarks.find("centreline"))
     addCenterline(landmarks);
   return landmarks;

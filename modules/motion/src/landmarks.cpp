@@ -2,6 +2,7 @@
 #include <map>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/motion/retarget.h"
 
 namespace viscera::motion {
@@ -53,7 +54,7 @@ const std::vector<LandmarkRole>& landmarkRoles(const std::string& sequence) {
       {"breathing", {}}};
   const auto found = roles.find(sequence);
   if (found == roles.end())
-    throw UsageError("there is no sequence \"" + sequence + "\" for other organs", {},
+    throw UsageError(phrase("there is no sequence \"%1\" for other organs", sequence), {},
                      "use one of: heartbeat, peristalsis, breathing");
   return found->second;
 }
@@ -68,10 +69,11 @@ Landmarks landmarksFrom(const medical_io::HandleFile& file, const std::string& s
       const auto known = std::find_if(roles.begin(), roles.end(),
                                       [&role](const LandmarkRole& one) { return one.role == role; });
       if (known == roles.end())
-        throw DataError("the label \"" + record.label + "\" is not a landmark of the " + sequence, where,
-                        roles.empty() ? "leave the landmarks out" : "label the points " + listOf(roles));
+        throw DataError(
+            phrase("the label \"%1\" is not a landmark of the sequence %2", record.label, sequence), where,
+            roles.empty() ? "leave the landmarks out" : phrase("label the points %1", listOf(roles)));
       if (!known->several && landmarks.find(role))
-        throw DataError("the landmark \"" + role + "\" comes twice", where, "remove one of the two");
+        throw DataError(phrase("the landmark \"%1\" comes twice", role), where, "remove one of the two");
       landmarks.points.push_back({role, record.position, false});
     }
   return landmarks;

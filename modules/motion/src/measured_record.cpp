@@ -7,6 +7,7 @@
 
 #include "tracked_volumes.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::motion {
 namespace {
@@ -26,7 +27,7 @@ ordered_json surfaceJson(const tracking::SurfaceQuality& surface) {
 double numberOf(const ordered_json& item, const char* name) {
   const double number = item.at(name).get<double>();
   if (!std::isfinite(number))
-    throw DataError(std::string(name) + " is not a finite number", "measured motion");
+    throw DataError(phrase("%1 is not a finite number", name), "measured motion");
   return number;
 }
 
@@ -117,9 +118,8 @@ std::string toJson(const MeasuredRecord& record) {
 MeasuredRecord measuredRecordFrom(const std::string& text) {
   try {
     return recordFrom(ordered_json::parse(text));
-  } catch (const ordered_json::exception& error) {
-    throw DataError(std::string("it is not a record of a measured motion: ") + error.what(),
-                    "measured motion");
+  } catch (const ordered_json::exception&) {
+    throw DataError("it is not a record of a measured motion", "measured motion");
   }
 }
 

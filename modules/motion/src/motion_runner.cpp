@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/document/rig_commands.h"
 
 namespace viscera::motion {
@@ -31,10 +32,9 @@ void MotionRunner::setRatePerMinute(double rate) {
     throw UsageError("There is no sequence whose rate could be set", {}, "choose a sequence first");
   const double low = sequence_->lowestRatePerMinute();
   const double high = sequence_->highestRatePerMinute();
-  std::ostringstream range;
-  range << "choose " << low << " to " << high << " a minute";
   if (!(rate >= low && rate <= high))
-    throw UsageError("The rate is out of range", sequence_->name(), range.str());
+    throw UsageError("The rate is out of range", sequence_->name(),
+                     phrase("choose %1 to %2 a minute", significant(low, 6), significant(high, 6)));
   rate_ = rate;
   ++revision_;
 }
@@ -75,10 +75,10 @@ void MotionRunner::requireReachable() {
       continue;
     std::string wanted = "the locked volumes cannot be kept";
     if (prescribed_)
-      wanted = std::to_string(std::lround(prescribed_->milliliters.at(fraction))) + " ml cannot be reached";
-    throw DataError(
-        wanted + " at " + std::to_string(std::lround(100 * fraction)) + " % of the cycle: " + tried.reason,
-        sequence_->name(), "ask for a volume nearer to that at rest, or let more handles compensate");
+      wanted = phrase("%1 ml cannot be reached", std::lround(prescribed_->milliliters.at(fraction)));
+    throw DataError(phrase("%1 at %2 % of the cycle: %3", wanted, std::lround(100 * fraction), tried.reason),
+                    sequence_->name(),
+                    "ask for a volume nearer to that at rest, or let more handles compensate");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "series_checks.h"
 #include "series_files.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
@@ -30,7 +31,7 @@ constexpr int kMargin = 2; ///< Voxels around what is kept of a mask.
 constexpr double kApartLaterMm = 0.01;
 
 std::string phaseName(std::size_t phase) {
-  return "phase " + std::to_string(phase + 1);
+  return phrase("phase %1", phase + 1);
 }
 
 // ---- surfaces ---------------------------------------------------------------------------------------------
@@ -54,11 +55,12 @@ void requireStatedAlike(const std::map<std::string, medical_io::SurfaceSeriesFil
 void warnOf(const tracking::TidySeries& tidy, MotionSeries& series) {
   const std::string& name = tidy.series.name;
   if (tidy.closedHoles > 0)
-    series.warnings.push_back(name + ": " + std::to_string(tidy.closedHoles) +
-                              (tidy.closedHoles == 1 ? " hole" : " holes") + " closed by flat caps");
+    series.warnings.push_back(
+        phrase("%1: %n {hole|holes} closed by {a flat cap|flat caps}", name, tidy.closedHoles));
   if (tidy.mergedApartMm > kApartLaterMm)
-    series.warnings.push_back(name + ": points that are one in the first phase lie up to " +
-                              fixed(tidy.mergedApartMm, 2) + " mm apart later; they move as one");
+    series.warnings.push_back(
+        phrase("%1: points that are one in the first phase lie up to %2 mm apart later; they move as one",
+               name, fixed(tidy.mergedApartMm, 2)));
 }
 
 /// Surfaces of which each phase has triangles of its own.
@@ -86,8 +88,8 @@ SeriesFiles chosenOf(const SeriesFiles& all, const SeriesRequest& request) {
       throw UsageError("Only label maps have labels", "--surface", "leave it out for surfaces");
     const auto found = all.files.find(surface.name);
     if (found == all.files.end())
-      throw UsageError("There is no surface \"" + surface.name + "\"", "series",
-                       "the first one there is: \"" + all.files.begin()->first + "\"");
+      throw UsageError(phrase("There is no surface \"%1\"", surface.name), "series",
+                       phrase("the first one there is: \"%1\"", all.files.begin()->first));
     chosen.files.insert(*found);
   }
   return chosen;
@@ -100,12 +102,14 @@ void readSurfaces(const SeriesFiles& files, MotionSeries& series, Progress& prog
     series.names.push_back(name);
     const auto& file = read[name] = medical_io::readSurfaceSeries(list, progress);
     if (!file.correspond && differs.empty())
-      differs = name + " has other triangles in " + phaseName(file.differs) + " than in the first";
+      differs =
+          phrase("%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, "
+                 "which do not see motion along the wall",
+                 name, phaseName(file.differs));
   }
   requireStatedAlike(read);
   if (!differs.empty()) {
-    series.warnings.push_back(differs + ": surfaces are fitted by their distances, which do not see motion "
-                                        "along the wall");
+    series.warnings.push_back(differs);
     readFreeMeshes(files, series, progress);
     return;
   }
@@ -172,12 +176,17 @@ public:
         continue;
       const bool always = cut == static_cast<std::ptrdiff_t>(atEdge_[i].size());
       if (!always && (i != series_.outer || surfaces_.size() == 1))
-        throw DataError(surfaces_[i].name + " touches the edge of the image in " + phaseName(first) +
-                            " and not in others, so that its volumes would be cut off",
-                        "series", "use images that show all of it in every phase");
-      series_.warnings.push_back(surfaces_[i].name + " touches the edge of the image" +
-                                 (always ? " in every phase" : " in " + phaseName(first)) +
-                                 ": what lies beyond is not in its volume");
+        throw DataError(
+            phrase("%1 touches the edge of the image in %2 and not in others, so that its volumes would be "
+                   "cut off",
+                   surfaces_[i].name, phaseName(first)),
+            "series", "use images that show all of it in every phase");
+      series_.warnings.push_back(
+          always ? phrase("%1 touches the edge of the image in every phase: what lies beyond is not in its "
+                          "volume",
+                          surfaces_[i].name)
+                 : phrase("%1 touches the edge of the image in %2: what lies beyond is not in its volume",
+                          surfaces_[i].name, phaseName(first)));
     }
   }
 
@@ -185,7 +194,7 @@ private:
   static constexpr const char* kMissingAdvice = "label it in every phase, or leave this phase out";
 
   static std::string missing(const std::string& label, std::size_t phase) {
-    return "The label \"" + label + "\" is missing in " + phaseName(phase);
+    return phrase("The label \"%1\" is missing in %2", label, phaseName(phase));
   }
 
   void begin(const LabelMap& map, const std::string& where) {
@@ -198,13 +207,13 @@ private:
                                    "surface, each chamber is a cavity");
     }
     if (map.segments.empty())
-      throw DataError("No voxel has a label in " + phaseName(0), where, kMissingAdvice);
+      throw DataError(phrase("No voxel has a label in %1", phaseName(0)), where, kMissingAdvice);
     if (surfaces_.empty()) {
       std::string names;
       for (const medical_io::Segment& segment : map.segments)
         names += (names.empty() ? "" : ", ") + segment.name + " (" + std::to_string(segment.label) + ")";
       throw UsageError(
-          "It has several labels: " + names, where,
+          phrase("It has several labels: %1", names), where,
           "say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 "
           "with all labels within the outer one");
     }
@@ -230,7 +239,7 @@ private:
     const Vec3 last(size_[0] - 1, size_[1] - 1, size_[2] - 1);
     if (map.size != size_ || !((between * Vec3::Zero()).norm() < kSameGridVoxels) ||
         !((between * last - last).norm() < kSameGridVoxels))
-      throw DataError("The grid of " + phaseName(phase) + " is another one than that of the first phase",
+      throw DataError(phrase("The grid of %1 is another one than that of the first phase", phaseName(phase)),
                       where, "resample all phases to one grid, in the same axes");
   }
 
@@ -325,16 +334,15 @@ bool dropRepeated(MotionSeries& series, SeriesTimes& stated, std::vector<double>
       seconds->pop_back();
   if (stated.periodSeconds && stated.seconds.size() == last)
     stated.periodSeconds = stated.seconds.back() / static_cast<double>(last - 1) * static_cast<double>(last);
-  series.warnings.push_back("the last phase equals the first and is left out: phase " +
-                            std::to_string(last + 1) + " would be phase 1 again");
+  series.warnings.push_back(
+      phrase("the last phase equals the first and is left out: phase %1 would be phase 1 again", last + 1));
   return true;
 }
 
 tracking::PhaseTimes timesOf(const SeriesRequest& request, const std::vector<double>& given,
                              const SeriesTimes& stated, std::size_t count) {
   if (!given.empty() && given.size() != count)
-    throw UsageError("There are " + std::to_string(given.size()) + " times for " + std::to_string(count) +
-                         " phases",
+    throw UsageError(phrase("There {is|are} %n {time|times} for %2 phases", given.size(), count),
                      "--times-ms", "give one for each phase");
   if (!request.periodSeconds && !stated.periodSeconds)
     throw UsageError("It does not say how long one cycle lasts", "series",
@@ -357,10 +365,10 @@ tracking::PhaseTimes timesOf(const SeriesRequest& request, const std::vector<dou
   for (std::size_t phase = 0; phase < count; ++phase) {
     const double seconds = times.seconds[phase];
     if (!(seconds >= 0) || !(seconds < period) || (phase > 0 && !(seconds > times.seconds[phase - 1])))
-      throw DataError("The times of the phases do not ascend within one period of " +
-                          fixed(1000 * period, 0) + " ms: " + phaseName(phase) + " is at " +
-                          fixed(1000 * seconds, 1) + " ms",
-                      "series", "check their order, and the period");
+      throw DataError(
+          phrase("The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms",
+                 fixed(1000 * period, 0), phaseName(phase), fixed(1000 * seconds, 1)),
+          "series", "check their order, and the period");
   }
   return times;
 }
@@ -370,8 +378,8 @@ void leaveOut(MotionSeries& series, std::vector<std::size_t> phases) {
   phases.erase(std::unique(phases.begin(), phases.end()), phases.end());
   for (auto phase = phases.rbegin(); phase != phases.rend(); ++phase) {
     if (*phase >= series.phases())
-      throw UsageError("There is no " + phaseName(*phase), "--leave-out",
-                       "there are " + std::to_string(series.phases()));
+      throw UsageError(phrase("There is no %1", phaseName(*phase)), "--leave-out",
+                       phrase("there are %1", series.phases()));
     dropPhase(series, *phase);
     series.times.seconds.erase(series.times.seconds.begin() + static_cast<std::ptrdiff_t>(*phase));
   }

@@ -7,6 +7,7 @@
 
 #include "tracked_volumes.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/label_surfaces.h"
@@ -247,7 +248,7 @@ SequenceFile sequenceOf(const MotionSeries& series, const MotionRig& rig, const 
 void warn(PatientMotion& motion) {
   for (std::size_t phase = 0; phase < motion.phases.size(); ++phase)
     for (const std::string& reason : motion.phases[phase].verdict.reasons)
-      motion.warnings.push_back("phase " + std::to_string(phase + 1) + ": " + reason);
+      motion.warnings.push_back(phrase("phase %1: %2", phase + 1, reason));
   // A phase much worse than both its neighbours is likely to be at fault itself.
   const std::size_t count = motion.phases.size();
   for (std::size_t phase = 0; phase < count; ++phase) {
@@ -257,9 +258,10 @@ void warn(PatientMotion& motion) {
     if (motion.phases[phase].verdict.light == tracking::FitLight::good || own <= kMuchWorse * around)
       continue;
     motion.outliers.push_back(phase);
-    motion.warnings.push_back("phase " + std::to_string(phase + 1) +
-                              " fits much worse than its neighbours (" + fixed(own, 1) + " against " +
-                              fixed(around, 1) + " mm): look at its data, or leave it out");
+    motion.warnings.push_back(phrase(
+        "phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it "
+        "out",
+        phase + 1, fixed(own, 1), fixed(around, 1)));
   }
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "landmark_finder.h"
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/geometry/self_intersections.h"
@@ -78,9 +79,10 @@ public:
     RetargetedSequence result = finished(waves, std::move(landmarks));
     const int percent = static_cast<int>(std::lround(100 * waves->waves().course().depth));
     if (crosses || percent < 100)
-      result.warnings.push_back("the waves are " + std::to_string(percent) + " % as deep as in an adult: " +
-                                (crosses ? "even so, folds of the surface meet when they pass"
-                                         : "deeper ones would push folds of the surface into one another"));
+      result.warnings.push_back(phrase("the waves are %1 % as deep as in an adult: %2", percent,
+                                       crosses
+                                           ? "even so, folds of the surface meet when they pass"
+                                           : "deeper ones would push folds of the surface into one another"));
     return result;
   }
 
@@ -127,10 +129,8 @@ private:
     result.scale = scale_;
     result.restVolumeMl = organ_.restVolumeMm3 / kMm3PerMl;
     if (scale_ > kOddSize || scale_ < 1 / kOddSize) {
-      std::ostringstream text;
-      text.precision(3);
-      text << "the organ is " << scale_ << " times as long as that of an adult; check its unit";
-      result.warnings.push_back(text.str());
+      result.warnings.push_back(phrase("the organ is %1 times as long as that of an adult; check its unit",
+                                       significant(scale_, 3)));
     }
     return result;
   }
@@ -170,7 +170,7 @@ RetargetedSequence retargetSequence(const std::string& id, const document::Organ
 }
 
 document::Command useRetargeted(const RetargetedSequence& retargeted) {
-  const std::string name = "Take handles of " + retargeted.sequence->name();
+  const std::string name = phrase("Take handles of %1", retargeted.sequence->name());
   return document::combined(
       name, {document::replaceRig(retargeted.rig, name), document::setSystem(retargeted.system)});
 }

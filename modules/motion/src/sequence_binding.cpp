@@ -8,6 +8,7 @@
 
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/sequences/breathing.h"
@@ -28,7 +29,7 @@ std::shared_ptr<const coordinates::CoordinateSystem> systemOf(const document::Sy
   for (const auto& system : coordinates::builtInSystems())
     if (system->id() == choice.id)
       return system;
-  throw UsageError("there is no coordinate system \"" + choice.id + "\"", "sequence");
+  throw UsageError(phrase("there is no coordinate system \"%1\"", choice.id), "sequence");
 }
 
 } // namespace
@@ -48,8 +49,8 @@ MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, con
   Progress progress;
   binding_ = systemOf(system)->bind(handles, mesh_->points, {system.parameters, threads}, progress);
   if (!binding_->report().failures.empty())
-    throw DataError(std::to_string(binding_->report().failures.size()) +
-                        " vertices lie outside the hull of the sequence's handles",
+    throw DataError(phrase("%n {vertex lies|vertices lie} outside the hull of the sequence's handles",
+                           binding_->report().failures.size()),
                     "sequence");
 }
 
@@ -135,7 +136,7 @@ std::shared_ptr<const geometry::TriangleMesh> surfaceOf(const sample_organs::Sam
   for (const sample_organs::SampleSurface& surface : organ.surfaces)
     if (surface.name == name)
       return surface.mesh;
-  throw DataError("the sample organ has no surface \"" + name + "\"", organ.name,
+  throw DataError(phrase("the sample organ has no surface \"%1\"", name), organ.name,
                   "restore its definition from the installation");
 }
 

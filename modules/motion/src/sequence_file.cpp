@@ -12,6 +12,7 @@
 
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/json_reader.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/system_commands.h"
@@ -69,13 +70,13 @@ private:
     Points& rest = file_.track.restHandles;
     rest.resize(static_cast<Eigen::Index>(list.size()), 3);
     if (rest.rows() < kFewestHandles)
-      fail("It has " + std::to_string(list.size()) + " handles; a sequence needs four at least", "handles");
+      fail(phrase("It has %n {handle|handles}; a sequence needs four at least", list.size()), "handles");
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const std::string place = "handle " + std::to_string(i + 1);
+      const std::string place = phrase("handle %1", i + 1);
       requireObject(list[i], place);
       const std::string label = textOf(list[i], "label", place);
       if (!rows_.emplace(label, static_cast<int>(i)).second)
-        fail("the label \"" + label + "\" comes twice", place, "give every handle a label of its own");
+        fail(phrase("the label \"%1\" comes twice", label), place, "give every handle a label of its own");
       rest.row(static_cast<Eigen::Index>(i)) =
           vectorOf(field(list[i], "rest", place), place + " \"" + label + "\"").transpose();
       file_.labels.push_back(label);
@@ -85,7 +86,7 @@ private:
   int rowOf(const ordered_json& label, const std::string& place) const {
     const auto row = label.is_string() ? rows_.find(label.get<std::string>()) : rows_.end();
     if (row == rows_.end())
-      fail("It names the handle " + label.dump() + ", which is not among \"handles\"", place);
+      fail(phrase("It names the handle %1, which is not among \"handles\"", label.dump()), place);
     return row->second;
   }
 
@@ -94,7 +95,7 @@ private:
       return;
     std::set<int> grouped;
     for (const ordered_json& item : listOf(root, "groups", "")) {
-      const std::string place = "group " + std::to_string(file_.track.groups.size() + 1);
+      const std::string place = phrase("group %1", file_.track.groups.size() + 1);
       requireObject(item, place);
       sequences::HandleGroup group{textOf(item, "name", place), {1.0, 0.5, 0.2}, {}};
       if (item.contains("color"))
@@ -102,7 +103,7 @@ private:
       for (const ordered_json& label : listOf(item, "handles", place)) {
         group.handles.push_back(rowOf(label, place));
         if (!grouped.insert(group.handles.back()).second)
-          fail("the handle " + label.dump() + " is in two groups", place);
+          fail(phrase("the handle %1 is in two groups", label.dump()), place);
       }
       std::sort(group.handles.begin(), group.handles.end());
       file_.track.groups.push_back(std::move(group));
@@ -119,7 +120,7 @@ private:
     if (item.contains("parameters")) {
       requireObject(item.at("parameters"), "system parameters");
       for (const auto& [name, value] : item.at("parameters").items())
-        choice.parameters.set(name, numberOf(value, "system parameter " + name));
+        choice.parameters.set(name, numberOf(value, phrase("system parameter %1", name)));
     }
     file_.system = std::move(choice);
   }
@@ -128,7 +129,7 @@ private:
     if (!root.contains("organs"))
       return;
     for (const ordered_json& item : listOf(root, "organs", "")) {
-      const std::string place = "organ " + std::to_string(file_.organs.size() + 1);
+      const std::string place = phrase("organ %1", file_.organs.size() + 1);
       requireObject(item, place);
       geometry::TriangleMesh mesh;
       const ordered_json& points = listOf(item, "points", place);
@@ -152,7 +153,7 @@ private:
 
   void readKeys(const ordered_json& root) {
     for (const ordered_json& item : listOf(root, "keys", "")) {
-      const std::string place = "key " + std::to_string(file_.track.keys.size() + 1);
+      const std::string place = phrase("key %1", file_.track.keys.size() + 1);
       requireObject(item, place);
       sequences::Keyframe key;
       key.seconds = numberOf(field(item, "seconds", place), place + ", seconds");
@@ -163,7 +164,7 @@ private:
       requireObject(pose, place + ", pose");
       for (const auto& [label, position] : pose.items())
         key.pose.row(rowOf(label, place)) =
-            vectorOf(position, place + ", handle \"" + label + "\"").transpose();
+            vectorOf(position, phrase("%1, handle \"%2\"", place, label)).transpose();
       file_.track.keys.push_back(std::move(key));
     }
   }
@@ -275,7 +276,7 @@ SequenceFile readSequence(const std::filesystem::path& file) {
 void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence) {
   if (!isSequenceFile(file))
     throw CannotCreateError("the name of a sequence file ends in .sequence.json", file.string(),
-                            "name it " + file.stem().string() + std::string(kEnding));
+                            phrase("name it %1", file.stem().string() + std::string(kEnding)));
   const std::string text = textOf(sequence);
   writeAtomically(file, [&text](std::ostream& stream) { stream << text; });
 }
@@ -301,7 +302,7 @@ document::NewRig rigOf(const SequenceFile& sequence) {
 }
 
 document::Command openSequence(SequenceFile sequence) {
-  const std::string name = "Open sequence " + sequence.track.name;
+  const std::string name = phrase("Open sequence %1", sequence.track.name);
   return {
       name,
       [sequence = std::move(sequence), name](const document::DocumentState& before, document::IdSource& ids) {

@@ -6,6 +6,7 @@
 #include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/sequences/heartbeat.h"
@@ -102,7 +103,7 @@ SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const s
     }
     known += (known.empty() ? "" : ", ") + maker.about.id;
   }
-  throw UsageError("there is no sequence \"" + id + "\"", {}, "use one of: " + known);
+  throw UsageError(phrase("there is no sequence \"%1\"", id), {}, phrase("use one of: %1", known));
 }
 
 } // namespace viscera::motion

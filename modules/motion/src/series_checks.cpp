@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/signed_distance.h"
 
@@ -18,7 +19,7 @@ constexpr double kMostReturn = 2; ///< In the largest step between neighbours.
 constexpr double kBallArea = 4.836;
 
 std::string phaseName(std::size_t phase) {
-  return "phase " + std::to_string(phase + 1);
+  return phrase("phase %1", phase + 1);
 }
 
 double apart(const tracking::Mask& a, const tracking::Mask& b) {
@@ -49,10 +50,11 @@ bool turned(const Vec3& here, const Vec3& there, double size) {
 }
 
 [[noreturn]] void refuseSpace(const std::string& which, const std::string& other) {
-  throw DataError("It seems to be in RAS where " + other +
-                      " is in LPS, or the other way round: it lies on "
-                      "the opposite side of the patient's middle",
-                  which, "export all surfaces of a patient in the same axes");
+  throw DataError(
+      phrase("It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite "
+             "side of the patient's middle",
+             other),
+      which, "export all surfaces of a patient in the same axes");
 }
 
 } // namespace
@@ -79,9 +81,7 @@ double apartMm(const MotionSeries& series, std::size_t a, std::size_t b) {
 
 void requirePhases(std::size_t count) {
   if (count < kFewestPhases)
-    throw DataError("It has " + std::to_string(count) + (count == 1 ? " phase" : " phases") +
-                        "; a motion needs four at least",
-                    "series",
+    throw DataError(phrase("It has %n {phase|phases}; a motion needs four at least", count), "series",
                     count == 1
                         ? "name all phases of the cycle; a single image of a heart with cavities can "
                           "beat as the textbook's (--textbook, in the window Fit a sequence to an organ)"
@@ -94,7 +94,7 @@ void requireSteadyVolumes(const MotionSeries& series) {
     double largest = 0;
     for (std::size_t phase = 0; phase < count; ++phase) {
       if (!(series.volumesMl[phase][i] > 0))
-        throw DataError(series.names[i] + " has no volume in " + phaseName(phase), "series",
+        throw DataError(phrase("%1 has no volume in %2", series.names[i], phaseName(phase)), "series",
                         "check this phase, or leave it out");
       largest = std::max(largest, series.volumesMl[phase][i]);
     }
@@ -104,8 +104,8 @@ void requireSteadyVolumes(const MotionSeries& series) {
         break;
       const double here = series.volumesMl[phase][i], there = series.volumesMl[next][i];
       if (std::abs(here - there) > kMostJump * largest)
-        throw DataError("The volume of " + series.names[i] + " jumps from " + fixed(here, 1) + " to " +
-                            fixed(there, 1) + " ml between " + phaseName(phase) + " and " + phaseName(next),
+        throw DataError(phrase("The volume of %1 jumps from %2 to %3 ml between %4 and %5", series.names[i],
+                               fixed(here, 1), fixed(there, 1), phaseName(phase), phaseName(next)),
                         "series", "check whether one of them is mislabelled, or leave it out");
     }
   }
@@ -144,9 +144,8 @@ void requireCavitiesInside(const MotionSeries& series) {
       outside = tracking::partOutside(*series.meshes[0][i], series.meshes[0][series.outer], kOutsideMm);
     }
     if (outside > kMostOutside)
-      throw DataError("The cavity " + series.names[i] + " is not inside the outer surface " +
-                          series.names[series.outer] + ": " + fixed(100 * outside, 0) +
-                          " % of it lie outside",
+      throw DataError(phrase("The cavity %1 is not inside the outer surface %2: %3 % of it lie outside",
+                             series.names[i], series.names[series.outer], fixed(100 * outside, 0)),
                       "series",
                       series.masks.empty() ? "track surfaces that are not within each other one by one"
                                            : "give the outer surface the labels of its cavities too, as in "
@@ -162,10 +161,10 @@ void requireOneSpace(const MotionSeries& series) {
       double size = 0, ignored = 0;
       const Vec3 first = middleOf(series, 0, i, size);
       if (turned(first, middleOf(series, phase, i, ignored), size))
-        refuseSpace(series.names[i] + ", " + phaseName(phase), "the first phase");
+        refuseSpace(phrase("%1, %2", series.names[i], phaseName(phase)), "the first phase");
       const Vec3 outer = middleOf(series, phase, series.outer, size);
       if (turned(outer, middleOf(series, phase, i, ignored), size))
-        refuseSpace(series.names[i] + ", " + phaseName(phase), series.names[series.outer]);
+        refuseSpace(phrase("%1, %2", series.names[i], phaseName(phase)), series.names[series.outer]);
     }
 }
 
@@ -182,8 +181,10 @@ void requireClosedLoop(const MotionSeries& series) {
   const double step = (series.times.seconds[last] - series.times.seconds[0]) / static_cast<double>(last);
   if (back > kMostReturn * std::max(1.0, gap / step) * largest)
     throw DataError(
-        "The last phase does not lead back to the first: they lie " + fixed(back, 1) +
-            " mm apart on average, neighbours " + fixed(largest, 1) + " mm at most",
+        phrase("The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours "
+               "%2 mm "
+               "at most",
+               fixed(back, 1), fixed(largest, 1)),
         "series",
         "if it is not a whole cycle, say that it is to be played once (--once); else add the phases "
         "that are missing");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
@@ -48,7 +49,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
                                  (isSurface(entry->path()) || medical_io::isLabelMap(entry->path())))
       files.push_back(entry->path());
   if (error)
-    throw NoInputError("It cannot be opened: " + error.message(), folder.string(),
+    throw NoInputError(phrase("It cannot be opened: %1", error.message()), folder.string(),
                        "check that you may read it");
   if (files.empty())
     throw DataError("It holds neither surfaces nor label maps", folder.string(),
@@ -95,13 +96,13 @@ void requireComplete(const SeriesFiles& series) {
     std::set<std::uint64_t> own;
     for (const fs::path& file : files)
       if (!own.insert(seriesName(file.filename()).second.value_or(0)).second && series.files.size() > 1)
-        throw DataError("the surface \"" + name + "\" has two files of one phase", file.string(),
+        throw DataError(phrase("the surface \"%1\" has two files of one phase", name), file.string(),
                         "remove one of them");
     if (series.files.size() == 1)
       return;
     for (const std::uint64_t number : numbers)
       if (own.count(number) == 0)
-        throw DataError("the surface \"" + name + "\" is missing in phase number " + std::to_string(number),
+        throw DataError(phrase("the surface \"%1\" is missing in phase number %2", name, number),
                         files.front().parent_path().string(),
                         "add its file, or remove those of the other surfaces in that phase");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::motion {
 namespace {
@@ -15,11 +16,16 @@ namespace {
 constexpr double kSameInstant = 1e-9;
 constexpr double kSameVolume = 1e-3; ///< Relative, of the first and the last key of a whole cycle.
 
+/// Where semicolons or tabs are between the fields, a comma is a decimal mark: spreadsheets write so in
+/// languages that have one.
 std::vector<std::string> fieldsOf(const std::string& line) {
+  const bool decimalComma = line.find_first_of(";\t") != std::string::npos;
   std::vector<std::string> fields(1);
   for (const char letter : line)
-    if (letter == ',' || letter == ';' || letter == '\t')
+    if (letter == ';' || letter == '\t' || (letter == ',' && !decimalComma))
       fields.emplace_back();
+    else if (letter == ',')
+      fields.back() += '.';
     else if (letter != ' ' && letter != '\r' && letter != '"')
       fields.back() += letter;
   return fields;
@@ -43,8 +49,7 @@ public:
       return;
     const std::vector<std::string> fields = fieldsOf(line);
     if (fields.size() != 2)
-      fail("has " + std::to_string(fields.size()) + " columns",
-           "leave two: the instant, and the volume in ml");
+      fail(phrase("has %n {column|columns}", fields.size()), "leave two: the instant, and the volume in ml");
     const auto instant = numberOf(fields[0]);
     const auto milliliters = numberOf(fields[1]);
     if (!instant && !milliliters && !headerSeen_ && keys_.empty()) {
@@ -82,7 +87,7 @@ private:
   }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& tryThis) const {
-    throw DataError(problem, file_ + ", line " + std::to_string(line_), tryThis);
+    throw DataError(problem, phrase("%1, line %2", file_, line_), tryThis);
   }
 
   std::string file_;

@@ -16,6 +16,7 @@
 #include "stress_picture.h"
 #include "valve_picture.h"
 #include "viscera/presentation/space_parts.h"
+#include "viscera/scene/legend.h"
 
 namespace viscera::presentation {
 namespace {
@@ -234,8 +235,10 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
     document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf);
     const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
                                                       scene.measuring->highlighted.end(), measurement.id);
-    items.push_back({std::move(values.places),
-                     measurement.name + ": " + formatMeasured(measurement.kind, values.now), chosen});
+    items.push_back(
+        {std::move(values.places),
+         measurement.name + ": " + formatMeasured(measurement.kind, values.now, {}, view.decimalMark()),
+         chosen});
   }
   if (scene.measuring && !scene.measuring->pending.points.empty() &&
       !document::isRegion(scene.measuring->pending.kind)) {
@@ -248,7 +251,7 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
     if (single)
       item.points.resize(1);
     else if (item.points.size() == document::pointCount(pending.kind)) // An angle's first leg has no value.
-      item.text = formatMeasured(pending.kind, values.now);
+      item.text = formatMeasured(pending.kind, values.now, {}, view.decimalMark());
     items.push_back(std::move(item));
   }
   if (!items.empty() || !measurements.items().empty())
@@ -368,27 +371,29 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
   return organ.name;
 }
 
-std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit) {
+std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit,
+                           char decimalMark) {
   if (!std::isfinite(value))
     return "-";
-  char number[32];
-  std::snprintf(number, sizeof number, "%.1f", value);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  const std::string number = scene::withDecimalMark(text, decimalMark);
   if (document::isRegion(kind))
     return unit.empty() ? number : number + (' ' + unit);
   return number + std::string(kind == document::MeasurementKind::distance ? " mm" : "\u00b0");
 }
 
 std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
-                           const std::string& unit, const Presenter::Translate& translate) {
+                           const std::string& unit, const Presenter::Translate& translate, char decimalMark) {
   const auto region = document::regionOf(measurement);
   if (!region || !values.region || values.region->count == 0)
     return {};
   const auto* rectangle = std::get_if<slices::RectangleRegion>(&*region);
   const double size = rectangle ? rectangle->areaMm2() : std::get<slices::SphereRegion>(*region).volumeMl();
-  const auto number = [](const char* format, double value) {
+  const auto number = [decimalMark](const char* format, double value) {
     char text[32];
     std::snprintf(text, sizeof text, format, value);
-    return std::string(text);
+    return scene::withDecimalMark(text, decimalMark);
   };
   const std::string parts[] = {
       number("%.1f", values.region->deviation), number("%.0f", values.region->minimum),

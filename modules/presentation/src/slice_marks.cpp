@@ -141,22 +141,21 @@ void markPoints(Sheet& sheet, const document::Measurement& measurement, const st
 }
 
 std::string wordsOf(const document::Measurement& measurement, const document::MeasuredValues& values,
-                    const document::DocumentState& state,
-                    const std::function<std::string(const char*)>& translate) {
+                    const document::DocumentState& state, const SliceLanguage& language) {
   const std::string unit = document::unitOf(measurement, state);
   const bool region = document::isRegion(measurement.kind);
-  std::string words = formatMeasured(measurement.kind, region ? values.rest : values.now, unit);
+  std::string words =
+      formatMeasured(measurement.kind, region ? values.rest : values.now, unit, language.decimalMark);
   if (!measurement.name.empty())
     words = measurement.name + ": " + words;
-  std::string spread = describeSpread(measurement, values, unit, translate);
+  std::string spread = describeSpread(measurement, values, unit, language.translate, language.decimalMark);
   // Values in one line, size in the next: a slice is not wide.
   if (const std::size_t size = spread.find(", ", spread.find(", ") + 1); size != std::string::npos)
     spread.replace(size, 2, "\n");
   return spread.empty() ? words : words + '\n' + spread;
 }
 
-void addMeasured(Sheet& sheet, document::RegionMemory& memory,
-                 const std::function<std::string(const char*)>& translate) {
+void addMeasured(Sheet& sheet, document::RegionMemory& memory, const SliceLanguage& language) {
   const SliceScene& scene = sheet.scene;
   std::vector<std::shared_ptr<const Points>> kept;
   const auto pointsOf = [&](document::OrganId organ) -> const Points& {
@@ -176,7 +175,7 @@ void addMeasured(Sheet& sheet, document::RegionMemory& memory,
     if (outline.line.empty())
       return;
     const Vec3 color = highlighted ? scene::darkTheme().accent : kMeasured;
-    draw(sheet, outline, color, whole ? wordsOf(measurement, values, scene.state, translate) : std::string());
+    draw(sheet, outline, color, whole ? wordsOf(measurement, values, scene.state, language) : std::string());
     markPoints(sheet, measurement, values.places, reach, color, item);
   };
   for (std::size_t i = 0; i < scene.state.measurements->size(); ++i) {
@@ -193,14 +192,14 @@ void addMeasured(Sheet& sheet, document::RegionMemory& memory,
 
 SliceGrips addMarks(const SliceScene& scene, const slices::SliceDirection& direction,
                     const slices::SliceFrame& frame, document::RegionMemory& memory,
-                    const std::function<std::string(const char*)>& translate, scene::SlicePicture& picture) {
+                    const SliceLanguage& language, scene::SlicePicture& picture) {
   SliceGrips grips;
   Sheet sheet{scene, frame, direction.axis, picture, grips};
   picture.marks.clear();
   picture.texts.clear();
   addHandles(sheet);
   if (scene.view.measurements)
-    addMeasured(sheet, memory, translate);
+    addMeasured(sheet, memory, language);
   return grips;
 }
 

@@ -22,11 +22,17 @@ struct SliceGrips {
   std::vector<Grip> measured; ///< Points that are on no organ: those stay on its surface.
 };
 
+/// The language of the texts on a slice: its words, and what it writes before decimals.
+struct SliceLanguage {
+  std::function<std::string(const char*)> translate;
+  char decimalMark = '.';
+};
+
 /// Adds to a slice's picture what lies over grey levels and contours: the handles near its plane, as the
 /// scene shows them, and what is measured in it. Regions whose values `memory` does not have are read.
 SliceGrips addMarks(const SliceScene& scene, const slices::SliceDirection& direction,
                     const slices::SliceFrame& frame, document::RegionMemory& memory,
-                    const std::function<std::string(const char*)>& translate, scene::SlicePicture& picture);
+                    const SliceLanguage& language, scene::SlicePicture& picture);
 
 /// The one of them that is nearest to a pixel and not farther away than `reach` pixels, or null.
 const SliceGrips::Grip* nearestGrip(const std::vector<SliceGrips::Grip>& grips, const Eigen::Vector2d& pixel,

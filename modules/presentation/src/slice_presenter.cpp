@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/presentation/presenter.h"
+#include "viscera/scene/legend.h"
 
 #include "slice_cuts.h"
 #include "slice_marks.h"
@@ -90,10 +91,10 @@ void addLines(const geometry::PlaneCut& cut, const slices::SliceFrame& frame, co
 
 struct SlicePresenter::Parts {
   Parts(Threads threadsIn, Translate translateIn)
-      : threads(threadsIn), translate(translateIn ? std::move(translateIn) : same), cuts(threadsIn) {}
+      : threads(threadsIn), language{translateIn ? std::move(translateIn) : same, '.'}, cuts(threadsIn) {}
 
   Threads threads;
-  Translate translate;
+  SliceLanguage language;
   SliceCuts cuts;
   std::array<Slice, 3> slices;
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
@@ -171,27 +172,35 @@ void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& di
   const ScanLook& look = scene.view.scan;
   picture.cross = slice.frame.pixelOf(focus);
   for (std::size_t i = 0; i < 4; ++i)
-    picture.edges[i] = translate(direction.edges[i]);
-  picture.title =
-      translate(direction.name) + "  " + formatSlicePosition(direction.axis, focus[direction.axis]);
+    picture.edges[i] = language.translate(direction.edges[i]);
+  picture.title = language.translate(direction.name) + "  " +
+                  formatSlicePosition(direction.axis, focus[direction.axis], language.decimalMark);
   picture.mmPerPixel = slice.frame.right.norm();
   picture.note.clear();
   if (!scene.state.scan)
     return;
   picture.note = formatted("L %.0f  W %.0f", slice.window.level, slice.window.width);
-  if (look.slabMm > 0)
-    picture.note += (look.maximum ? translate("  Maximum") : translate("  Mean")) +
-                    formatted(" of %g mm", look.slabMm, 0);
+  if (look.slabMm > 0) {
+    std::string over =
+        look.maximum ? language.translate("Maximum of %1 mm") : language.translate("Mean of %1 mm");
+    if (const std::size_t at = over.find("%1"); at != std::string::npos)
+      over.replace(at, 2, scene::withDecimalMark(formatted("%g", look.slabMm, 0), language.decimalMark));
+    picture.note += "  " + over;
+  }
   if (slice.with.bent)
-    picture.note += translate("  Bent");
+    picture.note += "  " + language.translate("Bent");
   if (slice.values.anyFolded())
-    picture.note += translate(", folded where it is hatched");
+    picture.note += ", " + language.translate("folded where it is hatched");
 }
 
 SlicePresenter::SlicePresenter(Threads threads, Translate translate)
     : parts_(std::make_unique<Parts>(threads, std::move(translate))) {}
 
 SlicePresenter::~SlicePresenter() = default;
+
+void SlicePresenter::setDecimalMark(char mark) {
+  parts_->language.decimalMark = mark;
+}
 
 void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane>& panes) {
   Parts& p = *parts_;
@@ -217,7 +226,7 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       slice.picture.lines.clear();
     const slices::SliceDirection direction = slices::sliceDirections()[std::size_t(pane.direction)];
     p.label(slice, direction, scene, focus);
-    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.translate, slice.picture);
+    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.language, slice.picture);
   }
 }
 
@@ -316,9 +325,10 @@ double stepAlong(const document::DocumentState& state, int axis) {
   return steps.col(along).norm();
 }
 
-std::string formatSlicePosition(int axis, double mm) {
+std::string formatSlicePosition(int axis, double mm, char decimalMark) {
   constexpr const char* kLetters[3][2] = {{"L", "R"}, {"P", "A"}, {"S", "I"}};
-  return kLetters[axis][mm < 0 ? 1 : 0] + formatted(" %.1f mm", std::abs(mm), 0);
+  return kLetters[axis][mm < 0 ? 1 : 0] +
+         scene::withDecimalMark(formatted(" %.1f mm", std::abs(mm), 0), decimalMark);
 }
 
 medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look) {

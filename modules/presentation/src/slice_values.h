@@ -11,7 +11,7 @@ public:
   void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
             const slices::SampleOptions& options, const Bending* bending);
   void clear();
-  /// Places where the pose folds the tissue are hatched: what is between the lines is a guess.
+  /// Places where the pose folds the tissue are hatched: what is between the lines is an estimate.
   void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
 
   /// Of a pixel; none where nothing was measured, and outside of the slice.

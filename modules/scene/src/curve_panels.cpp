@@ -97,9 +97,7 @@ void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, b
   vtkNew<vtkStringArray> names;
   for (const double tick : ticks) {
     positions->InsertNextValue(tick);
-    std::string label = labels ? tickLabel(tick, spacing) : std::string();
-    std::replace(label.begin(), label.end(), '.', decimalMark);
-    names->InsertNextValue(label);
+    names->InsertNextValue(labels ? tickLabel(tick, spacing, decimalMark) : std::string());
   }
   axis->SetCustomTickPositions(positions, names);
   axis->SetLabelsVisible(labels);

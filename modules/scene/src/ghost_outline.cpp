@@ -18,6 +18,7 @@
 #include <vtkTypeInt32Array.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/scene/organ_view.h"
 
 #include "before_render.h"
@@ -111,8 +112,8 @@ GhostOutline::GhostOutline(std::shared_ptr<const geometry::TriangleMesh> mesh)
 void GhostOutline::setPoints(const Points& points, const geometry::Normals& normals) {
   auto& p = *parts_;
   if (points.rows() != p.mesh->points.rows() || normals.rows() != points.rows())
-    throw UsageError("the outline of " + std::to_string(p.mesh->points.rows()) + " vertices cannot follow " +
-                     std::to_string(points.rows()));
+    throw UsageError(
+        phrase("the outline of %1 vertices cannot follow %2", p.mesh->points.rows(), points.rows()));
   if (!p.posed) {
     p.posed = std::make_shared<geometry::TriangleMesh>(*p.mesh);
     p.mesh = p.posed;

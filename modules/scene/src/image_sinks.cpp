@@ -22,6 +22,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/child_process.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::scene {
@@ -206,7 +207,8 @@ void FfmpegProcess::fail() {
     for (std::string line; std::getline(lines, line);) // The last line says why.
       said = line.find_first_not_of(" \t\r") == std::string::npos ? said : line;
   }
-  throw CannotCreateError("The program ffmpeg could not write the movie" + (said.empty() ? "" : ": " + said),
+  throw CannotCreateError(said.empty() ? "The program ffmpeg could not write the movie"
+                                       : phrase("The program ffmpeg could not write the movie: %1", said),
                           movie_.string(), "write an .ogv instead");
 }
 

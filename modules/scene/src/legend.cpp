@@ -98,29 +98,35 @@ std::vector<double> niceTicks(ValueRange range, int most) {
     }
 }
 
-std::string tickLabel(double value, double spacing) {
+std::string withDecimalMark(std::string number, char decimalMark) {
+  std::replace(number.begin(), number.end(), '.', decimalMark);
+  return number;
+}
+
+std::string tickLabel(double value, double spacing, char decimalMark) {
   char label[32];
   const double largest = std::max(std::abs(value), std::abs(spacing));
   if (largest >= kLargestPlain || spacing < kSmallestPlain) {
     const int digits = spacing > 0 ? static_cast<int>(std::ceil(std::log10(largest / spacing))) + 2 : 3;
     std::snprintf(label, sizeof label, "%.*g", std::max(3, digits), value);
-    return label;
+    return withDecimalMark(label, decimalMark);
   }
   // The small push keeps a spacing such as 0.1 from asking for a digit too many.
   const int decimals =
       spacing > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(spacing) + 1e-9))) : 2;
   std::snprintf(label, sizeof label, "%.*f", decimals, value);
-  return label;
+  return withDecimalMark(label, decimalMark);
 }
 
-std::vector<std::string> tickLabels(const std::vector<double>& ticks) {
+std::vector<std::string> tickLabels(const std::vector<double>& ticks, char decimalMark) {
   const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
   bool even = true;
   for (std::size_t i = 2; i < ticks.size(); ++i)
     even = even && std::abs(ticks[i] - ticks[i - 1] - spacing) < 1e-6 * spacing;
   std::vector<std::string> labels;
   for (const double tick : ticks)
-    labels.push_back(tickLabel(tick, even ? spacing : std::pow(10, std::floor(std::log10(tick) + kSlack))));
+    labels.push_back(
+        tickLabel(tick, even ? spacing : std::pow(10, std::floor(std::log10(tick) + kSlack)), decimalMark));
   return labels;
 }
 
@@ -129,6 +135,7 @@ struct Legend::Parts {
   ValueRange range;
   bool shown = false;
   Theme theme = darkTheme();
+  char decimalMark = '.';
 
   FlatShape bar;
   FlatShape lines;
@@ -250,6 +257,10 @@ void Legend::setTheme(const Theme& theme) {
   parts_->applyTheme();
 }
 
+void Legend::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
+}
+
 void Legend::show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range) {
   auto& p = *parts_;
   auto* renderer = p.beforeRender.renderer();
@@ -259,7 +270,7 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   p.title->SetInput((unit.empty() ? title : title + " (" + unit + ")").c_str());
   p.ticks = niceTicks(range, kMostTicks);
   p.labels.clear();
-  for (const std::string& written : tickLabels(p.ticks)) {
+  for (const std::string& written : tickLabels(p.ticks, p.decimalMark)) {
     auto label = newText(kFontSize);
     label->SetInput(written.c_str());
     label->GetTextProperty()->SetVerticalJustificationToCentered();

@@ -12,6 +12,7 @@
 #include <vtkImageData.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 #include "image_sinks.h"
 
@@ -118,9 +119,9 @@ void MovieWriter::add(vtkSmartPointer<vtkImageData> frame) {
     p.size[0] = size[0];
     p.size[1] = size[1];
   } else if (size[0] != p.size[0] || size[1] != p.size[1]) {
-    throw UsageError("the frames of a movie have to be of one size: this one is " + std::to_string(size[0]) +
-                     " x " + std::to_string(size[1]) + ", the first was " + std::to_string(p.size[0]) +
-                     " x " + std::to_string(p.size[1]));
+    throw UsageError(
+        phrase("the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4",
+               size[0], size[1], p.size[0], p.size[1]));
   }
   std::unique_lock lock(p.mutex);
   p.changed.wait(lock, [&] { return p.idle || p.queue.size() < kQueueLength; });

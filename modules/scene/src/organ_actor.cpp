@@ -20,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/volume.h"
 
@@ -176,8 +177,8 @@ void OrganActor::setPoints(std::shared_ptr<const Points> points) {
   if (!points)
     points = std::shared_ptr<const Points>(parts_->mesh, &parts_->mesh->points);
   if (points->rows() != parts_->mesh->points.rows())
-    throw UsageError("the points to show are " + std::to_string(points->rows()) + ", the surface has " +
-                     std::to_string(parts_->mesh->points.rows()));
+    throw UsageError(
+        phrase("the points to show are %1, the surface has %2", points->rows(), parts_->mesh->points.rows()));
   parts_->points = std::move(points);
   pointsChanged();
 }
@@ -263,8 +264,8 @@ bool OrganActor::cutsAway(const Vec3& place) const {
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {
   auto& p = *parts_;
   if (values->size() != p.mesh->points.rows())
-    throw UsageError("the values to show are " + std::to_string(values->size()) + ", the surface has " +
-                     std::to_string(p.mesh->points.rows()) + " vertices");
+    throw UsageError(phrase("the values to show are %1, the surface has %2 vertices", values->size(),
+                            p.mesh->points.rows()));
   p.values = std::move(values);
   p.valueArray->SetName(kScalarsName);
   p.data->GetPointData()->AddArray(p.valueArray);

@@ -128,6 +128,7 @@ struct OrganView::Parts {
   RegionHulls regions;
   MirrorPlaneGlyph mirrorPlane;
   Legend legend;
+  char decimalMark = '.';
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
   BeforeRender beforeRender{[this] { prepareFrame(); }};
@@ -466,6 +467,16 @@ bool OrganView::highlightOrientationSide(std::optional<StandardView> side) {
 }
 void OrganView::setScaleBarShown(bool shown) {
   parts_->scaleBar.setShown(shown);
+}
+
+void OrganView::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
+  parts_->legend.setDecimalMark(mark);
+  parts_->scaleBar.setDecimalMark(mark);
+}
+
+char OrganView::decimalMark() const {
+  return parts_->decimalMark;
 }
 
 void OrganView::setMoving(bool moving) {

@@ -18,6 +18,7 @@
 #include "flat_shape.h"
 #include "grey_square.h"
 #include "text_guard.h"
+#include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
 namespace viscera::scene {
@@ -183,6 +184,7 @@ Eigen::AlignedBox2d placed(const SliceText& text, const Eigen::Vector2d& size, d
 struct SliceView::Parts {
   Parts();
 
+  char decimalMark = '.';
   /// Grey levels on a layer of their own: flat things of one layer hide each other by a depth that all share.
   vtkNew<vtkRenderer> ground;
   vtkNew<vtkRenderer> renderer;
@@ -342,7 +344,7 @@ void SliceView::Parts::showBar(const SlicePicture& picture) {
   bar.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio()));
   char words[32];
   std::snprintf(words, sizeof words, "%g mm", mm);
-  place(length, words, right, low + tick, kTextSize);
+  place(length, withDecimalMark(words, decimalMark), right, low + tick, kTextSize);
 }
 
 SliceView::SliceView() : parts_((guardText(), std::make_unique<Parts>())) {
@@ -374,6 +376,10 @@ vtkRenderWindow* SliceView::window() const {
 
 vtkRenderer* SliceView::renderer() const {
   return parts_->renderer;
+}
+
+void SliceView::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
 }
 
 void SliceView::setTheme(const Theme& theme) {

@@ -15,6 +15,7 @@
 #include <vtkSmartPointer.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::scene {
 namespace {
@@ -23,7 +24,7 @@ constexpr int kServiceUnavailable = 69; // sysexits.h: EX_UNAVAILABLE
 constexpr int kLogicalDpi = 72;
 
 [[noreturn]] void fail(const std::string& step) {
-  throw Error(kServiceUnavailable, "cannot draw without a display: " + step, "EGL",
+  throw Error(kServiceUnavailable, phrase("cannot draw without a display: %1", step), "EGL",
               "install libegl1 and libgl1-mesa-dri, or run under a display");
 }
 

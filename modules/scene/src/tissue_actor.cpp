@@ -21,6 +21,7 @@
 #include <vtkTypeInt32Array.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 #include "before_render.h"
 #include "blended_actor.h"
@@ -227,8 +228,7 @@ TissueActor::TissueActor(std::shared_ptr<const Tetrahedra> tetrahedra, std::shar
     : parts_(std::make_unique<Parts>()) {
   auto& p = *parts_;
   if (tetrahedra->size() > 0 && (tetrahedra->minCoeff() < 0 || tetrahedra->maxCoeff() >= points->rows()))
-    throw UsageError("a tetrahedron has a corner that is none of the " + std::to_string(points->rows()) +
-                     " points");
+    throw UsageError(phrase("a tetrahedron has a corner that is none of the %1 points", points->rows()));
   p.tetrahedra = std::move(tetrahedra);
   p.allFaces = tetraFaces(*p.tetrahedra, *points);
   p.ghostActor->SetMapper(p.faceSheet.mapper);
@@ -264,8 +264,8 @@ void TissueActor::setPoints(std::shared_ptr<const Points> points) {
 void TissueActor::setValues(std::shared_ptr<const Values> values) {
   auto& p = *parts_;
   if (values->size() != p.points->rows())
-    throw UsageError("the values to show are " + std::to_string(values->size()) + ", the tissue has " +
-                     std::to_string(p.points->rows()) + " points");
+    throw UsageError(
+        phrase("the values to show are %1, the tissue has %2 points", values->size(), p.points->rows()));
   p.values = std::move(values);
   p.faceSheet.checkValues(p.values->data(), static_cast<std::size_t>(p.values->size()));
   p.facesOld = p.facesOld || p.range;

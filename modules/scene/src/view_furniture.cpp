@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
+#include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
 #include "orientation_cube.h"
@@ -82,7 +83,7 @@ void ScaleBar::follow() {
   line_.actor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
   char label[32];
   std::snprintf(label, sizeof label, "%g mm", length);
-  text_->SetInput(label);
+  text_->SetInput(withDecimalMark(label, decimalMark_).c_str());
   text_->SetPosition(middle, y + ratio * kTextGap);
 }
 

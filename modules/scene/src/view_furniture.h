@@ -19,9 +19,13 @@ public:
 
   void setTheme(const Theme& theme);
   void setShown(bool shown);
+  /// What numbers have before their decimals, a point at first.
+  void setDecimalMark(char mark) { decimalMark_ = mark; }
 
 private:
   void follow();
+
+  char decimalMark_ = '.';
 
   FlatShape line_;
   vtkSmartPointer<vtkTextActor> text_;

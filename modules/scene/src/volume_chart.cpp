@@ -491,9 +491,7 @@ void VolumeChart::update() {
     vtkNew<vtkStringArray> labels;
     for (const double tick : ticks) {
       positions->InsertNextValue(tick);
-      std::string label = tickLabel(tick, spacing);
-      std::replace(label.begin(), label.end(), '.', p.decimalMark);
-      labels->InsertNextValue(label);
+      labels->InsertNextValue(tickLabel(tick, spacing, p.decimalMark));
     }
     axis->SetCustomTickPositions(positions, labels);
   }

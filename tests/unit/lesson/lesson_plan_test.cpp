@@ -101,6 +101,21 @@ TEST(LessonPlan, TakesNamesSlidesAndLabelsFromItsFile) {
 TEST(LessonPlan, RefusesASpecThatSpeaksOfNothing) {
   EXPECT_THROW(readSpec("{\"slides\": [{\"text\": 1}]}", "test"), DataError);
   EXPECT_THROW(readSpec("no json", "test"), DataError);
+  const auto refusal = [](const char* text) {
+    try {
+      readSpec(text, "test");
+    } catch (const DataError& error) {
+      return error.problem();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("{\"title\": \"T\",\n\"notes\" \"N\"}"),
+            "It is not complete JSON: the mistake is in line 2");
+  EXPECT_EQ(refusal("{\"labels\": [{\"surface\": \"Ball\"}]}"),
+            "It does not describe a lesson: \"text\" is missing");
+  EXPECT_EQ(refusal("{\"title\": 7}"),
+            "It does not describe a lesson: a text, a number or a list stands where "
+            "something else belongs");
   BallScene scene;
   LessonSpec spec;
   spec.slides.push_back({.title = "S", .hidden = {"Spleen"}});

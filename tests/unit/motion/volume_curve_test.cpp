@@ -42,6 +42,16 @@ TEST_F(VolumeCurveFile, HoldsFractionsOfTheCycleWithOrWithoutAHeader) {
   }
 }
 
+TEST_F(VolumeCurveFile, TakesDecimalCommasBetweenSemicolonsOrTabs) {
+  for (const char* rows :
+       {"time_s;LV_ml\n0;130,5\n0,4;55,25\n0,8;130,5\n", "time_s\tLV_ml\n0\t130,5\n0,4\t55,25\n"}) {
+    const sequences::Curve curve = read(rows);
+    EXPECT_EQ(curve.at(0), 130.5);
+    EXPECT_NEAR(curve.at(0.5), 55.25, 1e-9);
+  }
+  EXPECT_THAT(refusal("0;130,5,2\n"), testing::HasSubstr("not a number"));
+}
+
 TEST_F(VolumeCurveFile, TakesSecondsUnderAHeaderThatSaysSo) {
   const sequences::Curve curve = read("time_s,LV_ml\n0,130\n0.4,55\n0.8,130\n");
   EXPECT_NEAR(curve.at(0.5), 55, 1e-9);

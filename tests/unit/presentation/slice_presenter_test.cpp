@@ -10,6 +10,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::presentation {
 namespace {
@@ -136,6 +137,19 @@ Bending shifted(const Vec3& by, std::uint64_t revision, bool folded = false) {
           revision};
 }
 
+TEST(SlicePresenter, WritesDecimalsWithTheMarkOfTheLanguage) {
+  ScannedBall ball;
+  ball.slices.setDecimalMark(',');
+  ball.view.scan.focus = Vec3(0, 0, 12.5);
+  ball.view.scan.slabMm = 2.5;
+  ball.update();
+  EXPECT_EQ(ball.slices.picture(0).title, "Axial  S 12,5 mm");
+  EXPECT_EQ(ball.slices.picture(0).note, "L 40  W 400  Mean of 2,5 mm");
+  EXPECT_EQ(formatSlicePosition(2, -7.25, ','), "I 7,2 mm");
+  EXPECT_EQ(formatMeasured(document::MeasurementKind::distance, 83.4, {}, ','), "83,4 mm");
+  EXPECT_EQ(formatMeasured(document::MeasurementKind::sphere, 41.3, "HU"), "41.3 HU");
+}
+
 TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
   ScannedBall ball;
   ball.view.scan.bent = true;
@@ -190,7 +204,7 @@ TEST(SlicePresenter, HatchesNoLineOfSinglePixels) {
   ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
   EXPECT_EQ(ball.slices.picture(0).grey, plain);
   EXPECT_EQ(ball.slices.picture(0).note.find("folded"), std::string::npos);
-  EXPECT_TRUE(ball.slices.read(0, Eigen::Vector2d(60, 80)).folded) << "what is read there is a guess";
+  EXPECT_TRUE(ball.slices.read(0, Eigen::Vector2d(60, 80)).folded) << "what is read there is an estimate";
 }
 
 TEST(SlicePresenter, DrawsHandlesNearTheSliceAndFindsThemThere) {

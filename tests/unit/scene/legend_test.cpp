@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "shapes.h"
 #include "view_fixture.h"
 #include "viscera/scene/legend.h"
+#include "viscera/scene/organ_view.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::scene {
@@ -51,6 +53,7 @@ TEST(Legend, LabelsHaveJustTheDigitsNeeded) {
   EXPECT_EQ(tickLabel(-3, 1), "-3");
   EXPECT_EQ(tickLabel(150, 50), "150");
   EXPECT_EQ(tickLabel(0, 0.1), "0.0");
+  EXPECT_EQ(tickLabel(0.25, 0.05, ','), "0,25") << "as German writes it";
 }
 
 TEST(Legend, LogarithmicTicksAreThoseOfDecadesAndAreWrittenAsSuch) {
@@ -90,6 +93,40 @@ TEST(Legend, CanBeReadOverWhatLiesBehindIt) {
       }
     EXPECT_GT(covered, 200) << (theme.dark ? "dark" : "light");
   }
+}
+
+/// How many pixels of a part of the view another decimal mark changes.
+int changedByMark(double left, double right, double bottom, double top,
+                  const std::function<void(OrganView&)>& show) {
+  tests::ViewInWindow window(400, 300);
+  window.addOrgan(tests::sphere(4, 60));
+  window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-0.35), Vec3::Constant(0.35)});
+  const auto picture = [&] {
+    show(window.view);
+    window.render();
+    return grabPicture(window.surface.window());
+  };
+  const auto point = picture();
+  window.view.setDecimalMark(',');
+  const auto comma = picture();
+  int changed = 0;
+  for (int y = static_cast<int>(300 * bottom); y < static_cast<int>(300 * top); ++y)
+    for (int x = static_cast<int>(400 * left); x < static_cast<int>(400 * right); ++x)
+      changed += *static_cast<const unsigned char*>(point->GetScalarPointer(x, y, 0)) !=
+                 *static_cast<const unsigned char*>(comma->GetScalarPointer(x, y, 0));
+  return changed;
+}
+
+TEST(Legend, AndTheScaleBarWriteDecimalsWithTheMarkOfTheLanguage) {
+  const int legend = changedByMark(0.75, 1, 0.15, 1, [](OrganView& view) {
+    view.setScaleBarShown(false);
+    view.legend().show("Stress", "deg", viridis(), {0, 1});
+  });
+  EXPECT_GT(legend, 0);
+  EXPECT_LT(legend, 300) << "nothing but the marks";
+  const int bar = changedByMark(0, 1, 0, 0.15, [](OrganView& view) { view.setScaleBarShown(true); });
+  EXPECT_GT(bar, 0) << "of 0.5 mm";
+  EXPECT_LT(bar, 100);
 }
 
 } // namespace

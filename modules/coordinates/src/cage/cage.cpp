@@ -3,6 +3,7 @@
 #include <string>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/surface_check.h"
 
@@ -30,12 +31,10 @@ void requireCage(const geometry::TriangleMesh& cage, const std::string& where) {
   if (cage.triangles.rows() == 0)
     throw DataError("It has no triangles", where, kTryThis);
   const auto report = geometry::checkSurface(cage);
-  const auto refuse = [&where](int edges, const std::string& problem) {
-    if (edges > 0)
-      throw DataError(problem + " at " + std::to_string(edges) + " edges", where, kTryThis);
-  };
-  refuse(report.boundaryEdges, "is open");
-  refuse(report.nonManifoldEdges + report.misorientedEdges, "is not manifold");
+  if (report.boundaryEdges > 0)
+    throw DataError(phrase("is open at %n {edge|edges}", report.boundaryEdges), where, kTryThis);
+  if (const int edges = report.nonManifoldEdges + report.misorientedEdges; edges > 0)
+    throw DataError(phrase("is not manifold at %n {edge|edges}", edges), where, kTryThis);
 }
 
 std::vector<int> handlesAtVertices(const Points& handles, const geometry::TriangleMesh& cage) {
@@ -61,7 +60,7 @@ Triangles cageOver(const Points& handles, const geometry::TriangleMesh& cage) {
   for (std::int32_t& corner : outward.triangles.reshaped<Eigen::RowMajor>()) {
     const int name = names[static_cast<std::size_t>(corner)];
     if (name < 0)
-      throw DataError("there is no handle at vertex " + std::to_string(corner), "the cage",
+      throw DataError(phrase("there is no handle at vertex %1", corner), "the cage",
                       "make the handles from this cage: viscera handles ORGAN --cage FILE");
     corner = name;
   }

@@ -8,6 +8,7 @@
 
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -50,7 +51,7 @@ public:
       offsets_[t] = normal.dot((a + b + c) / 3);
       for (const auto corner : cage.reshaped())
         if (handles.row(corner).dot(normal) - offsets_[t] > kConvex * size_)
-          throw DataError("It is not convex at its triangle " + std::to_string(t), "the cage",
+          throw DataError(phrase("It is not convex at its triangle %1", t), "the cage",
                           "take a convex cage, or none: then the convex hull of the handles is the cage");
     }
   }

@@ -7,6 +7,7 @@
 #include "choice_parameter.h"
 #include "nspace/lagrange_problem.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -152,8 +153,8 @@ BalanceIn<2> planeLagrange(const ParameterValues& parameters) {
   const auto target = chosen<Target>(parameters, kTarget);
   const auto positivity = chosen<Positivity>(parameters, kPositivity);
   if (positivity == Positivity::globalTest || positivity == Positivity::iterative)
-    throw UsageError("'" + kPositivity.choices[static_cast<std::size_t>(positivity)] +
-                         "' looks at all points together, which planar coordinates do not",
+    throw UsageError(phrase("\"%1\" looks at all points together, which planar coordinates do not",
+                            kPositivity.choices[static_cast<std::size_t>(positivity)]),
                      {}, "take another positivity");
   return [=](const SightIn<2>& sight, Values& beta) {
     return solveAlone(LagrangeProblem<2>(sight, targetAt(target, sight.distances)), positivity, beta);

@@ -14,6 +14,7 @@
 #include "viscera/coordinates/nspace/lagrange_minimisation.h"
 #include "viscera/coordinates/nspace/wire_approach.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -164,7 +165,7 @@ PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handle
     std::string known;
     for (const std::string& id : planarSystems())
       known += (known.empty() ? "" : ", ") + id;
-    throw UsageError("\"" + system + "\" has no planar form", {}, "there are: " + known);
+    throw UsageError(phrase("\"%1\" has no planar form", system), {}, phrase("there are: %1", known));
   }();
   return pointByPoint(handles, points, balanced(handles, balance), threads);
 }

@@ -7,6 +7,7 @@
 
 #include "choice_parameter.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/split_edges.h"
 
 namespace viscera::coordinates {
@@ -34,7 +35,7 @@ double volumeOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
 FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& inside, double resolution,
                           const std::string& system, const BindOptions& options, Progress& progress) {
   if (!options.tetrahedralise)
-    throw UsageError(system + " need tetrahedra, and nobody here makes them", {},
+    throw UsageError(phrase("%1 need tetrahedra, which cannot be made here", system), {},
                      "bind by way of the deformation module, or choose another system");
   const double edge = boundsOf(surface.points).diagonal() / resolution;
   geometry::TriangleMesh cut = geometry::splitLongEdges(surface, edge, kMostTriangles);

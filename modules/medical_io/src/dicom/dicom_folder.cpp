@@ -5,6 +5,7 @@
 
 #include "dicom/dicom_mark.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -66,7 +67,7 @@ std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& file
   std::size_t seen = 0;
   const auto add = [&](const std::filesystem::path& file) {
     if (++seen > kMostFiles)
-      throw DataError("It has more than " + std::to_string(kMostFiles) + " files", folder.string(),
+      throw DataError(phrase("It has more than %1 files", kMostFiles), folder.string(),
                       "name the folder of one patient");
     if (dicomKind(file) == DicomKind::image)
       list.push_back(file);

@@ -15,6 +15,7 @@
 #include "image_formats/raw_image.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -69,9 +70,9 @@ void listFrames(Folder& folder) {
       throw DataError(*error);
   for (const DicomHeader& header : list.files)
     if (!header.notAScan.empty())
-      throw DataError("It has no slices of a scan: " + header.file.filename().string() + ' ' +
-                          header.notAScan,
-                      place.string(), "name the folder of a CT or MR series");
+      throw DataError(
+          phrase("It has no slices of a scan: %1 %2", header.file.filename().string(), header.notAScan),
+          place.string(), "name the folder of a CT or MR series");
   throw DataError("It has no slices of a scan", place.string(), "name the folder of a CT or MR series");
 }
 
@@ -102,9 +103,9 @@ Folder openFolder(const std::filesystem::path& place, Progress& progress, double
     const auto count = static_cast<std::uint64_t>(
         std::count_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); }));
     folder.damaged.push_back(
-        {ScanFinding::Kind::damaged, counted(count, "file is", "files are") + " damaged and left out (" +
-                                         files[std::size_t(damaged - errors.begin())].filename().string() +
-                                         ": " + (*damaged)->problem() + ")"});
+        {ScanFinding::Kind::damaged,
+         phrase("%n {file is|files are} damaged and left out (%2: %3)", count,
+                files[std::size_t(damaged - errors.begin())].filename().string(), (*damaged)->problem())});
   }
   folder.groups = groupFrames(folder.list);
   std::stable_sort(folder.groups.begin(), folder.groups.end(),
@@ -122,7 +123,7 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
     std::string known;
     for (const SliceGroup& group : folder.groups)
       known += (known.empty() ? "" : ", ") + seriesId(folder, group);
-    throw UsageError("It has no series " + series, place.string(), "there are: " + known);
+    throw UsageError(phrase("It has no series %1", series), place.string(), phrase("there are: %1", known));
   }
   std::error_code error;
   if (std::filesystem::is_directory(place, error))
@@ -134,7 +135,7 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
   std::string why = "It is not a slice of a scan";
   for (const DicomHeader& header : folder.list.files)
     if (header.file.filename() == place.filename() && !header.notAScan.empty())
-      why += ": it " + header.notAScan;
+      why = phrase("It is not a slice of a scan: it %1", header.notAScan);
   throw DataError(why, place.string(), "name the folder, or another file in it");
 }
 
@@ -205,7 +206,7 @@ DicomPixels readPixels(DicomPixelReader& reader, const DicomHeader& header, cons
   try {
     return reader.read(frame.frame);
   } catch (const DataError& error) {
-    throw DataError("A slice cannot be read, so the series is not opened: " + error.problem(),
+    throw DataError(phrase("A slice cannot be read, so the series is not opened: %1", error.problem()),
                     header.file.string(),
                     "copy the file anew, or take it out of the folder to read the others");
   }
@@ -313,8 +314,7 @@ Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions&
   append(scan.findings, group.findings);
   const std::vector<SlicePhase> phases = phasesOf(folder.list, group, scan.findings);
   if (options.phase < 0 || static_cast<std::size_t>(options.phase) >= phases.size())
-    throw UsageError("It has no phase " + std::to_string(options.phase) + ", but " +
-                         counted(phases.size(), "phase", "phases"),
+    throw UsageError(phrase("It has no phase %1; it has %2", options.phase, phases.size()),
                      fileOrFolder.string(), "the first one is 0");
   const SliceStack stack = stackSlices(folder.list, phases[static_cast<std::size_t>(options.phase)]);
   append(scan.findings, stack.findings);

@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "viscera/core/phrase.h"
+
 #include "file_bytes.h"
 
 namespace viscera::medical_io {
@@ -71,17 +73,22 @@ public:
   ScanFinding difference(const SliceGroup& group, const SliceGroup& other) const {
     const DicomFrame &x = list_.frames[group.frames[0]], &y = list_.frames[other.frames[0]];
     const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
-    const std::string count = counted(other.frames.size(), "picture", "pictures");
+    const std::size_t count = other.frames.size();
     if (!sameSize(f, g))
-      return {ScanFinding::Kind::mixedSizes, "The series has pictures of several sizes: " + count + " of " +
-                                                 sizeOf(g) + " left out, those of " + sizeOf(f) + " read"};
+      return {ScanFinding::Kind::mixedSizes, phrase("The series has pictures of several sizes: %n "
+                                                    "{picture|pictures} of %2 left out, those of %3 read",
+                                                    count, sizeOf(g), sizeOf(f))};
     if (!sameDirections(x, y))
-      return {ScanFinding::Kind::other, count + " in the series that lie in another direction left out"};
+      return {
+          ScanFinding::Kind::other,
+          phrase("%n {picture|pictures} in the series that {lies|lie} in another direction left out", count)};
     if (x.echo != y.echo)
-      return {ScanFinding::Kind::other, count + " in the series of another echo left out"};
-    return {ScanFinding::Kind::mixedSizes, "The series has pixels of several sizes: " + count + " of " +
-                                               shortNumber(y.betweenColumns) + " mm left out, those of " +
-                                               shortNumber(x.betweenColumns) + " mm read"};
+      return {ScanFinding::Kind::other,
+              phrase("%n {picture|pictures} in the series of another echo left out", count)};
+    return {ScanFinding::Kind::mixedSizes,
+            phrase("The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those "
+                   "of %3 mm read",
+                   count, shortNumber(y.betweenColumns), shortNumber(x.betweenColumns))};
   }
 
 private:
@@ -141,9 +148,9 @@ void setTimes(const FrameList& list, std::vector<SlicePhase>& phases, std::vecto
   for (std::size_t i = 0; i < phases.size(); ++i)
     phases[i].timeMs = step.value_or(1) * double(i);
   if (!step)
-    findings.push_back({ScanFinding::Kind::other, "It does not say the times of its " +
-                                                      counted(phases.size(), "phase", "phases") +
-                                                      "; they are numbered"});
+    findings.push_back(
+        {ScanFinding::Kind::other,
+         phrase("It does not say the times of its %n {phase|phases}; they are numbered", phases.size())});
 }
 
 /// Phases by what each place's pictures say of their time.
@@ -181,8 +188,8 @@ std::vector<std::size_t> withoutCopies(const FrameList& list, const std::vector<
       kept.push_back(f);
   if (kept.size() < frames.size())
     findings.push_back({ScanFinding::Kind::doubledSlice,
-                        counted(frames.size() - kept.size(), "file is a copy", "files are copies") +
-                            " of another one and left out"});
+                        phrase("%n {file is a copy|files are copies} of another one and left out",
+                               frames.size() - kept.size())});
   return kept;
 }
 
@@ -216,15 +223,17 @@ Run longestEvenRun(const FrameList& list, const std::vector<std::size_t>& slices
 
 ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::size_t number) {
   const double times = gap / usual;
-  const std::string between = " between slice " + std::to_string(number + 1) + " (" + placeOf(below) +
-                              ") and the next, which are " + shortNumber(gap) + " mm apart in place of " +
-                              shortNumber(usual) + " mm";
+  const std::string here = placeOf(below), apart = shortNumber(gap), instead = shortNumber(usual);
   const double missing = std::round(times) - 1;
   if (missing >= 1 && std::abs(times - std::round(times)) <= kWholeNumber)
     return {ScanFinding::Kind::missingSlice,
-            counted(static_cast<std::uint64_t>(missing), "slice is", "slices are") + " missing" + between};
+            phrase("%n {slice is|slices are} missing between slice %2 (%3) and the next, which are %4 mm "
+                   "apart in place of %5 mm",
+                   static_cast<std::int64_t>(missing), number + 1, here, apart, instead)};
   return {ScanFinding::Kind::unevenSpacing,
-          "The spacing is uneven" + between + " (" + shortNumber(100 * std::abs(times - 1)) + " %)"};
+          phrase("The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place "
+                 "of %4 mm (%5 %)",
+                 number + 1, here, apart, instead, shortNumber(100 * std::abs(times - 1)))};
 }
 
 /// Names the gaps that end the even part.
@@ -239,18 +248,19 @@ void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, c
     if (sameStep(here, step))
       continue;
     if (near(here.norm(), step.norm(), kEven))
-      found.push_back({ScanFinding::Kind::unevenSpacing, "Slice " + std::to_string(gap + 2) + " (" +
-                                                             placeOf(list.frames[slices[gap + 1]]) +
-                                                             ") is shifted sideways against those below it"});
+      found.push_back({ScanFinding::Kind::unevenSpacing,
+                       phrase("Slice %1 (%2) is shifted sideways against those below it", gap + 2,
+                              placeOf(list.frames[slices[gap + 1]]))});
     else
       found.push_back(describeGap(list.frames[slices[gap]], here.norm(), step.norm(), gap));
   }
   const std::size_t more = found.size() > kMostNamed ? found.size() - kMostNamed : 0;
   found.resize(std::min(found.size(), kMostNamed));
-  found.back().sentence += (more > 0 ? ", and " + counted(more, "other place", "other places") : "") +
-                           "; slices " + std::to_string(run.first + 1) + " to " +
-                           std::to_string(run.last + 1) + " of " + std::to_string(slices.size()) +
-                           ", which are even, were read";
+  std::string& last = found.back().sentence;
+  if (more > 0)
+    last = phrase("%1 and %2 more", last, more);
+  last = phrase("%1; slices %2 to %3 of %4, which are even, were read", last, run.first + 1, run.last + 1,
+                slices.size());
   findings.insert(findings.end(), found.begin(), found.end());
 }
 
@@ -267,10 +277,11 @@ std::vector<std::size_t> orderedSlices(const FrameList& list, const SlicePhase& 
       doubled.push_back(placeOf(list.frames[slices.back()]));
   }
   if (!doubled.empty())
-    findings.push_back({ScanFinding::Kind::doubledSlice, counted(doubled.size(), "place has", "places have") +
-                                                             " more than one slice (" + doubled.front() +
-                                                             (doubled.size() > 1 ? ", ..." : "") +
-                                                             "); the one with the lowest number was read"});
+    findings.push_back(
+        {ScanFinding::Kind::doubledSlice,
+         phrase(
+             "%n {place has|places have} more than one slice (%2); the one with the lowest number was read",
+             doubled.size(), doubled.front() + (doubled.size() > 1 ? ", ..." : ""))});
   return slices;
 }
 
@@ -294,9 +305,9 @@ void reportTilt(const DicomFrame& frame, const Vec3& step, std::size_t steps,
   if (degrees < kLeastTiltDegrees ||
       sideways.norm() * double(steps) < kLeastShift * std::min(frame.betweenRows, frame.betweenColumns))
     return;
-  findings.push_back({ScanFinding::Kind::tilt,
-                      "The slices are tilted by " + shortNumber(degrees) +
-                          " degrees against the way they are stacked (a tilted gantry); the shear is kept"});
+  findings.push_back({ScanFinding::Kind::tilt, phrase("The slices are tilted by %1 degrees against the way "
+                                                      "they are stacked (a tilted gantry); the shear is kept",
+                                                      shortNumber(degrees))});
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -142,14 +143,14 @@ void visitPlain(const PlainVoxels& voxels, std::uint64_t skipped,
   errno = 0;
   std::ifstream stream(voxels.path, std::ios::binary | std::ios::ate);
   if (!stream)
-    throw NoInputError("It cannot be opened: " + std::generic_category().message(errno), named.name(),
-                       "check that you may read it");
+    throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)),
+                       named.name(), "check that you may read it");
   const auto length = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
   const std::uint64_t begin =
       voxels.atEnd && length >= voxels.whole ? length - voxels.whole : std::min(voxels.begin, length);
   if (length - begin < voxels.whole)
-    named.fail("the file is cut off: its header promises " + std::to_string(voxels.whole) +
-               " bytes of voxels, " + std::to_string(length - begin) + " are there");
+    named.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
+                      voxels.whole, length - begin));
   prepare(count);
   stream.seekg(static_cast<std::streamoff>(begin + skipped));
   blocks.run(named, [&](char* bytes, std::size_t wanted) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 namespace {
 
@@ -56,7 +58,8 @@ private:
     constexpr double kLargest = 9007199254740992.0; // All whole numbers up to it are doubles.
     const std::string tryThis = "open the segmentation that was made from the image";
     if (!(value >= 0 && value <= kLargest) || value != std::floor(value))
-      file_.fail("It holds an image, not labels: one of its values is " + std::to_string(value), tryThis);
+      file_.fail(phrase("It holds an image, not labels: one of its values is %1", std::to_string(value)),
+                 tryThis);
     if (value == 0)
       return 0;
     const auto [found, isNew] =
@@ -64,8 +67,7 @@ private:
     if (isNew)
       labels_.emplace_back(found->first);
     if (labels_.size() > kMostLabels)
-      file_.fail("It holds an image, not labels: it has more than " + std::to_string(kMostLabels) +
-                     " different values",
+      file_.fail(phrase("It holds an image, not labels: it has more than %1 different values", kMostLabels),
                  tryThis);
     return static_cast<std::uint16_t>(found->second);
   }

@@ -7,6 +7,7 @@
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "xml_tree.h"
 
 /// NIfTI-1 and NIfTI-2, in one file or as header and voxels, as nifti1.h and nifti2.h describe them
@@ -100,8 +101,8 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (const auto header = headerIn(bytes))
     return *header;
   if (bytes.size() < kNifti1.bytes)
-    file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
-              ", a NIfTI header alone has 348");
+    file.fail(
+        phrase("the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348", bytes.size()));
   file.fail("It is not a NIfTI image: its header is not one",
             "check what the file is and where it came from");
 }
@@ -109,10 +110,10 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
 /// `axes` of the grid: three, or four where volumes are phases.
 std::array<int, 3> gridOf(const FileBytes& file, const Header& h, std::size_t axes) {
   if (h.dim[0] < 2 || h.dim[0] > kMostDimensions)
-    file.fail("its header is damaged: an image has 2 to 7 dimensions, not " + std::to_string(h.dim[0]));
+    file.fail(phrase("its header is damaged: an image has 2 to 7 dimensions, not %1", h.dim[0]));
   for (std::size_t d = axes + 1; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
-      file.fail("It has " + std::to_string(h.dim[d]) + " volumes; a label map has one",
+      file.fail(phrase("It has %1 volumes; a label map has one", h.dim[d]),
                 "save one of them, or follow the motion over all of them with viscera track");
   return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
           h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
@@ -293,9 +294,10 @@ void replaceByHeader(FileBytes& file) {
   file.bytes = {};
   const auto header = otherHalf(file.file, ".hdr");
   if (!header)
-    throw NoInputError("It is the half of a NIfTI image that has the voxels; its header, " +
-                           inQuotes(stemOf(file.file) + ".hdr") + ", is not beside it",
-                       file.name(), "put both files into one folder");
+    throw NoInputError(
+        phrase("It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it",
+               inQuotes(stemOf(file.file) + ".hdr")),
+        file.name(), "put both files into one folder");
   file.bytes = readWholeFile(*header).bytes;
 }
 
@@ -303,9 +305,10 @@ void replaceByHeader(FileBytes& file) {
 StoredValues inOtherHalf(const FileBytes& file) {
   const auto voxels = otherHalf(file.file, ".img");
   if (!voxels)
-    throw NoInputError("It is the header of a NIfTI image in two files; that with its voxels, " +
-                           inQuotes(stemOf(file.file) + ".img") + ", is not beside it",
-                       file.name(), "put both files into one folder");
+    throw NoInputError(
+        phrase("It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it",
+               inQuotes(stemOf(file.file) + ".img")),
+        file.name(), "put both files into one folder");
   StoredValues stored{.beside = voxels->filename().string(), .pattern = false};
   stored.packing = extensionOf(*voxels) == ".img.gz" ? Packing::zlib : Packing::none;
   return stored;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 namespace {
 
@@ -25,15 +27,15 @@ std::uint64_t RawImage::byteCount() const {
 
 int axisSize(const FileBytes& file, std::int64_t size, std::string_view axis) {
   if (size < 1 || size > kLongestAxis)
-    file.fail("its header is damaged: its size along " + std::string(axis) + " is " + std::to_string(size));
+    file.fail(phrase("its header is damaged: its size along %1 is %2", axis, size));
   return static_cast<int>(size);
 }
 
 void requireAllValues(const RawImage& raw, const FileBytes& file) {
   const std::uint64_t there = raw.storage.size() - raw.offset;
   if (there < raw.byteCount())
-    file.fail("the file is cut off: its header promises " + std::to_string(raw.byteCount()) +
-              " bytes of voxels, " + std::to_string(there) + " are there");
+    file.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
+                     raw.byteCount(), there));
 }
 
 void requireUsableGrid(const RawImage& raw, const FileBytes& file) {

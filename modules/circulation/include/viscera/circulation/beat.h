@@ -6,7 +6,7 @@
 
 namespace viscera::circulation {
 
-/// What blood is in, in the order in which arrays hold them.
+/// The compartments that hold blood (four chambers, arteries and veins), in the order of all arrays.
 enum class Compartment { lv, rv, la, ra, systemicArteries, systemicVeins, pulmonaryArteries, pulmonaryVeins };
 inline constexpr std::size_t kCompartments = 8;
 inline constexpr std::size_t kChambers = 4; ///< The first of them.
@@ -20,8 +20,8 @@ inline constexpr std::size_t kValves = 4;
 inline constexpr std::size_t kStateSize = kCompartments + 2 * kValves;
 using State = std::array<double, kStateSize>;
 
-/// All curves over one beat, sampled at even steps from the beginning of the ventricles' contraction to the
-/// same instant a beat later, both included. All vectors are equally long.
+/// Pressures, volumes, flows and valve openings over one beat, sampled at even steps from the beginning of
+/// the ventricles' contraction to the same instant a beat later, both included. All vectors are equally long.
 struct Beat {
   double period = 0;        ///< s
   std::vector<double> time; ///< s, 0 to `period`.

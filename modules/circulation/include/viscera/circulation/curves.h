@@ -9,7 +9,7 @@
 
 namespace viscera::circulation {
 
-/// One column of a table: "lv_mmHg", "aortic_open".
+/// A named column of the table of curves: "lv_mmHg", "aortic_open".
 struct NamedCurve {
   std::string name; ///< With its unit: `_s`, `_mmHg`, `_ml`, `_ml_s`, `_open` (0 to 1), `_mV`.
   std::vector<double> values;

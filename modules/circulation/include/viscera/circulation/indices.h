@@ -14,7 +14,7 @@ struct ValveTimes {
   double shuts = 0;
 };
 
-/// What is said of one chamber.
+/// Volumes, pressures and derived numbers of one chamber over a beat.
 struct ChamberIndices {
   double edvMl = 0; ///< The largest volume.
   double esvMl = 0; ///< The smallest.
@@ -35,7 +35,7 @@ struct ArteryIndices {
   double mean = 0;
 };
 
-/// The numbers that a chart shows beside its curves.
+/// The numbers computed from a beat: pressures, volumes, cardiac output, valve times.
 struct Indices {
   std::array<ChamberIndices, kChambers> chambers; ///< In the order of `Compartment`.
   ArteryIndices aorta, pulmonaryArtery;
@@ -60,8 +60,8 @@ struct Indices {
   const ChamberIndices& of(Compartment c) const { return chambers[static_cast<std::size_t>(c)]; }
 };
 
-/// Computes them from a beat of these parameters. Extremes are those of parabolas through three samples.
-/// O(samples).
+/// Computes these numbers from a beat and the parameters that it was solved with. Extremes are those of
+/// parabolas through three samples. O(samples).
 Indices indicesOf(const Parameters& parameters, const Beat& beat);
 
 /// The pressure of the end-systolic (e = 1) and of the relaxed chamber (e = 0) at a volume, mmHg above the

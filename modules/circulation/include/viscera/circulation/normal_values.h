@@ -5,7 +5,7 @@
 
 namespace viscera::circulation {
 
-/// What healthy adults at rest have, in the unit of the number that it belongs to.
+/// The normal range of a number in healthy adults at rest, in the unit of that number.
 struct NormalValues {
   double low = -std::numeric_limits<double>::infinity(); ///< Minus infinity: no lower bound.
   double high = std::numeric_limits<double>::infinity();

@@ -8,9 +8,9 @@
 
 namespace viscera::circulation {
 
-/// One chamber of the heart. Its pressure above that of the pericardium is
-/// `(1 - e) a (exp(b (V - v0)) - 1) + e ees (V - v0)`, with e(t) from 0 (relaxed) to 1 (end of systole)
-/// (Burkhoff and Tyberg 1993, doi 10.1152/ajpheart.1993.265.5.H1819).
+/// The parameters of one chamber of the heart. Its pressure above that of the pericardium is `(1 - e) a
+/// (exp(b (V - v0)) - 1) + e ees (V - v0)`, with e(t) from 0 (relaxed) to 1 (end of systole) (Burkhoff and
+/// Tyberg 1993, doi 10.1152/ajpheart.1993.265.5.H1819).
 struct Chamber {
   double ees = 0; ///< Elastance at the end of systole, mmHg/ml.
   double v0 = 0;  ///< Volume without pressure, ml.
@@ -21,7 +21,7 @@ struct Chamber {
   friend bool operator==(const Chamber&, const Chamber&) = default;
 };
 
-/// One valve: what is open of it at most and what stays open when it is shut, cm^2 (effective areas).
+/// The effective areas of a valve when it is open and when it is closed, cm^2.
 struct ValveAreas {
   double open = 0;
   double leak = 0; ///< 0: tight.
@@ -29,8 +29,9 @@ struct ValveAreas {
   friend bool operator==(const ValveAreas&, const ValveAreas&) = default;
 };
 
-/// Arteries and veins of one circulation: arteries as a three-element windkessel (Westerhof and others 2009,
-/// doi 10.1007/s11517-008-0359-2), then veins that hold blood and resist.
+/// The parameters of the arteries and veins of the systemic or the pulmonary circulation: arteries as a
+/// three-element windkessel (Westerhof and others 2009, doi 10.1007/s11517-008-0359-2), then veins that hold
+/// blood and resist.
 struct Vessels {
   double impedance = 0;        ///< Characteristic impedance of the great artery, mmHg s/ml.
   double arteryCompliance = 0; ///< ml/mmHg
@@ -41,7 +42,7 @@ struct Vessels {
   friend bool operator==(const Vessels&, const Vessels&) = default;
 };
 
-/// Everything that the circulation depends on; the defaults are an adult at rest. A plain value.
+/// All parameters of the circulation; the defaults are those of an adult at rest. A plain value.
 struct Parameters {
   double rate = 72;          ///< Beats a minute.
   double stressedVolume = 0; ///< Blood that stretches vessels and chambers (preload), ml.
@@ -57,7 +58,7 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
-/// One number of `Parameters`, as a control shows it and `--param` names it.
+/// Name, unit, range and source of one parameter, for controls and the option `--param`.
 struct ParameterInfo {
   std::string name;  ///< "lvEes"
   std::string title; ///< "Contractility of the left ventricle"
@@ -73,13 +74,15 @@ struct ParameterInfo {
 /// Every parameter, in the order of the documentation. O(1) after the first call; thread-safe.
 const std::vector<ParameterInfo>& parameterInfos();
 
-/// All of them as lines of a Markdown table, header included: the one of docs/circulation.md.
+/// All parameters as a table in Markdown, with its header: the one of docs/circulation.md.
 std::string parameterTable();
 
-/// The parameter's value. Throws `UsageError` that names the nearest ones for an unknown name.
+/// Returns the value of the parameter with that name. Throws `UsageError` that names the nearest ones for an
+/// unknown name.
 double parameter(const Parameters& parameters, const std::string& name);
 
-/// Sets it. Throws `UsageError` for an unknown name, and for a value that is not finite or out of range.
+/// Sets the value of the parameter with that name. Throws `UsageError` for an unknown name, and for a value
+/// that is not finite or out of range.
 void setParameter(Parameters& parameters, const std::string& name, double value);
 
 /// Throws `UsageError` naming the first parameter that is out of its range, and when a valve leaks through a

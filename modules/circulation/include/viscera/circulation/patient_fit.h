@@ -10,7 +10,7 @@
 
 namespace viscera::circulation {
 
-/// What imaging tells of somebody's left ventricle.
+/// The measurements of a patient's left ventricle to which a circulation is fitted.
 struct MeasuredVentricle {
   double edvMl = 0; ///< Its largest volume.
   double ef = 0;    ///< Its ejection fraction, 0 to 1.
@@ -18,7 +18,7 @@ struct MeasuredVentricle {
   double meanAorticMmHg = 0; ///< The mean pressure in the aorta; 0: not measured, that of `start` is kept.
 };
 
-/// A circulation whose left ventricle is somebody's.
+/// The circulation that was fitted to a patient's left ventricle, and how well it fits.
 struct PatientFit {
   Parameters parameters;
   PeriodicState state = {};
@@ -34,7 +34,8 @@ struct PatientFit {
   std::string remark() const;
 };
 
-/// What the fit chooses, so that nobody else can: the names of parameters.
+/// The names of the parameters that the fit determines, and that cannot be given with it: the names of
+/// parameters.
 const std::vector<std::string>& fittedParameters();
 
 /// Finds the circulation in which the left ventricle has the measured end-diastolic volume and ejection

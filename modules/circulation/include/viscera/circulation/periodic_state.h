@@ -8,7 +8,7 @@
 
 namespace viscera::circulation {
 
-/// How exactly a periodic state is sought.
+/// Tolerance and limits of the search for a periodic state.
 struct SolverOptions {
   double tolerance = 1e-7; ///< A beat is periodic when no volume ends farther from where it began, ml.
   int mostBeats = 300;     ///< Gives up after so many.
@@ -17,7 +17,7 @@ struct SolverOptions {
   bool accelerate = true;  ///< False: beat after beat, as a heart would, which takes some 40 beats and more.
 };
 
-/// A beat that repeats itself, or the last one when none does.
+/// The result of the search: a beat that repeats itself, or the last one that was tried.
 struct PeriodicState {
   bool converged = false;
   int beats = 0;         ///< That were integrated to find it.
@@ -42,7 +42,8 @@ State guessedState(const Parameters& parameters);
 PeriodicState findPeriodicState(const Parameters& parameters, Progress& progress,
                                 const SolverOptions& options = {}, const State* nearby = nullptr);
 
-/// The state so many beats later, without any search. Throws as `findPeriodicState`.
+/// Integrates the circulation over a number of beats and returns the state at their end. Throws as
+/// `findPeriodicState`.
 State afterBeats(const Parameters& parameters, const State& start, int beats, Progress& progress,
                  double step = 1e-3);
 

@@ -7,7 +7,7 @@
 
 namespace viscera::circulation {
 
-/// A number that was measured in people, and what this circulation has for it.
+/// A value that was published for humans, compared with the value of this circulation.
 struct PublishedValue {
   std::string scenario; ///< Its id.
   std::string quantity; ///< "Cardiac output, of that at rest"

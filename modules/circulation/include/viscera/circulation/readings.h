@@ -10,7 +10,7 @@
 
 namespace viscera::circulation {
 
-/// A number that is shown beside the curves, with what is normal for it.
+/// A number of the circulation as tables show it: name, unit, decimals and normal range.
 struct Reading {
   std::string title; ///< "Stroke volume"
   std::string unit;  ///< "ml"
@@ -19,10 +19,10 @@ struct Reading {
   std::string norm; ///< Its row in the table of normal ranges; empty where none is agreed upon.
 };
 
-/// The numbers, in the order of a table. O(1) after the first call; thread-safe.
+/// All numbers of the circulation that tables show, in their order. O(1) after the first call; thread-safe.
 const std::vector<Reading>& readings();
 
-/// What is normal for that person; nothing where none is agreed upon.
+/// The normal range of a number for a person; nothing where no range is agreed upon.
 std::optional<NormalValues> normalOf(const Reading& reading, const norms::Person& person = {});
 
 /// "60 - 100", "from 1200", "up to 120".

@@ -9,16 +9,16 @@
 
 namespace viscera::circulation {
 
-/// The circulation at one value of a parameter.
+/// The computed numbers of the circulation at one value of a varied parameter.
 struct ResponsePoint {
   double value = 0;
   Indices indices;
 };
 
-/// How the numbers answer to one parameter while all others stay: over `stressedVolume` it is Frank and
-/// Starling's curve, over `systemicResistance` the answer to afterload. A point a value, in their order, each
-/// begun from the one before. Throws `UsageError` for unknown names and values out of range, `DataError` at a
-/// value where no beat repeats itself, `Cancelled`. About 10 ms a point.
+/// Computes how the numbers depend on one parameter while all others stay: over `stressedVolume` it is Frank
+/// and Starling's curve, over `systemicResistance` the answer to afterload. A point a value, in their order,
+/// each begun from the one before. Throws `UsageError` for unknown names and values out of range, `DataError`
+/// at a value where no beat repeats itself, `Cancelled`. About 10 ms a point.
 std::vector<ResponsePoint> responseTo(const Parameters& parameters, const std::string& name,
                                       const std::vector<double>& values, Progress& progress);
 

@@ -8,7 +8,7 @@
 
 namespace viscera::circulation {
 
-/// A named state of health or illness: what it changes against rest.
+/// A named state of health or illness, given by its changes to the parameters at rest.
 struct Scenario {
   std::string id;      ///< "aortic-stenosis"
   std::string name;    ///< "Aortic stenosis"
@@ -19,7 +19,7 @@ struct Scenario {
   double leftMuscle = 1;
 };
 
-/// Rest first, then in the order in which they are taught. Thread-safe.
+/// All scenarios: rest first, then in the order in which they are taught. Thread-safe.
 const std::vector<Scenario>& scenarios();
 
 /// Throws `UsageError` that lists the scenarios for an unknown id.
@@ -28,7 +28,7 @@ const Scenario& scenario(const std::string& id);
 /// The muscle of the scenario whose name, or that with ", changed" behind it, this is; 1 for any other name.
 double leftMuscleOf(const std::string& name);
 
-/// Rest with the scenario's changes. Throws as `scenario`.
+/// The parameters of a scenario: those at rest with the scenario's changes. Throws as `scenario`.
 Parameters scenarioParameters(const std::string& id);
 
 } // namespace viscera::circulation

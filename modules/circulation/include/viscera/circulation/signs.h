@@ -16,7 +16,7 @@ namespace viscera::circulation {
 /// diseased heart's looks like. O(1).
 double electrocardiogram(const Parameters& parameters, double seconds);
 
-/// A heart sound.
+/// A heart sound: when it is heard, how loud it is and its frequency.
 struct HeartSound {
   std::string name;     ///< "S1 mitral", "S1 tricuspid", "S2 aortic", "S2 pulmonic", "S3", "S4"
   double seconds = 0;   ///< When it begins.

@@ -7,7 +7,7 @@
 
 class vtkPolyData;
 
-/// Surfaces out of values on a grid. VTK's flying edges make them.
+/// Makes surfaces from values on a grid (isosurfaces). VTK's flying edges make them.
 namespace viscera::contour {
 
 /// The surface on which `values` pass `level`: they lie x fastest at `origin` + `spacing` (i, j, k), as many

@@ -8,7 +8,7 @@
 
 namespace viscera::coordinates {
 
-/// How well a binding reproduces what it was made from; measured on every bound point when it is made.
+/// The errors of a binding (identity, unity, smallest weight), measured on every bound point when it is made.
 struct BindingReport {
   double identityError = 0;  ///< max |sum a_i v_i - p| over the points, mm.
   double unityError = 0;     ///< max |sum a_i - 1|.
@@ -19,8 +19,9 @@ struct BindingReport {
   std::vector<std::string> notes; ///< Sentences for a user: what the system had to cut or leave out.
 };
 
-/// Coordinates of fixed points with respect to fixed rest handles: maps a pose of the handles to points.
-/// Immutable; every member may be called from several threads. A pose is `handleCount x 3`, mm.
+/// The coordinates of fixed points with respect to handles at rest, by which a pose of the handles gives the
+/// points' new positions. Immutable; every member may be called from several threads. A pose is `handleCount
+/// x 3`, mm.
 ///
 /// Most systems write a point as `p = sum a_i v_i`; Green coordinates also use the cage's normals. A binding
 /// hides the difference: the members speak of poses and points only.

@@ -15,7 +15,7 @@
 
 namespace viscera::coordinates {
 
-/// What a user can expect of a system, as badges and for choosing what to offer.
+/// The properties of a coordinate system, such as positive or exact, that lists and badges show.
 struct Traits {
   bool needsCage = false;          ///< Wants `HandleSet::cage`.
   bool needsTetrahedra = false;    ///< Wants `BindOptions::tetrahedralise`, and takes seconds to prepare.
@@ -40,7 +40,7 @@ struct CoordinateGradients {
   std::shared_ptr<const PoseLift> lift;
 };
 
-/// Values, threads: everything about a binding that is not geometry.
+/// The options of a binding that are not geometry: parameter values, threads, and others.
 struct BindOptions {
   ParameterValues parameters;
   Threads threads;
@@ -49,7 +49,8 @@ struct BindOptions {
   Tetrahedraliser tetrahedralise = {};
 };
 
-/// A recipe for coordinates. Stateless; every member may be called from several threads.
+/// The interface of all coordinate systems: it binds points to handles, which means that it computes their
+/// coordinates. Stateless; every member may be called from several threads.
 class CoordinateSystem {
 public:
   virtual ~CoordinateSystem() = default;
@@ -77,7 +78,7 @@ public:
   virtual SpaceLayout layout(const HandleSet& handles, const ParameterValues& parameters) const;
 };
 
-/// What a system says of itself.
+/// Id, name, summary, traits and parameters of a coordinate system.
 struct SystemDescription {
   std::string id;
   std::string name;
@@ -86,7 +87,7 @@ struct SystemDescription {
   std::vector<Parameter> parameters = {};
 };
 
-/// A system that says of itself what it was made with.
+/// A base for coordinate systems that returns the description given to its constructor.
 class DescribedSystem : public CoordinateSystem {
 public:
   explicit DescribedSystem(SystemDescription description) : description_(std::move(description)) {}

@@ -7,14 +7,13 @@
 
 namespace viscera::coordinates {
 
-/// A named set of handles that act together.
+/// A named group of handles, by their row numbers.
 struct HandleGroup {
   std::string name;
   std::vector<int> handles; ///< Rows of `HandleSet::positions`; a handle may be in several groups.
 };
 
-/// What a coordinate system is bound to: the handles at rest, and the structures some systems need beside
-/// them.
+/// The handles at rest with their groups and cage, which is what a coordinate system needs to bind points.
 struct HandleSet {
   Points positions;                ///< `n x 3`, mm, LPS: the rest pose.
   Triangles cage;                  ///< Triangles over `positions`, outward; empty for systems that need none.

@@ -9,7 +9,7 @@
 
 namespace viscera::coordinates {
 
-/// Coordinates of points in the plane.
+/// The coordinates of points in the plane, and which points failed.
 struct PlanarWeights {
   Eigen::MatrixXd weights;   ///< `points x handles`; rows of points without an answer are zero.
   std::vector<int> failures; ///< Points without an answer, ascending.

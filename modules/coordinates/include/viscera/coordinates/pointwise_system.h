@@ -8,8 +8,8 @@
 
 namespace viscera::coordinates {
 
-/// Knows everything about one set of handles that the coordinates of a point take. Immutable; asked from
-/// several threads.
+/// Computes the coordinates of single points for one set of handles, with whatever was prepared for that set.
+/// Immutable; asked from several threads.
 class PointSolver {
 public:
   virtual ~PointSolver() = default;
@@ -31,8 +31,8 @@ public:
   virtual bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const;
 };
 
-/// A system that finds the coordinates of each point on its own, and so is no more than its mathematics:
-/// threads, cancelling, failures, the binding and its report are here.
+/// A base for coordinate systems that compute each point independently, so that a subclass only implements
+/// the formula: threads, cancelling, failures, the binding and its report are here.
 class PointwiseSystem : public DescribedSystem {
 public:
   /// What does not depend on the point. `parameters` are within their ranges, the handles usable

@@ -4,8 +4,8 @@
 
 namespace viscera::coordinates {
 
-/// The rows by which some systems extend a pose before they take their weighted sums: Green coordinates add
-/// the cage's normals, systems that do not reproduce a point from its handles alone add what is left of it.
+/// Appends rows to a pose that some coordinate systems need in their weighted sums: Green coordinates add the
+/// cage's normals, systems that do not reproduce a point from its handles alone add what is left of it.
 /// `points = weights * lift(pose)` then holds for them as `points = weights * pose` does for the others.
 /// Immutable; may be asked from several threads.
 class PoseLift {

@@ -8,7 +8,7 @@
 
 namespace viscera::coordinates {
 
-/// The inside of a closed surface in tetrahedra.
+/// A tetrahedral mesh that fills a closed surface.
 struct SolidMesh {
   Points points; ///< `n x 3`, mm: first the points of the surface in their order, bit for bit, then new ones.
   geometry::Tetrahedra tetrahedra; ///< `t x 4` indices into `points`; each fills some space.

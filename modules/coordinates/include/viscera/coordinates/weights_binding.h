@@ -5,8 +5,8 @@
 
 namespace viscera::coordinates {
 
-/// The binding of every system with `p = sum a_i v_i`. Points that failed keep their rest position in any
-/// pose.
+/// The binding of all coordinate systems that write a point as a weighted sum of handles, `p = sum a_i v_i`.
+/// Points that failed keep their rest position in any pose.
 class WeightsBinding final : public Binding {
 public:
   /// Measures the report from the weights, the rest handles and the rest points. `failures` ascending; their

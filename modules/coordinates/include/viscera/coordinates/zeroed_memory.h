@@ -5,7 +5,7 @@
 
 namespace viscera::coordinates {
 
-/// Gives memory of `allocateZeroed` back.
+/// The deleter that frees memory of `allocateZeroed`.
 struct FreeZeroed {
   std::size_t bytes = 0;
   void operator()(double* memory) const;

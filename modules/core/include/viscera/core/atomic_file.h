@@ -6,9 +6,8 @@
 
 namespace viscera {
 
-/// A file on its way: written under another name in the same folder, and renamed when it is complete. A
-/// cancelled job, an error or a full disk leave what was there before, and nothing half-written. For one
-/// thread.
+/// Writes a file under a temporary name in the same folder, and renames it when it is complete. A cancelled
+/// job, an error or a full disk leave what was there before, and nothing half-written. For one thread.
 ///
 /// A target that is there and is no regular file (`/dev/stdout`, a pipe) cannot be renamed over: it is
 /// written to directly.

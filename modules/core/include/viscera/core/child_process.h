@@ -13,13 +13,13 @@
 
 namespace viscera {
 
-/// What a program may take before it is ended.
+/// The limits of time and memory beyond which a child process is ended.
 struct ChildLimits {
   double seconds = 60;
   std::uint64_t memoryBytes = std::uint64_t{2} << 30; ///< Address space of each of its processes.
 };
 
-/// How a program ended.
+/// How a child process ended: exit code, signal or limit, and its output.
 struct ChildResult {
   enum class End {
     exited,
@@ -35,8 +35,8 @@ struct ChildResult {
   std::uint64_t peakMemoryBytes = 0; ///< The most that was resident.
 };
 
-/// A program beside ours, in a process group of its own that is killed and waited for when this goes. Belongs
-/// to one thread at a time.
+/// Runs another program in a process group of its own, which the destructor kills and waits for. Belongs to
+/// one thread at a time.
 class ChildProcess {
 public:
   /// Starts `arguments[0]`, looked for in the PATH when it names no folder. It reads from the descriptor

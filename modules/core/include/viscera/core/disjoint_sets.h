@@ -7,9 +7,9 @@
 
 namespace viscera {
 
-/// Groups the numbers 0 to count - 1 that are joined, directly or through others. A group's root is its
-/// smallest member, whatever the order of joining. Almost constant time a call (path halving); no thread
-/// safety.
+/// A union-find structure: groups the numbers 0 to count - 1 that are joined, directly or through others. A
+/// group's root is its smallest member, whatever the order of joining. Almost constant time a call (path
+/// halving); no thread safety.
 class DisjointSets {
 public:
   explicit DisjointSets(std::size_t count) : parent_(count) {

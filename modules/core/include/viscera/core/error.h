@@ -3,10 +3,11 @@
 #include <stdexcept>
 #include <string>
 
-/// Errors that a user can do something about. A caller's mistake is an assertion instead.
+/// The exceptions for errors that a user can do something about. A caller's mistake is an assertion instead.
 namespace viscera {
 
-/// What went wrong, where (a file, an element), and what to try. The message joins the three.
+/// The base of all errors: it says what went wrong, where (a file, an element), and what to try, and joins
+/// the three in its message.
 class Error : public std::runtime_error {
 public:
   /// `exitCode` is the program's, after sysexits.h.
@@ -24,25 +25,25 @@ private:
   int exitCode_;
 };
 
-/// A command, option or parameter that does not exist or is out of range. Exit code 64.
+/// Thrown for a command, option or parameter that does not exist or is out of range. Exit code 64.
 class UsageError : public Error {
 public:
   explicit UsageError(std::string what, std::string where = {}, std::string tryThis = {});
 };
 
-/// Data that can be read but not used: truncated, degenerate, of another kind. Exit code 65.
+/// Thrown for data that can be read but not used: truncated, degenerate, of another kind. Exit code 65.
 class DataError : public Error {
 public:
   explicit DataError(std::string what, std::string where = {}, std::string tryThis = {});
 };
 
-/// An input that does not exist or may not be read. Exit code 66.
+/// Thrown for an input that does not exist or may not be read. Exit code 66.
 class NoInputError : public Error {
 public:
   explicit NoInputError(std::string what, std::string where = {}, std::string tryThis = {});
 };
 
-/// An output that cannot be written. Exit code 73.
+/// Thrown for an output that cannot be written. Exit code 73.
 class CannotCreateError : public Error {
 public:
   explicit CannotCreateError(std::string what, std::string where = {}, std::string tryThis = {});

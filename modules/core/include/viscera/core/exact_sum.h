@@ -5,10 +5,10 @@
 
 namespace viscera {
 
-/// A sum of doubles without rounding: a fixed-point number wide enough for all of them, in limbs of 32 bits
-/// held in 64. Whole numbers add up to the same in any order, so that parts can be summed on any number of
-/// threads and machines and added limb by limb; `value` rounds once. After the long accumulators of Kulisch
-/// (Neal 2015, arXiv 1505.05571). About 5 ns an addition. For one thread at a time.
+/// Adds doubles without rounding errors: a fixed-point number wide enough for all of them, in limbs of 32
+/// bits held in 64. Whole numbers add up to the same in any order, so that parts can be summed on any number
+/// of threads and machines and added limb by limb; `value` rounds once. After the long accumulators of
+/// Kulisch (Neal 2015, arXiv 1505.05571). About 5 ns an addition. For one thread at a time.
 class ExactSum {
 public:
   /// Of 2^-1074 to 2^1024, with room for the carries of 2^60 summands; one more counts what is not finite.

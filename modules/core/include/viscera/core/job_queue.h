@@ -14,7 +14,7 @@
 
 namespace viscera {
 
-/// What a job ended with: a value, an error, or nothing because it was cancelled or superseded.
+/// The result of a job: a value, an error, or nothing because it was cancelled or superseded.
 template <class Value>
 struct JobResult {
   std::optional<Value> value;
@@ -22,7 +22,7 @@ struct JobResult {
   bool cancelled() const { return !value && !error; }
 };
 
-/// A job that waits or runs, for the status bar.
+/// Name and progress of a job that waits or runs, for the status bar.
 struct JobInfo {
   std::int64_t id = 0;
   std::string name;
@@ -32,7 +32,7 @@ struct JobInfo {
   std::string step;
 };
 
-/// Long work on threads of its own. Everything but the work itself belongs to one thread, the main one: the
+/// Runs long jobs on worker threads. Everything but the work itself belongs to one thread, the main one: the
 /// members are called there, and results, progress and `onChange` arrive there, through the function given to
 /// the constructor.
 class JobQueue {
@@ -92,7 +92,8 @@ private:
   std::shared_ptr<Shared> shared_;
 };
 
-/// A `Post` for programs without an event loop, and for tests: keeps the functions until somebody runs them.
+/// Stands in for an event loop in programs without one, and in tests: keeps the posted functions until `run`
+/// is called.
 class ManualEventLoop {
 public:
   ManualEventLoop();

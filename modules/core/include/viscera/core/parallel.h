@@ -6,8 +6,7 @@
 
 namespace viscera {
 
-/// How many threads a computation may use; 0 asks for all of the machine's.
-/// No result may depend on it.
+/// The number of threads that a computation may use; 0 means all of the machine. No result may depend on it.
 struct Threads {
   int count = 0;
   /// The number really used, at least 1.

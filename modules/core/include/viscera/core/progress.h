@@ -7,8 +7,8 @@
 
 namespace viscera {
 
-/// The line between a long job and whoever waits for it: the job reports, the other side may cancel.
-/// Every member may be called from any thread.
+/// Progress and cancellation of a long job: the job reports its progress, and whoever waits for it may cancel
+/// it. Every member may be called from any thread.
 class Progress {
 public:
   /// Called with a fraction in [0, 1] and the name of the present step; calls never overlap.

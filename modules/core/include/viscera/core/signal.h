@@ -57,9 +57,10 @@ private:
   std::exception_ptr first_;
 };
 
-/// A list of observers. For one thread. Observers are called in the order in which they were connected; one
-/// may connect or disconnect any observer while it is being called. One that throws keeps nobody from
-/// hearing: the first exception is thrown again when all have heard.
+/// A list of observers that are called when something happens, after the observer pattern. For one thread.
+/// Observers are called in the order in which they were connected; one may connect or disconnect any observer
+/// while it is being called. One that throws keeps nobody from hearing: the first exception is thrown again
+/// when all have heard.
 template <class... Arguments>
 class Signal {
 public:

@@ -10,7 +10,7 @@
 
 namespace viscera::deformation {
 
-/// Vertices without coordinates, and why.
+/// Thrown when vertices of an organ cannot be bound; names them and the reason.
 class UnboundVertices final : public DataError {
 public:
   /// What the vertices lie outside of.
@@ -32,7 +32,7 @@ private:
   Of of_;
 };
 
-/// Binds an organ to handles and does not accept a partial answer. Throws what the system throws, and
+/// Binds an organ to handles, and throws when a vertex cannot be bound. Throws what the system throws, and
 /// `UnboundVertices` when vertices have no coordinates: how many, the first of them, how far out, and what
 /// helps: enclosing handles, where groups count a group around them, where a given cage counts another one.
 std::shared_ptr<const coordinates::Binding>

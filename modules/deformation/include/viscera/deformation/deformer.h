@@ -8,9 +8,9 @@
 
 namespace viscera::deformation {
 
-/// One bound surface in a pose of its handles: points, and on demand normals, volume and the volume's
-/// gradient. The arrays stay at the same address from one pose to the next, so that VTK may look at them
-/// without a copy. For use by one thread at a time; works itself on several.
+/// Computes a bound surface in any pose of its handles: points, and on demand normals, volume and the
+/// volume's gradient. The arrays stay at the same address from one pose to the next, so that VTK may look at
+/// them without a copy. For use by one thread at a time; works itself on several.
 class Deformer {
 public:
   /// `rest` is the surface that was bound, `restHandles` (`n x 3`) the handles it was bound to.

@@ -5,7 +5,7 @@
 
 namespace viscera::deformation {
 
-/// A vector at every point of a regular, axis-parallel grid.
+/// A displacement field: a vector at every point of a regular, axis-parallel grid.
 struct DisplacementGrid {
   Eigen::Vector3i size = Eigen::Vector3i::Zero(); ///< Points along x, y, z; two at least.
   Vec3 origin = Vec3::Zero();                     ///< The first point, mm, LPS.
@@ -17,7 +17,7 @@ struct DisplacementGrid {
   Vec3 point(Eigen::Index row) const;
 };
 
-/// A box and how finely it is covered.
+/// The box and the spacing of a displacement grid.
 struct GridOptions {
   Bounds box;         ///< mm.
   double spacing = 5; ///< mm.
@@ -29,9 +29,9 @@ GridOptions gridAround(const Points& rest, const Points& posed, double spacing);
 /// More points than this are refused.
 inline constexpr double kMostGridPoints = 2e7;
 
-/// Where the tissue at the points of a grid was at rest: for a pose that moves a rest point p to F(p), the
-/// vector d at x solves F(x + d) = x. That is the direction in which images are resampled and in which 3D
-/// Slicer and ITK keep displacement fields in files.
+/// Computes where the tissue at the points of a grid was at rest: for a pose that moves a rest point p to
+/// F(p), the vector d at x solves F(x + d) = x. That is the direction in which images are resampled and in
+/// which 3D Slicer and ITK keep displacement fields in files.
 ///
 /// F is the motion that the system's coordinates make of the handles' one from `handles.positions` to `pose`
 /// (`n x 3`). Outside the handles' hull, where there are no coordinates, a point moves as the one does where

@@ -10,20 +10,20 @@
 
 namespace viscera::deformation {
 
-/// What a point of the posed space is at rest.
+/// What happened to the tissue at a point of the posed space.
 enum class RestState : std::uint8_t {
   still,  ///< It lies where no handle acts: it is its own place at rest.
   moved,  ///< The place is known.
   folded, ///< The pose brings tissue there that it turns inside out: the place is one of several, or a guess.
 };
 
-/// Points and where each of them was at rest.
+/// The rest positions of some points of the posed space, and the state of each.
 struct RestPoints {
   Points points;                 ///< `n x 3`, mm.
   std::vector<RestState> states; ///< One a point.
 };
 
-/// The samples of a plane: sample (c, r) is at `corner + c * columnStep + r * rowStep`.
+/// A grid of points on a plane: sample (c, r) is at `corner + c * columnStep + r * rowStep`.
 struct SamplePlane {
   Vec3 corner = Vec3::Zero();      ///< mm.
   Vec3 columnStep = Vec3::UnitX(); ///< mm.
@@ -35,20 +35,21 @@ struct SamplePlane {
   }
 };
 
-/// How far answers are taken beyond the grid's accuracy.
+/// How far rest positions are refined beyond the accuracy of the grid.
 struct Refinement {
   double toleranceMm = 0.02; ///< How near F(x) has to come to the sample.
   /// No more samples are asked about, the roughest first. One costs about two bindings of a point.
   Eigen::Index mostPoints = std::numeric_limits<Eigen::Index>::max();
 };
 
-/// How finely the space between the handles is bound.
+/// The accuracy of an inverse map and the limit of its memory.
 struct InverseMapOptions {
   double accuracyMm = 0.1;  ///< What the motion between bound points may be off; halves spacings until it is.
   double mostWeights = 3e6; ///< Bound points times handles are no more: eight bytes of memory each.
 };
 
-/// Where tissue was at rest, for images that bend along with the handles.
+/// The inverse of a deformation: finds where tissue was at rest, so that images can be deformed with the
+/// handles.
 ///
 /// A pose moves a rest point x to F(x) = x + u(x). Within the handles' hull u is what the system's
 /// coordinates make of the handles' motion. Outside it is the motion where the line to the hull's middle

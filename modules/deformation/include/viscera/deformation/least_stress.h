@@ -8,7 +8,8 @@
 
 namespace viscera::deformation {
 
-/// Restores a volume at the least rotational stress inside the organ (proposed by the thesis, 5.2.1).
+/// A restoration model that restores a volume with the least rotational stress inside the organ (proposed by
+/// the thesis, 5.2.1).
 ///
 /// At each witness with deformation gradient M = R S (R the nearest rotation) the stress is nothing but the
 /// departure of S from a uniform scaling. So with R held, the sum over the witnesses of

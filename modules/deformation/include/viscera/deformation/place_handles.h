@@ -4,7 +4,7 @@
 
 namespace viscera::deformation {
 
-/// How handles are put around an organ for a start.
+/// The options of `placeHandles`: number, distance and further settings.
 struct Placement {
   int count = 30;        ///< All handles, the enclosing eight included; at least 8 when enclosing, else 4.
   bool enclosing = true; ///< The eight corners of a box around the organ come first: nothing lies outside.
@@ -12,11 +12,11 @@ struct Placement {
   double boxMargin = 0.15;      ///< Distance of the box from the organ, as a part of the organ's diagonal.
 };
 
-/// Handles just off the surface, spread evenly: farthest-point samples of the vertices, the most prominent
-/// vertex first, each moved outward along its normal. A handle never lies on or inside the surface, because
-/// no positive linearly precise coordinate is smooth at a handle inside the hull (design notes, science
-/// section 1). Deterministic. Throws `DataError` for a mesh with fewer than four vertices or a count too
-/// small. O(n count). Returns `count x 3`.
+/// Places handles evenly spread around an organ, just off its surface: farthest-point samples of the
+/// vertices, the most prominent vertex first, each moved outward along its normal. A handle never lies on or
+/// inside the surface, because no positive linearly precise coordinate is smooth at a handle inside the hull
+/// (design notes, science section 1). Deterministic. Throws `DataError` for a mesh with fewer than four
+/// vertices or a count too small. O(n count). Returns `count x 3`.
 Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placement = {});
 
 /// The eight corners of the organ's box grown by `margin` of its diagonal, `8 x 3`.

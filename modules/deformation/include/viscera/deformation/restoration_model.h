@@ -6,9 +6,10 @@
 
 namespace viscera::deformation {
 
-/// Decides how the free handles share the work of restoring a volume: among all motions that change the
-/// volume by the same amount to first order, the one that costs least. A quadratic cost `u^T Q u / 2` under
-/// `g . u = dV` has the answer `u = Q^-1 g` up to a factor, which the volume lock then chooses exactly.
+/// The interface of models that decide how the free handles move to restore a volume: among all motions that
+/// change the volume by the same amount to first order, the one that costs least. A quadratic cost `u^T Q u /
+/// 2` under `g . u = dV` has the answer `u = Q^-1 g` up to a factor, which the volume lock then chooses
+/// exactly.
 class RestorationModel {
 public:
   virtual ~RestorationModel() = default;
@@ -27,8 +28,8 @@ public:
   }
 };
 
-/// The least displacement of the handles: Q is the identity, so each free handle moves along its own
-/// gradient.
+/// The restoration model with the least displacement of the handles: Q is the identity, so each free handle
+/// moves along its own gradient.
 class LeastDisplacement final : public RestorationModel {
 public:
   Points direction(const Points& pose, const Points& gradient, const std::vector<int>& free) const override {

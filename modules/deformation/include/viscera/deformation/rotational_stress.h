@@ -7,7 +7,7 @@
 
 namespace viscera::deformation {
 
-/// How a deformation distorts the tissue at one point (thesis 5.2).
+/// The distortion of the tissue at one point by a deformation (thesis 5.2): angle and stretches.
 struct LocalDistortion {
   /// Local rotational stress: the largest angle between a direction and its image under the stretch, rad,
   /// 0 to pi/2. It is an angle and a measure of distortion, not a mechanical stress.
@@ -27,7 +27,7 @@ LocalDistortion localDistortion(const Eigen::Matrix3d& m);
 /// The singular values of `m`, descending, in closed form.
 Eigen::Vector3d singularValues(const Eigen::Matrix3d& m);
 
-/// What a small ball of tissue becomes: an ellipsoid.
+/// The ellipsoid that a deformation makes of a small ball of tissue, by its axes and their lengths.
 struct PrincipalStretches {
   Eigen::Quaterniond directions =
       Eigen::Quaterniond::Identity(); ///< Turns x, y, z into the ellipsoid's axes,

@@ -4,8 +4,8 @@
 
 #include "viscera/core/arrays.h"
 
-/// Ways in which a user moves several handles at once. Each returns a new pose; handles outside the selection
-/// stay.
+/// Moves, rotates, scales and mirrors several selected handles at once. Each returns a new pose; handles
+/// outside the selection stay.
 namespace viscera::deformation {
 
 /// A plane through `point` with unit `normal`.

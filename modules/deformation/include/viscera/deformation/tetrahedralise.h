@@ -12,7 +12,7 @@
 
 namespace viscera::deformation {
 
-/// How TetGen fills a surface, and how long it may take.
+/// The options of `tetrahedralise`: tetrahedron size, and limits of time and memory.
 struct TetrahedraOptions {
   double maxVolumeMm3 = 0;        ///< Of nearly all tetrahedra; 0: no limit.
   double radiusEdgeRatio = 1.414; ///< Largest circumradius by shortest edge; 0: any shape.
@@ -21,7 +21,7 @@ struct TetrahedraOptions {
   std::filesystem::path worker; ///< Empty: `installedTetgenWorker()`.
 };
 
-/// Why there are no tetrahedra.
+/// Thrown when a surface cannot be filled with tetrahedra; says why.
 class TetrahedraError : public Error {
 public:
   enum class Reason {
@@ -38,8 +38,9 @@ private:
   Reason reason_;
 };
 
-/// The worker beside this library: `viscera_tetgen_worker` in the installation's libexec folder or in the
-/// build's bin folder, or what the environment variable VISCERA_TETGEN_WORKER names. The path may not exist.
+/// The path of the program that runs TetGen, which is installed beside this library: `viscera_tetgen_worker`
+/// in the installation's libexec folder or in the build's bin folder, or what the environment variable
+/// VISCERA_TETGEN_WORKER names. The path may not exist.
 std::filesystem::path installedTetgenWorker();
 
 /// Fills a closed surface (mm, LPS; any number of nested or separate pieces) with tetrahedra by TetGen

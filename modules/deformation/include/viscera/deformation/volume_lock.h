@@ -24,7 +24,7 @@ struct LockedSurface {
   double targetMm3 = 0;
 };
 
-/// What came of an attempt to give a pose the locked volumes.
+/// The result of restoring locked volumes: the pose, and how exactly it has them.
 struct RestoredPose {
   Points pose;               ///< `n x 3`; the wanted pose when it failed.
   bool restored = false;     ///< The volumes are met to `VolumeLock::kRelativeTolerance`.

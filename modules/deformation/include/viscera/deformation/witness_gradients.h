@@ -8,7 +8,7 @@
 
 namespace viscera::deformation {
 
-/// The distortion at every witness point, one number a witness.
+/// The stress map of a pose: the distortion at every witness point.
 struct StressMap {
   Values rotationalStress; ///< rad.
   Values volumeRatio;      ///< det M.
@@ -17,8 +17,8 @@ struct StressMap {
   int folded = 0; ///< Witnesses with det M <= 0.
 };
 
-/// What one line of text says about a map. Folded witnesses count, as the right angle that they nearly always
-/// are.
+/// Summary statistics of a stress map: mean, largest and others. Folded witnesses count, as the right angle
+/// that they nearly always are.
 struct StressStatistics {
   double min = 0;          ///< rad.
   double mean = 0;         ///< rad.

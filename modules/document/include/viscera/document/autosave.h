@@ -11,14 +11,14 @@
 #include "viscera/core/job_queue.h"
 #include "viscera/document/session_file.h"
 
-/// What a program that ends without being asked to leaves of a user's work: one recovery file a running
-/// program, a session like any other (session_file.h).
+/// Saves the document in a recovery file from time to time, from which work can be restored after a crash.
+/// Each running program has one such file, a session like any other (session_file.h).
 namespace viscera::document {
 
 class FileLock;
 
-/// A recovery file that nobody else looks after: the program that wrote it is gone. While this lives, no
-/// other program is offered it.
+/// A recovery file of a program that has ended without removing it. While this lives, no other program is
+/// offered it.
 struct Recovery {
   std::filesystem::path file;
   std::filesystem::file_time_type written;

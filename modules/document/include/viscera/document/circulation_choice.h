@@ -7,7 +7,7 @@
 
 namespace viscera::document {
 
-/// A circulation that was kept to compare another one with.
+/// A circulation that the user kept, to compare the present one with it.
 struct KeptCirculation {
   std::string name; ///< "Rest"
   circulation::Parameters parameters;
@@ -15,7 +15,8 @@ struct KeptCirculation {
   friend bool operator==(const KeptCirculation&, const KeptCirculation&) = default;
 };
 
-/// What moves the heart: the textbook's beat with its fixed curves, or a circulation.
+/// The user's choice of what moves the heart: the textbook's beat with its fixed curves, or a circulation
+/// with its parameters.
 struct CirculationChoice {
   bool drives = false;           ///< The circulation does; else the textbook's beat.
   std::string scenario = "rest"; ///< The one chosen last (`circulation::scenario`), which controls vary.

@@ -27,7 +27,7 @@ Command takeCirculation(const std::string& title, const circulation::Parameters&
 
 /// Keeps the present circulation, to compare what follows with it.
 Command keepCirculation();
-/// Keeps none. Nothing happens when none is kept.
+/// Forgets the kept circulation. Nothing happens when none is kept.
 Command forgetKeptCirculation();
 
 } // namespace viscera::document

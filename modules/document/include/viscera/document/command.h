@@ -15,7 +15,7 @@ namespace viscera::document {
 /// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not ask
 /// whether the state is one that can be saved: `UndoStack::perform` does (validate.h). The commands there are
 /// come from the functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
-/// recording_commands.h, measurement_commands.h, circulation_commands.h, scan_item.h and open_files.h.
+/// key_sequence_commands.h, measurement_commands.h, circulation_commands.h, scan_item.h and open_files.h.
 struct Command {
   std::string name; ///< "Move handle H-3", for the menu; a user reads it.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;

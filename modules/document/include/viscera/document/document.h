@@ -22,14 +22,15 @@ struct ScanItem;
 
 using OrganList = std::vector<std::shared_ptr<const Organ>>;
 
-/// Which coordinates tie the organs to the handles.
+/// The chosen coordinate system, by its id, with the values of its parameters.
 struct SystemChoice {
   std::string id = "s-celestial"; ///< As in the registry.
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in nine immutable parts that states share with one another: a copy
-/// costs nine pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// The state of a document, which is everything that is saved and undone, in nine immutable parts that
+/// states share with one another: a copy costs nine pointers, and a state that is kept (by the undo stack,
+/// by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -54,13 +55,14 @@ struct DocumentState {
   friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
 
-/// The same contents to the last bit, wherever they are stored. Linear in the size of the contents.
+/// Whether two states have the same contents to the last bit, wherever they are stored. Linear in the size of
+/// the contents.
 bool identical(const DocumentState& a, const DocumentState& b);
 
 /// Whether the pose is the rest pose, exactly.
 bool atRest(const DocumentState& state);
 
-/// What an observer is told after a change.
+/// Describes a change of the document to its observers: the states before and after.
 struct Change {
   DocumentState before;
   DocumentState after;
@@ -78,8 +80,8 @@ struct Change {
   bool scan() const { return before.scan != after.scan; }
 };
 
-/// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
-/// For one thread; other threads are given a `DocumentState`.
+/// The open document: its state, and a signal for changes of it. Whoever has one reads it; only an
+/// `UndoStack` changes it, by commands. For one thread; other threads are given a `DocumentState`.
 ///
 /// A change is told in two rounds. First all that is derived from the document and read beside it (selection,
 /// bindings, maps) brings itself up to date and says nothing. Then everybody hears: the observers of the

@@ -12,7 +12,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/command.h"
 
-/// What the commands have in common.
+/// Helper functions with which commands are implemented.
 namespace viscera::document::edit {
 
 /// A command that changes one part of the document: `change` is given a copy of that part, and if it asks for

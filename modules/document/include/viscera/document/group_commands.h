@@ -7,16 +7,16 @@
 #include "viscera/deformation/group_handles.h"
 #include "viscera/document/command.h"
 
-/// Commands that change the groups of handles, and groups to start from, made of the handles there are. The
-/// commands throw `UsageError` for groups and handles that are not there.
+/// Commands that add, change and remove groups of handles, and make groups automatically. The commands throw
+/// `UsageError` for groups and handles that are not there.
 namespace viscera::document {
 
 /// Adds a group of handles that are there.
 Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles);
 /// Removes a group; its handles stay.
 Command removeGroup(GroupId group);
-/// A name, a colour, other members. What is not given stays. Colours that follow each other join one step
-/// until `UndoStack::seal`.
+/// The changes of a group: a new name, colour or other members. What is not given stays. Colours that follow
+/// each other join one step until `UndoStack::seal`.
 struct GroupEdit {
   std::optional<std::string> name;
   std::optional<Vec3> color;
@@ -27,7 +27,7 @@ Command editGroup(GroupId group, GroupEdit change);
 Command addToGroup(GroupId group, std::vector<HandleId> handles);
 Command removeFromGroup(GroupId group, std::vector<HandleId> handles);
 
-/// How handles are put into groups.
+/// The method and options of automatic grouping.
 struct GroupingChoice {
   enum class By {
     organ,  ///< One group for each organ, and for each of its connected pieces.

@@ -5,8 +5,8 @@
 
 namespace viscera::document {
 
-/// A number that names one thing of a document for as long as the program runs; never given twice, not even
-/// after an undo. 0 names nothing.
+/// An identifier of an organ, handle, group or other item of a document; never given twice while the program
+/// runs, not even after an undo. 0 names nothing.
 template <class Tag>
 struct Id {
   std::int64_t value = 0;
@@ -22,7 +22,7 @@ using MeasurementId = Id<struct MeasurementTag>;
 using StressProbeId = Id<struct StressProbeTag>;
 using StressLineId = Id<struct StressLineTag>;
 
-/// Hands out the ids of one document, in order.
+/// Generates the ids of one document, in ascending order.
 class IdSource {
 public:
   template <class AnyId>

@@ -9,11 +9,12 @@
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/assess_surface.h"
 
-/// Files on their way into a document, as long as somebody looks at them. Everything here is a value: a
-/// worker makes the next draft of a copy, and what is not accepted is forgotten.
+/// The contents of files that the user checks and repairs before they are imported into a document.
+/// Everything here is a value: a worker makes the next draft of a copy, and what is not accepted is
+/// forgotten.
 namespace viscera::document {
 
-/// One organ of a draft.
+/// One organ of an import draft, with its findings and the repairs done.
 struct DraftOrgan {
   std::string name;
   std::string file; ///< Its file's name, without folders.
@@ -24,7 +25,7 @@ struct DraftOrgan {
   bool included = true;                               ///< Whether it will become an organ.
 };
 
-/// What some files hold, and what was found out about it.
+/// The contents of some files before their import, with the findings about them.
 struct ImportDraft {
   OpenedFiles files;
   std::vector<DraftOrgan> organs;                 ///< As many as `files.organs`.
@@ -36,7 +37,8 @@ struct ImportDraft {
   bool empty() const;
 };
 
-/// Looks at everything that was read. Throws `Cancelled`. Some tenths of a second an organ.
+/// Makes a draft of files that were read, and assesses every organ. Throws `Cancelled`. Some tenths of a
+/// second an organ.
 ImportDraft draftOf(OpenedFiles files, Progress& progress);
 
 /// The draft with one repair (an id of `medical_io::surfaceRepairs`) done to the organs at these places, and
@@ -51,7 +53,7 @@ ImportDraft reverted(ImportDraft draft, std::size_t organ, Progress& progress);
 /// The draft with the organs at these places taken along or left out. O(organs).
 ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& organs, bool included);
 
-/// What was found in several organs alike, to be said and mended once.
+/// A finding that several organs share, so that it can be shown and repaired once for all.
 struct SharedFinding {
   medical_io::FindingSubject subject = medical_io::FindingSubject::size;
   medical_io::Light light = medical_io::Light::doubt; ///< The worst.

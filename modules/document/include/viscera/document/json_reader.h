@@ -17,8 +17,8 @@ namespace viscera::document {
 /// A whole file as text. Throws `NoInputError` when it cannot be read.
 std::string readText(const std::filesystem::path& file);
 
-/// Takes one JSON file apart; every `DataError` names the file, the place in it and what to try. `place` is
-/// what a user would look for, as `organs[2].look`; empty for the outermost object.
+/// Reads values from a JSON file with checks; every `DataError` names the file, the place in it and what to
+/// try. `place` is what a user would look for, as `organs[2].look`; empty for the outermost object.
 class JsonReader {
 public:
   /// What the program writes and reads.

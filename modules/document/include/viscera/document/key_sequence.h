@@ -12,8 +12,8 @@
 
 namespace viscera::document {
 
-/// One recorded pose. Handles are known by their ids, so that a recording outlives handles that are added,
-/// removed, or moved at rest.
+/// One key of a key sequence: a recorded pose with its time. Handles are known by their ids, so that the key
+/// outlives handles that are added, removed, or moved at rest.
 struct SequenceKey {
   KeyId id;
   double seconds = 0;
@@ -23,7 +23,8 @@ struct SequenceKey {
   friend bool operator==(const SequenceKey&, const SequenceKey&) = default;
 };
 
-/// The sequence that a user records, part of the document. An empty one has no keys.
+/// The key sequence of a document: the poses that the user records with their times, which can be played as a
+/// motion. An empty one has no keys.
 struct KeySequence {
   std::string name = "Recorded";
   double periodSeconds = 2;
@@ -40,8 +41,8 @@ struct KeySequence {
 /// The pose of a key for the handles of `rig`, `n x 3` mm: a handle that the key does not know is at rest.
 Points poseOf(const SequenceKey& key, const Rig& rig);
 
-/// The recording as a sequence for these handles, with the rig's groups (those that share no handle with an
-/// earlier one); null when it has no keys or there are no handles.
+/// The key sequence as a sequence that can be played with these handles, with the rig's groups (those that
+/// share no handle with an earlier one); null when it has no keys or there are no handles.
 std::shared_ptr<const sequences::KeyframedSequence> sequenceOf(const KeySequence& keySequence,
                                                                const Rig& rig);
 

@@ -6,7 +6,7 @@
 
 #include "viscera/document/command.h"
 
-/// Commands that change the recording of the document. All throw `UsageError` for keys that are not there.
+/// Commands that change the key sequence of the document. All throw `UsageError` for keys that are not there.
 namespace viscera::document {
 
 /// Records the present pose at `seconds`. Where there is a key already, its pose is replaced and its easing
@@ -22,8 +22,8 @@ Command replaceKey(KeyId key);
 Command removeKeys(std::vector<KeyId> keys);
 Command setEasing(std::vector<KeyId> keys, sequences::Easing easing);
 
-/// What is given is changed, all else stays. A shorter period than the last key needs is refused; with
-/// `stretch` the keys keep their part of the period.
+/// The changes of a key sequence: its name, period and others. What is given is changed, all else stays. A
+/// shorter period than the last key needs is refused; with `stretch` the keys keep their part of the period.
 struct KeySequenceEdit {
   std::optional<std::string> name = {};
   std::optional<double> periodSeconds = {};
@@ -33,7 +33,7 @@ struct KeySequenceEdit {
 };
 Command editKeySequence(KeySequenceEdit change);
 
-/// Takes another recording in place of the one there is; its keys get new ids.
+/// Replaces the key sequence by another one, whose keys get new ids.
 Command replaceKeySequence(KeySequence keySequence);
 
 } // namespace viscera::document

@@ -14,7 +14,7 @@ namespace viscera::document {
 
 struct DocumentState;
 
-/// What a measurement says.
+/// The present value of a measurement: a length, an angle, or the statistics of a region.
 struct MeasuredValues {
   double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values.
   double now = 0;  ///< With the organs' points as they are given; of a region as at rest.
@@ -29,8 +29,8 @@ using PointsOf = std::function<const Points&(OrganId)>;
 /// Where a point is now, mm, LPS; at rest where its organ is not in the document. O(1).
 Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf);
 
-/// Keeps the statistics of regions as long as nothing that they depend on is another: to read voxels takes
-/// longer than a frame may. For one thread.
+/// A cache for the statistics of regions of a scan, because reading voxels takes longer than a frame may. For
+/// one thread.
 class RegionMemory {
 public:
   /// None without a scan. O(voxels of the region) for one that it does not know.
@@ -49,8 +49,8 @@ private:
 /// where one of its legs has no length.
 double measuredValue(const std::vector<Vec3>& places);
 
-/// Measures. A point of an organ that the document does not have stays at its place at rest. O(organs), and
-/// of a region that `memory` does not have O(its voxels).
+/// Computes the value of a measurement in the present pose. A point of an organ that the document does not
+/// have stays at its place at rest. O(organs), and of a region that `memory` does not have O(its voxels).
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
                        RegionMemory* memory = nullptr);
 

@@ -12,7 +12,8 @@ namespace viscera::document {
 
 struct Organ;
 
-/// A place that is measured from or to. On an organ's surface it goes where the surface goes.
+/// An end point of a measurement, on an organ's surface or in space. On an organ's surface it goes where the
+/// surface goes.
 struct MeasuredPoint {
   Vec3 rest = Vec3::Zero();    ///< At rest, mm, LPS.
   OrganId organ;               ///< Whose surface it is on; none for a place that stays.
@@ -24,9 +25,9 @@ struct MeasuredPoint {
 
 enum class MeasurementKind { distance, angle, rectangle, sphere };
 
-/// What a user measures: the distance of two points; the angle at the middle one of three; the values of the
-/// scan in a rectangle between two corners of a slice, or in a sphere around the first point through the
-/// second. The points of these two are on no organ: the scan stays where it is.
+/// A measurement of the document: the distance of two points; the angle at the middle one of three; the
+/// values of the scan in a rectangle between two corners of a slice, or in a sphere around the first point
+/// through the second. The points of these two are on no organ: the scan stays where it is.
 struct Measurement {
   MeasurementId id;
   std::string name;

@@ -5,8 +5,9 @@
 
 #include "viscera/document/command.h"
 
-/// Commands that change what is measured. All throw `UsageError` for measurements that are not there and for
-/// numbers of points that measure nothing, `DataError` for points that are not on the surface they name.
+/// Commands that add, change and remove measurements. All throw `UsageError` for measurements that are not
+/// there and for numbers of points that measure nothing, `DataError` for points that are not on the surface
+/// they name.
 namespace viscera::document {
 
 /// Measures: two points are a distance, three the angle at the middle one. Without a name it is called

@@ -18,17 +18,19 @@
 #include "viscera/medical_io/space.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Files into commands. Reading touches no document, so a worker does it; the command is performed
-/// afterwards.
+/// Reads files of organs and handles, and makes the command that adds them to a document. Reading touches no
+/// document, so a worker does it; the command is performed afterwards.
 namespace viscera::document {
 
-/// A surface as its file has it, before an organ was made of it, which may turn it around.
+/// A surface as it was read from its file, before an organ is made of it (which may turn its triangles
+/// around).
 struct ReadSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   std::optional<medical_io::Space> statedSpace; ///< None: the file does not say.
 };
 
-/// What some files hold, read but in no document yet: organs may still be repaired, or left out.
+/// The organs and handles read from some files, not in a document yet: organs may still be repaired, or left
+/// out.
 struct OpenedFiles {
   std::string name; ///< Of the undo step: "Open liver.stl".
   std::vector<NewOrgan> organs;
@@ -41,7 +43,7 @@ struct OpenedFiles {
   Command command() const;
 };
 
-/// An organ of a file that is still being read.
+/// An organ that is already read, of a file of which others are still being read.
 struct ArrivingOrgan {
   std::string name;
   std::optional<Vec3> color;                          ///< That its file gives it.

@@ -11,7 +11,7 @@
 
 namespace viscera::document {
 
-/// How an organ is shown. Part of the document: it is saved and undone.
+/// Colour, opacity and visibility of an organ. Part of the document: it is saved and undone.
 struct OrganLook {
   Vec3 color = {0.80, 0.45, 0.40}; ///< Red green blue, 0 to 1.
   bool vertexColors = true;        ///< The mesh's own colours, when it has some, go before `color`.
@@ -22,8 +22,8 @@ struct OrganLook {
   friend bool operator==(const OrganLook&, const OrganLook&) = default;
 };
 
-/// Where a surface can be read or made again, bit for bit, so that a session need not hold it. Empty for one
-/// that was edited or made otherwise.
+/// The file or sample organ that a surface came from, from which a session reads it again bit for bit. Empty
+/// for one that was edited or made otherwise.
 struct OrganOrigin {
   std::string fileHash; ///< SHA-256, in hex, of the bytes of `Organ::file` when the surface was read from it.
   std::string sample;   ///< A sample organ with its resolution: "heart@medium".
@@ -32,7 +32,8 @@ struct OrganOrigin {
   friend bool operator==(const OrganOrigin&, const OrganOrigin&) = default;
 };
 
-/// One surface of the document. Immutable once in a document.
+/// An organ of the document: a named surface with its colour and other properties. Immutable once in a
+/// document.
 struct Organ {
   OrganId id;
   std::string name;

@@ -7,7 +7,7 @@
 
 namespace viscera::document {
 
-/// An organ on its way into a document.
+/// An organ that is to be added to a document.
 struct NewOrgan {
   Organ organ; ///< From `makeOrgan`; its id is given when it is added, `parent` may name one there is.
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
@@ -19,7 +19,7 @@ Command addOrgans(std::vector<NewOrgan> organs);
 
 /// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.
 Command removeOrgans(std::vector<OrganId> organs);
-/// Removes all that there are.
+/// Removes all organs.
 Command removeAllOrgans();
 
 /// Sets how an organ is shown. Commands for the same organ that follow each other join one step until

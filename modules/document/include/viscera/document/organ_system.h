@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// The system of the body that an organ belongs to, for a list of many organs.
+/// Finds the body system (circulation, digestion and others) of an organ by its name, to arrange long lists.
 namespace viscera::document {
 
 /// The systems in the order of a list, the one of names that say nothing last: "Heart", "Arteries", "Veins",

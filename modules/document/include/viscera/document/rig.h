@@ -10,7 +10,7 @@
 
 namespace viscera::document {
 
-/// One handle at rest.
+/// A handle of the document: its position at rest and its properties.
 struct Handle {
   HandleId id;
   std::string label;        ///< "H-1"; unique in the rig.
@@ -25,7 +25,8 @@ struct Handle {
   friend bool operator==(const Handle&, const Handle&) = default;
 };
 
-/// A named set of handles. A handle may be in several groups (regions that overlap) or in none.
+/// A group of handles with a name and a colour. A handle may be in several groups (regions that overlap) or
+/// in none.
 struct Group {
   GroupId id;
   std::string name;              ///< Unique in the rig.
@@ -64,7 +65,7 @@ struct Rig {
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
-/// What a user calls these handles: "handle H-3", or "5 handles".
+/// Describes handles for a user: "handle H-3", or "5 handles".
 std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
 
 /// The rig as a coordinate system takes it: positions, groups, and the cage that was given, if any.

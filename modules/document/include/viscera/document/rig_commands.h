@@ -12,7 +12,7 @@
 /// groups that are not there. Texts may come from files: they are made UTF-8, and names where there are none.
 namespace viscera::document {
 
-/// A handle on its way into a document.
+/// A handle that is to be added to a document.
 struct NewHandle {
   Vec3 rest = Vec3::Zero();                 ///< mm, LPS.
   std::optional<Vec3> posed = std::nullopt; ///< Where it is in the present pose; at rest when not given.
@@ -22,14 +22,14 @@ struct NewHandle {
   bool visible = true;
 };
 
-/// A group on its way into a document, with the handles of `NewRig` that are in it.
+/// A group that is to be added to a document, with its handles as numbers in `NewRig`.
 struct NewGroup {
   std::string name;
   Vec3 color = {1.0, 0.5, 0.2};
   std::vector<int> handles; ///< Indices into `NewRig::handles`.
 };
 
-/// A whole rig on its way into a document.
+/// A whole rig, handles and groups, that is to be put into a document.
 struct NewRig {
   std::vector<NewHandle> handles;
   std::vector<NewGroup> groups;
@@ -63,7 +63,7 @@ Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 /// handles.
 Command replaceRig(NewRig rig, std::string name = "Replace handles");
 
-/// A label, a lock, a description, visibility, whether it compensates. What is not given stays.
+/// The changes of a handle: label, lock, description, visibility, compensation. What is not given stays.
 struct HandleEdit {
   std::optional<std::string> label;
   std::optional<std::string> description;
@@ -81,7 +81,7 @@ Command moveHandles(std::vector<HandleId> handles, Points positions);
 /// another size.
 Command setPose(Points pose, std::string name = "Set pose");
 
-/// Back to rest, exactly; locked handles too.
+/// Resets the pose to the rest pose exactly, locked handles included.
 Command resetPose();
 
 /// Throws `DataError` when a sequence cannot move these handles: another number of them or another rest pose

@@ -12,8 +12,8 @@
 
 namespace viscera::document {
 
-/// The scan that lies beside the organs: the same patient's image. Immutable once in a document, and shared
-/// by all states that have it. A session names its place, or holds it.
+/// The scan of the document: an image of the patient whose organs the document has. Immutable once in a
+/// document, and shared by all states that have it. A session names its place, or holds it.
 struct ScanItem {
   std::string name;                             ///< "CT, Abdomen 5.0", or its file's.
   std::shared_ptr<const medical_io::Scan> scan; ///< Never null.
@@ -22,11 +22,11 @@ struct ScanItem {
   int phase = 0;              ///< Which of several in time.
 };
 
-/// The same contents to the last bit, wherever they are stored; nothing is equal to nothing only. O(voxels)
-/// for two scans in different places.
+/// Whether two scans have the same contents to the last bit, wherever they are stored; nothing is equal to
+/// nothing only. O(voxels) for two scans in different places.
 bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<const ScanItem>& b);
 
-/// Names a scan that was read: by its modality and description, else by its file.
+/// Makes a scan of the document from one that was read: by its modality and description, else by its file.
 ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
                   const medical_io::ScanOptions& options = {});
 
@@ -44,10 +44,10 @@ bool looksLikeLabels(const medical_io::Scan& scan);
 /// that is damaged, `Cancelled`.
 std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress);
 
-/// Puts a scan beside the organs, in the place of the one there is.
+/// Opens a scan in the document, in place of the present one.
 Command openScan(ScanItem item);
 
-/// Takes the scan away. Throws `UsageError` when there is none.
+/// Removes the scan from the document. Throws `UsageError` when there is none.
 Command closeScan();
 
 } // namespace viscera::document

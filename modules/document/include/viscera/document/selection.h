@@ -6,9 +6,9 @@
 
 namespace viscera::document {
 
-/// What is selected. It is a way of looking at the document, not a part of it: selecting is no undo step, is
-/// not saved, and what leaves the document leaves the selection, before anybody hears of it. For the
-/// document's thread.
+/// The selected organ and handles of a document. It is a way of looking at the document, not a part of it:
+/// selecting is no undo step, is not saved, and what leaves the document leaves the selection, before anybody
+/// hears of it. For the document's thread.
 class Selection {
 public:
   explicit Selection(Document& document);

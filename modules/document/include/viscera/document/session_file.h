@@ -9,8 +9,8 @@
 #include "viscera/document/document.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Sessions as `.viscera` files (docs/session_format.md): all that is needed to come back to the same picture
-/// and the same numbers.
+/// Reads and writes session files (`.viscera`, docs/session_format.md), which hold all that is needed to come
+/// back to the same picture and the same numbers.
 namespace viscera::document {
 
 /// An organ of a session whose surface was not found when the session was opened. It is not in the document,
@@ -23,7 +23,7 @@ struct MissingOrgan {
   std::vector<OrganId> children; ///< Organs of the document that are its cavities.
 };
 
-/// What a session file holds.
+/// The contents of a session file: document, view and missing organs.
 struct SessionContents {
   DocumentState state;
   /// What the window shows, as a JSON object of its own; kept as it is.
@@ -58,7 +58,7 @@ struct SurfaceFinding {
 /// "embedded", "found", "moved", "changed", "missing".
 std::string nameOf(SurfaceFinding::State state);
 
-/// A session that was read.
+/// The result of reading a session: its contents and where each surface was found.
 struct OpenedSession {
   SessionContents contents;
   std::vector<SurfaceFinding> surfaces; ///< One an organ, in the order of the file.

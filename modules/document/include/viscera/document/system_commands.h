@@ -8,10 +8,9 @@
 #include "viscera/document/command.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Commands that choose the coordinates, and the cage that some of them need in the place of the handles'
-/// convex hull. The document does not know which systems there are: what a system
-/// does not accept is for whoever has the registry to refuse beforehand, and `LiveBinding` says it of every
-/// organ.
+/// Commands that choose the coordinate system and the cage that some systems need. The document does not know
+/// which systems there are: what a system does not accept is for whoever has the registry to refuse
+/// beforehand, and `LiveBinding` says it of every organ.
 namespace viscera::document {
 
 /// Chooses the coordinates and all of their parameters.
@@ -24,7 +23,7 @@ Command setParameter(std::string name, double value);
 /// A cage is a coarse surface: each of its vertices is a handle.
 inline constexpr int kMostCageVertices = 10'000;
 
-/// A closed, outward surface that does not cross itself.
+/// A surface that can be a cage: closed, outward and without self-intersections.
 struct GivenCage {
   std::string name; ///< Of its file, for the undo step.
   std::shared_ptr<const geometry::TriangleMesh> mesh;
@@ -38,12 +37,12 @@ GivenCage readCage(const std::filesystem::path& file, Progress& progress);
 /// Whether handles stand at rest at all vertices of the cage, one at each. O(handles x vertices).
 bool standAt(const Rig& rig, const geometry::TriangleMesh& cage);
 
-/// Takes a cage. Handles that stand at all of its vertices become its corners and keep everything else;
+/// Sets the cage. Handles that stand at all of its vertices become its corners and keep everything else;
 /// others beside them stay, without influence. Else the cage's vertices become the handles, at rest, in the
 /// place of those there are and of their groups. Throws as `replaceRig` and `coordinates::requireCage`.
 Command takeCage(GivenCage cage);
 
-/// Gives the cage up: the convex hull of the handles is the cage again. All handles stay.
+/// Removes the cage: the convex hull of the handles is the cage again. All handles stay.
 Command dropCage();
 
 } // namespace viscera::document

@@ -8,7 +8,7 @@
 #include "viscera/document/measured_values.h"
 #include "viscera/document/organ.h"
 
-/// What is measured, as comma-separated values.
+/// Writes volumes of organs and measurements as comma-separated values.
 namespace viscera::document {
 
 /// An organ and its points in the present pose.
@@ -24,7 +24,7 @@ struct PosedOrgan {
 /// Throws `CannotCreateError`.
 void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedOrgan>& organs);
 
-/// A measurement with what it says.
+/// A measurement with its value, for one row of a table.
 struct MeasurementRow {
   Measurement measurement;
   MeasuredValues values;

@@ -10,8 +10,8 @@
 
 namespace viscera::document {
 
-/// The only way to change a document: does commands, and takes them back and does them again, without a limit
-/// but memory (a step of a drag keeps one pose). For the document's thread.
+/// Performs commands on a document, and undoes and redoes them, which is the only way to change it, without a
+/// limit but memory (a step of a drag keeps one pose). For the document's thread.
 class UndoStack {
 public:
   /// What the steps may keep in memory, bytes; beyond it the oldest ones are forgotten.

@@ -9,7 +9,7 @@
 
 namespace viscera::geometry {
 
-/// Lists of items by the cell of a regular grid, as one compressed array.
+/// A spatial index that lists items by the cells of a regular grid, stored as one compressed array.
 class CellLists {
 public:
   using Cell = Eigen::Matrix<Eigen::Index, 3, 1>;

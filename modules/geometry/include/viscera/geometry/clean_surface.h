@@ -4,7 +4,7 @@
 
 namespace viscera::geometry {
 
-/// A surface without what meshers stumble over, and what had to be done.
+/// A surface that was cleaned for mesh generators, with counts of what was changed.
 struct CleanedSurface {
   TriangleMesh mesh;        ///< Without colours.
   int mergedPoints = 0;     ///< Points that lay within `kMergeDistance` of the box's diagonal of another.
@@ -26,9 +26,9 @@ CleanedSurface cleanSurface(const TriangleMesh& mesh);
 /// the order of triangles stay. The number turned. Expects valid indices. O(m log m).
 int faceOutward(TriangleMesh& mesh);
 
-/// The same surface in coarse: all points within a cube of edge `cell` (mm) become their mean, and triangles
-/// that lose their area thereby go. What was closed stays closed in the sense that winding numbers see no
-/// hole, but may touch itself. O(m).
+/// Simplifies a surface by joining vertices that are in one cell: all points within a cube of edge `cell`
+/// (mm) become their mean, and triangles that lose their area thereby go. What was closed stays closed in the
+/// sense that winding numbers see no hole, but may touch itself. O(m).
 TriangleMesh clusterVertices(const TriangleMesh& mesh, double cell);
 
 } // namespace viscera::geometry

@@ -4,7 +4,7 @@
 
 namespace viscera::geometry {
 
-/// A surface whose holes were filled.
+/// The result of `closeHoles`: a surface without holes, and how many were filled.
 struct ClosedSurface {
   TriangleMesh mesh; ///< The given points first, unchanged; then one for the middle of every larger hole.
   int holes = 0;     ///< How many were filled.

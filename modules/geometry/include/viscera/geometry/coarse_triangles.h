@@ -4,9 +4,9 @@
 
 namespace viscera::geometry {
 
-/// Fewer triangles between some of a surface's own vertices, about `vertices` of them: what is drawn in place
-/// of the surface while it moves too fast to be looked at closely. They follow every deformation without a
-/// computation of their own, because their corners are the surface's.
+/// Simplifies a surface to about `vertices` of its own vertices and returns the triangles between them: what
+/// is drawn in place of the surface while it moves too fast to be looked at closely. They follow every
+/// deformation without a computation of their own, because their corners are the surface's.
 ///
 /// Vertices of one cube of a grid whose normals lie in one octant become the one among them that is nearest
 /// to their mean; triangles that lose a corner so are left out (Rossignac and Borrel, "Multi-resolution 3D

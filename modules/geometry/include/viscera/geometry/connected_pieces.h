@@ -6,14 +6,14 @@
 
 namespace viscera::geometry {
 
-/// The pieces of a surface that hang together through shared vertices.
+/// The connected pieces of a surface, joined through shared vertices.
 struct ConnectedPieces {
   int count = 0;
   std::vector<int>
       ofVertex; ///< 0 to count - 1 in order of their first vertices; -1 for a vertex without triangles.
 };
 
-/// Any valid mesh. O(n + m).
+/// Finds the connected pieces of a valid mesh. O(n + m).
 ConnectedPieces connectedPieces(const TriangleMesh& mesh);
 
 /// The area of every piece, mm^2. O(m).

@@ -8,8 +8,8 @@
 
 namespace viscera::geometry {
 
-/// The volume of an organ that lies in parts, on any number of threads and machines: its bits do not depend
-/// on how it was cut. Also, along a common motion of the points, the volume as a cubic.
+/// Computes the volume of a surface in parts, on any number of threads and machines, with the same bits
+/// however it is divided. Also, along a common motion of the points, the volume as a cubic.
 ///
 /// A surface's triangles count from an origin that all parts share, tetrahedra from their own corner; each
 /// term is rounded as it is, and the terms are summed exactly (`ExactSum`). Differs from `volume`, which sums

@@ -6,7 +6,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
 
-/// Where planes cut surfaces: the contours of organs on the slices of a scan.
+/// Intersects surfaces with planes, for the contours of organs on the slices of a scan.
 namespace viscera::geometry {
 
 /// A plane in space.
@@ -18,7 +18,7 @@ struct Plane {
   double height(const Vec3& point) const { return normal.dot(point - origin); }
 };
 
-/// A surface to be cut. Looks at somebody else's memory, which has to stay as it is meanwhile.
+/// A reference to the points and triangles of a surface to be cut, which must not change meanwhile.
 struct SurfaceView {
   const Points* points = nullptr;       ///< `n x 3`, mm.
   const Triangles* triangles = nullptr; ///< Rows of `points`; assumed to be in range.
@@ -43,7 +43,7 @@ struct PlaneCut {
 std::vector<std::vector<PlaneCut>> cutSurfaces(const std::vector<SurfaceView>& surfaces,
                                                const std::vector<Plane>& planes, Threads threads = {});
 
-/// One surface, one plane.
+/// Cuts one surface by one plane.
 PlaneCut cutSurface(const SurfaceView& surface, const Plane& plane, Threads threads = {});
 
 /// Whether a point of the plane lies inside of the cut's closed lines (by the parity of crossings along a ray

@@ -9,7 +9,7 @@
 
 namespace viscera::geometry {
 
-/// Distances from a surface on a regular grid, negative inside.
+/// The signed distances from a surface at the nodes of a regular grid, negative inside.
 struct SignedDistanceGrid {
   std::array<int, 3> size = {0, 0, 0}; ///< Nodes along x, y, z.
   Vec3 origin = Vec3::Zero();          ///< The first node, mm.

@@ -7,7 +7,8 @@
 
 namespace viscera::geometry {
 
-/// What a triangle surface is worth as an organ.
+/// The defects of a triangle surface that matter for an organ (holes, non-manifold edges, wrong orientation),
+/// with its area and volume.
 struct SurfaceReport {
   int boundaryEdges = 0;    ///< Edges with one triangle: the surface is open there.
   int nonManifoldEdges = 0; ///< Edges with three triangles or more.
@@ -24,10 +25,10 @@ struct SurfaceReport {
   bool outward() const { return closed() && volumeMm3 > 0; }
 };
 
-/// Counts all of it. Expects valid indices (`requireValid`). O(m log m).
+/// Checks a surface and counts its defects. Expects valid indices (`requireValid`). O(m log m).
 SurfaceReport checkSurface(const TriangleMesh& mesh);
 
-/// The report's faults as sentences for a user ("12 boundary edges: the surface is open"); empty when there
+/// Describes the defects as sentences for a user ("12 boundary edges: the surface is open"); empty when there
 /// are none.
 std::vector<std::string> faults(const SurfaceReport& report);
 

@@ -5,7 +5,7 @@
 
 namespace viscera::geometry {
 
-/// The surface with about `triangles` triangles, by collapsing edges in the order of the quadric error
+/// Simplifies a surface to about `triangles` triangles by collapsing edges in the order of the quadric error
 /// (Garland and Heckbert 1997, doi 10.1145/258734.258849). Other than theirs, an edge stays when its collapse
 /// would leave the surface no longer closed or manifold, or fold it; so tunnels and pieces stay, and a
 /// surface with many may end with more triangles. `mesh` has to be closed and manifold. Without colours.

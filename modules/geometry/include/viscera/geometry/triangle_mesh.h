@@ -35,13 +35,14 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
 /// index is out of range. `where` names the mesh in the message. O(n + m).
 void requireValid(const TriangleMesh& mesh, const std::string& where);
 
-/// The surface elsewhere: coordinates that were in another unit or in other axes. Colours stay. O(n + m).
+/// Scales a surface about the origin: coordinates that were in another unit or in other axes. Colours stay.
+/// O(n + m).
 ///
 /// Every coordinate times `factor` (positive).
 TriangleMesh scaled(TriangleMesh mesh, double factor);
 
-/// Half a turn about the axis from foot to head, which is what leads from RAS to LPS and back: x and y change
-/// their signs, nothing is mirrored. Twice is the same bits again.
+/// Rotates a surface by half a turn about the axis from foot to head, which converts RAS to LPS and back: x
+/// and y change their signs, nothing is mirrored. Twice is the same bits again.
 TriangleMesh turnedHalf(TriangleMesh mesh);
 
 /// Left and right exchanged: x changes its sign, and every triangle is turned around so that what faced

@@ -23,7 +23,7 @@ TubeEnds tubeEnds(const TriangleMesh& mesh);
 /// ends beyond a place on it.
 int tipBeyond(const TriangleMesh& mesh, int vertex, int other);
 
-/// The middle line with what it runs through.
+/// The middle line of a tube as points, with the areas of its cross-sections.
 struct TubeAxis {
   std::vector<Vec3> points;  ///< In order, mm; the first and the last lie on the surface.
   std::vector<double> areas; ///< Of the slice through each point, mm^2; 0 at the ends.

@@ -3,9 +3,9 @@
 #include "viscera/core/parallel.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// The volume that a closed triangle surface encloses, by the divergence theorem (thesis 5.1.1). The thesis
-/// integrates each triangle by a quadrature of four points; the closed form `1/6 p1.(p2 x p3)` is equal to it
-/// up to rounding.
+/// Computes the volume that a closed triangle surface encloses, by the divergence theorem (thesis 5.1.1). The
+/// thesis integrates each triangle by a quadrature of four points; the closed form `1/6 p1.(p2 x p3)` is
+/// equal to it up to rounding.
 namespace viscera::geometry {
 
 /// Signed volume in mm^3: positive for an outward surface. Meaningless for an open one. Sums fixed blocks of

@@ -9,7 +9,7 @@
 
 namespace viscera::lesson {
 
-/// What was written.
+/// The size and contents of a glTF file that was written.
 struct WrittenGltf {
   std::size_t bytes = 0;
   std::size_t modes = 0;     ///< Morph targets of each surface.

@@ -4,16 +4,16 @@
 
 #include "viscera/core/arrays.h"
 
-/// Numbers that follow a cycle: known at some instants, smooth between them.
+/// Splines through numbers that change over a cycle, known at some instants and smooth between them.
 namespace viscera::lesson {
 
 /// A row an instant, a column a mode (or whatever else follows the cycle).
 using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How a course goes on behind its last instant: at the first one; or it ends there, and jumps.
+/// Whether a course continues with its first instant after the last one, or ends there.
 enum class CourseEnd { cycles, stops };
 
-/// Cubic pieces between instants that lie close together where much happens (Hermite's form).
+/// A piecewise cubic curve (Hermite's form) of several numbers over a cycle.
 struct Course {
   std::vector<double> instants; ///< Fractions of the cycle, ascending: k >= 2, the first 0, the last 1.
   Table values;                 ///< `k x modes`.

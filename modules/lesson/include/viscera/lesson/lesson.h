@@ -10,10 +10,10 @@
 #include "viscera/lesson/lesson_plan.h"
 #include "viscera/live/posed_organs.h"
 
-/// Organs in motion as one file that opens without this program.
+/// Makes lessons: organs in motion as one file that opens in a browser without this program.
 namespace viscera::lesson {
 
-/// A part of the lesson's vertices and triangles.
+/// An organ of a lesson, as a range of its vertices and triangles.
 struct LessonSurface {
   Eigen::Index firstVertex = 0;
   Eigen::Index vertexCount = 0;
@@ -26,7 +26,8 @@ struct LessonSurface {
   std::vector<int> labels;  ///< The vertex of each of the plan's labels.
 };
 
-/// A lesson's numbers, complete. Vertices of all surfaces lie one behind the other, then the handles' places.
+/// All data of a lesson: vertices, triangles, motion and curves. Vertices of all surfaces lie one behind the
+/// other, then the handles' places.
 struct Lesson {
   LessonPlan plan;
   Points rest;         ///< `(vertices + handles) x 3` mm, LPS.
@@ -64,7 +65,7 @@ Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::Pose
 
 /// The page, complete (docs/lessons.md).
 std::string pageOf(const Lesson& lesson);
-/// Writes it. Atomic. Throws `CannotCreateError`.
+/// Writes the page to a file. Atomic. Throws `CannotCreateError`.
 void writePage(const std::filesystem::path& file, const Lesson& lesson);
 
 } // namespace viscera::lesson

@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostRates = 10;
 /// A rig of more handles is too many to grip: then others are placed.
 inline constexpr std::size_t kMostOwnHandles = 40;
 
-/// What a lesson is made of.
+/// The document, motion and view that a lesson is made from.
 struct LessonSource {
   document::DocumentState state = {};
   std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
@@ -29,13 +29,13 @@ struct LessonSource {
   std::vector<presentation::Slide> slides = {};             ///< Views that the session keeps, in order.
 };
 
-/// A name on a place of a surface.
+/// A label of a lesson: a name at a place of a surface.
 struct PlannedLabel {
   std::string text;
   Vec3 at = Vec3::Zero(); ///< mm, LPS, at rest; the nearest vertex takes it along.
 };
 
-/// One organ that a lesson will show.
+/// An organ that a lesson will show, with its name and look.
 struct PlannedSurface {
   document::OrganId organ;
   std::string title;
@@ -49,7 +49,7 @@ struct PlannedSurface {
   std::vector<PlannedLabel> labels;
 };
 
-/// A band of what healthy people have.
+/// A normal range that the chart of a lesson shows as a band.
 struct PlannedRange {
   std::size_t surface = 0;
   std::string kind; ///< "ml", drawn in the chart, or "percent", written beside the ejection fraction.
@@ -70,8 +70,9 @@ struct PlannedPhase {
   std::string title;
 };
 
-/// All that will be in a lesson but its numbers: small, made at once, to be looked at and edited before the
-/// lesson itself is made. Nothing of the document comes into a lesson but by this list.
+/// The plan of a lesson: its organs, labels, texts and slides without the motion's data. It is small, made at
+/// once, to be looked at and edited before the lesson itself is made. Nothing of the document comes into a
+/// lesson but by this list.
 struct LessonPlan {
   std::string language; ///< Of the page's own texts, a code of `pageLanguages`; empty: the program's.
   std::string title;
@@ -95,9 +96,9 @@ struct LessonPlan {
 /// in `spec` that there are not.
 LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
 
-/// What comes with the program for the sample organ that a document shows: names of its parts, and for the
-/// sequence of that organ title, notes, rates and slides, too; the session's own slides replace these. Empty
-/// for other organs.
+/// The texts and slides that the program has for the sample organ that a document shows: names of its parts,
+/// and for the sequence of that organ title, notes, rates and slides, too; the session's own slides replace
+/// these. Empty for other organs.
 LessonSpec readySpecFor(const LessonSource& source);
 
 /// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.

@@ -9,13 +9,13 @@
 
 namespace viscera::lesson {
 
-/// Where a reader's eye is: it looks at `focus` and stands upright.
+/// The camera of a lesson's view, upright and directed at `focus`.
 struct Eye {
   Vec3 position = Vec3::Zero(); ///< mm, LPS; what is seen is as in a picture of 30 degrees from there.
   Vec3 focus = Vec3::Zero();
 };
 
-/// One view of a lesson that a speaker comes back to.
+/// A slide of a lesson: a view with its caption.
 struct PlannedSlide {
   std::string title = {};
   std::string text = {}; ///< What there is to see; may be empty.
@@ -31,14 +31,15 @@ struct PlannedSlide {
   bool handles = false;
 };
 
-/// A name on a place.
+/// A label of a lesson specification: a name and where it belongs.
 struct SpecLabel {
   std::string surface; ///< The organ's name, or of a sample organ its surface's: "outer".
   std::string text;
   Vec3 at = Vec3::Zero(); ///< mm, LPS.
 };
 
-/// What somebody says of a lesson beyond what the document holds (docs/lessons.md, "A lesson's own file").
+/// The lesson specification: title, texts, labels and slides that an author gives beyond the document
+/// (docs/lessons.md, "A lesson's own file").
 struct LessonSpec {
   std::string language; ///< Of the page's own texts, a code of `pageLanguages`; empty: the program's.
   std::string title;    ///< Empty: the document's.
@@ -50,7 +51,7 @@ struct LessonSpec {
   std::optional<int> handles; ///< How many are placed; 0: none. Nothing: the rig's own where they are few.
 };
 
-/// A language of the page's own texts.
+/// A language of the texts that every lesson page has, such as buttons.
 struct PageLanguage {
   std::string code; ///< BCP 47: "de".
   std::string name; ///< In that language: "Deutsch".
@@ -59,11 +60,12 @@ struct PageLanguage {
 /// The languages that come with the program, English first.
 std::vector<PageLanguage> pageLanguages();
 
-/// Reads one from JSON. Throws `DataError` that names `where` and the key for text that is none.
+/// Reads a lesson specification from JSON. Throws `DataError` that names `where` and the key for text that is
+/// none.
 LessonSpec readSpec(const std::string& json, const std::string& where);
 
-/// What comes with the program for a sequence on its sample organ: title, names of parts, slides, sources.
-/// Empty for others.
+/// The lesson specification that the program has for a sequence on its sample organ: title, names of parts,
+/// slides, sources. Empty for others.
 LessonSpec readySpec(const std::string& sequence);
 
 } // namespace viscera::lesson

@@ -6,11 +6,11 @@
 
 #include "viscera/core/arrays.h"
 
-/// Numbers on their way into a page: rounded to a step, each as the difference to an earlier one, in planes
-/// of bytes, so that deflate finds little to do (docs/lessons.md, "The file").
+/// Compresses arrays of numbers for a lesson's page: they are rounded to a step, each as the difference to an
+/// earlier one, in planes of bytes, so that deflate finds little to do (docs/lessons.md, "The file").
 namespace viscera::lesson {
 
-/// Where an array lies among the bytes, and how to read it. Step 0: plain little-endian floats of width 4.
+/// The place and encoding of an array among the packed bytes. Step 0: plain little-endian floats of width 4.
 struct PackedArray {
   std::size_t at = 0; ///< Of its first byte; a multiple of 4.
   std::size_t count = 0;
@@ -19,7 +19,7 @@ struct PackedArray {
   double step = 1; ///< A number is an integer times this.
 };
 
-/// Arrays one behind the other.
+/// Packs arrays one behind the other into one sequence of bytes.
 class ArrayPacker {
 public:
   /// Adds `values` rounded to multiples of `step`, in the fewest bytes that hold the largest. Throws
@@ -38,12 +38,12 @@ private:
   std::string bytes_;
 };
 
-/// What the page makes of an array. Throws `DataError` for one that does not lie within `bytes`.
+/// Decodes an array as the page does. Throws `DataError` for one that does not lie within `bytes`.
 std::vector<double> unpacked(const PackedArray& array, const std::string& bytes);
 
 /// `bytes` as one zlib stream, at the best ratio.
 std::string deflated(const std::string& bytes);
-/// And back. Throws `DataError` for what is no zlib stream.
+/// Decompresses a zlib stream. Throws `DataError` for what is no zlib stream.
 std::string inflated(const std::string& bytes);
 
 } // namespace viscera::lesson

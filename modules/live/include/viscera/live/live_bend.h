@@ -16,9 +16,9 @@ namespace viscera::live {
 /// How near places at rest are found, mm.
 inline constexpr double kBendToleranceMm = 0.03;
 
-/// Where the tissue of the posed patient is at rest, for images that bend along with the organs. While
-/// somebody wants it, the space around the handles is bound on the job queue (slot "bend") for the handles
-/// and the system there are, anew when those become others; a pose takes a few milliseconds. For the
+/// Keeps the inverse of the present deformation up to date, so that a scan can be deformed with the organs.
+/// While somebody wants it, the space around the handles is bound on the job queue (slot "bend") for the
+/// handles and the system there are, anew when those become others; a pose takes a few milliseconds. For the
 /// document's thread.
 class LiveBend {
 public:

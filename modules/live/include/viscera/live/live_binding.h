@@ -14,7 +14,7 @@
 
 namespace viscera::live {
 
-/// How an organ and the handles stand to each other.
+/// The state of an organ's binding: bound, being bound, or not possible and why.
 struct BindingStatus {
   enum class State {
     unbound, ///< Too few handles for any coordinates: the organ is at rest.
@@ -36,8 +36,7 @@ struct BindingStatus {
   int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
-/// What happened to one organ; without an organ, to the handles alone: they are shown elsewhere, and
-/// no organ follows them.
+/// An event of one organ's binding or pose; without an organ it tells that only handles have moved.
 struct LiveEvent {
   document::OrganId organ;
   bool moved = false;    ///< `points` has other values.

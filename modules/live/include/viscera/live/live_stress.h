@@ -17,7 +17,7 @@
 
 namespace viscera::live {
 
-/// How far the stress map of the organ that is followed has come.
+/// The state of the stress map's computation, and its error if it failed.
 struct StressStatus {
   enum class State {
     off,       ///< No organ is followed.
@@ -35,7 +35,7 @@ struct StressStatus {
   int outside = 0;                               ///< Points outside the handles' hull, which do not move.
 };
 
-/// What is new.
+/// An event of `LiveStress`: what has changed.
 struct StressEvent {
   bool status = false;
   bool sampled = false; ///< Another witness mesh, or none.
@@ -43,14 +43,14 @@ struct StressEvent {
   bool peak = false;    ///< A peak was found, or is no longer valid.
 };
 
-/// The rotational stress of one organ of a document in every pose that a `LiveBinding` shows. It fills the
-/// organ with witness points on the job queue (slot "stress/sample"), derives the coordinates at them (slot
-/// "stress/bind", or at once when that takes less than a frame), and evaluates the map whenever the organ
-/// moves. The organ's cavities (closed surfaces whose parent it is) are left out: blood is no tissue. Rest
-/// handles, the system or the surface that change lead to another binding or mesh; the map before stays until
-/// then, except where it would be wrong. What depends on nothing but surface, number of witnesses, handles
-/// and pose is the same to the last bit, whatever the way there. It never changes the document. For the
-/// document's thread.
+/// Computes the rotational stress of one organ of a document in every pose that a `LiveBinding` shows. It
+/// fills the organ with witness points on the job queue (slot "stress/sample"), derives the coordinates at
+/// them (slot "stress/bind", or at once when that takes less than a frame), and evaluates the map whenever
+/// the organ moves. The organ's cavities (closed surfaces whose parent it is) are left out: blood is no
+/// tissue. Rest handles, the system or the surface that change lead to another binding or mesh; the map
+/// before stays until then, except where it would be wrong. What depends on nothing but surface, number of
+/// witnesses, handles and pose is the same to the last bit, whatever the way there. It never changes the
+/// document. For the document's thread.
 class LiveStress {
 public:
   struct Options {

@@ -11,10 +11,9 @@
 
 namespace viscera::live {
 
-/// One motion of some handles, a drag from press to release or a number that was typed, under the locks of
-/// volumes: given where the handles are wanted, it finds the pose that keeps every locked volume and comes as
-/// near as that allows. All wishes count from the pose at the start, so a drag that goes back to where it
-/// began ends where it began.
+/// Moves handles while locked volumes are kept, for one drag or one typed number: given where the handles are
+/// wanted, it finds the pose that keeps every locked volume and comes as near as that allows. All wishes
+/// count from the pose at the start, so a drag that goes back to where it began ends where it began.
 ///
 /// How a lock acts:
 /// * A selection that moves as a whole, alone or with its mirror image, under one lock: the way is bent onto

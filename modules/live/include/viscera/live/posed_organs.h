@@ -9,7 +9,7 @@
 
 namespace viscera::live {
 
-/// What one organ's volume is and was. Meaningless for an open surface.
+/// The present volume of an organ and its volume at rest. Meaningless for an open surface.
 struct OrganVolume {
   bool closed = false;
   double restMl = 0;
@@ -19,10 +19,9 @@ struct OrganVolume {
   double relativeChange() const { return restMl != 0 ? (nowMl - restMl) / restMl : 0; }
 };
 
-/// The organs of a document in a pose of its handles, whoever poses them: the open document's
-/// (`LiveBinding`), or a copy of them that a recording moves on a thread of its own (`PosedCopy`). What
-/// draws, measures or plays organs takes this. All members throw `UsageError` for an organ that is not among
-/// them.
+/// The interface to the organs of a document in a pose of its handles: the open document's (`LiveBinding`),
+/// or a copy of them that a movie moves on a thread of its own (`PosedCopy`). What draws, measures or
+/// plays organs takes this. All members throw `UsageError` for an organ that is not among them.
 class PosedOrgans {
 public:
   virtual ~PosedOrgans() = default;
@@ -49,7 +48,7 @@ public:
 
 struct BoundOrgans;
 
-/// The organs of a document as they were once (`LiveBinding::copy`), with poses of their own: they share the
+/// A copy of the organs of a document (`LiveBinding::copy`) that has a pose of its own: the copy shares the
 /// surfaces and the bindings, so that the same pose gives the same points to the bit, and nothing that
 /// happens to the document reaches them. For one thread, which need not be the document's.
 class PosedCopy final : public PosedOrgans {

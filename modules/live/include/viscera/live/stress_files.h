@@ -9,18 +9,19 @@
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_quantity.h"
 
-/// Stress as files for other programs: what `viscera stress` and the window write, the same to the byte. All
-/// are atomic and throw `CannotCreateError`. `posed` are the mesh's points in the pose (`n x 3` mm, LPS),
-/// `map` is at the same points.
+/// Writes stress maps as files for other programs: what `viscera stress` and the window write, the same to
+/// the byte. All are atomic and throw `CannotCreateError`. `posed` are the mesh's points in the pose (`n x 3`
+/// mm, LPS), `map` is at the same points.
 namespace viscera::live {
 
-/// Every value at every point of the mesh as VTK's unstructured grid (.vtu): `RotationalStress_deg`,
-/// `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`, `Witness`, `Displacement_mm`. O(points).
+/// Writes all quantities at every point of the mesh as VTK's unstructured grid (.vtu):
+/// `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`, `Witness`, `Displacement_mm`.
+/// O(points).
 void writeStressSolid(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map);
 
-/// Comma-separated values, one row a witness: its place at rest and in the pose, and what is measured there,
-/// with nine digits. O(witnesses).
+/// Writes a table of comma-separated values, one row a witness: its place at rest and in the pose, and what
+/// is measured there, with nine digits. O(witnesses).
 void writeStressTable(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map);
 
@@ -29,15 +30,15 @@ inline constexpr int kPeakFrames = 100;
 /// Bars of a histogram that is written.
 inline constexpr int kHistogramBars = 100;
 
-/// Points by value, in bars of the same width over a range.
+/// A histogram of the points of a stress map, with bars of the same width over a range.
 struct StressHistogram {
   std::vector<double> edges; ///< One more than bars, ascending, in the quantity's unit.
   std::vector<int> points;   ///< In each bar; what is equal to the last edge is in the last bar.
   int missing = 0;           ///< Folded: they have no value.
 };
 
-/// The spread of the first `count` values from the smallest to the largest, in `bars` bars (at least 1).
-/// Without bars when there is no number among them. O(count).
+/// Makes the histogram of the first `count` values from the smallest to the largest, in `bars` bars (at least
+/// 1). Without bars when there is no number among them. O(count).
 StressHistogram histogramOf(const Values& values, Eigen::Index count, int bars);
 
 /// Comma-separated values: a row a bar with `from_<unit>`, `to_<unit>` (without unit `from`, `to`), `points`

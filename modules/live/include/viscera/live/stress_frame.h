@@ -16,16 +16,16 @@
 #include "viscera/document/ids.h"
 #include "viscera/sequences/sequence.h"
 
-/// The stress of one organ at an instant, and over time.
+/// The stress map of one organ at one instant, its course over time, and its peak over a cycle.
 namespace viscera::live {
 
-/// The stress of one instant, in one line.
+/// Summary statistics of a stress map at one instant.
 struct StressSample {
   double seconds = 0;
   deformation::StressStatistics statistics;
 };
 
-/// Stress over time, for a chart. For one thread.
+/// The course of stress over time, for a chart. For one thread.
 class StressRecord {
 public:
   /// Keeps the last `capacity` samples at least, twice as many at most; 0 keeps all.
@@ -41,7 +41,7 @@ private:
   std::vector<StressSample> samples_;
 };
 
-/// The worst that every point meets in one cycle of a sequence.
+/// The largest stress at every point over one cycle of a sequence.
 struct StressPeak {
   /// The largest rotational stress, the largest and the smallest stretch, and the volume ratio that is
   /// farthest from 1 (by its factor; one at most 0 before all others) over the cycle, each by itself.
@@ -56,8 +56,8 @@ StressPeak stressPeak(const deformation::WitnessGradients& gradients, Eigen::Ind
                       const sequences::Sequence& sequence, double ratePerMinute, int frames, Threads threads,
                       Progress& progress);
 
-/// The stress of one organ at one instant, for whoever draws it: by `LiveStress` for the document that is
-/// open, or evaluated by a recording. Whoever keeps a pointer keeps its memory; points and map follow the
+/// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
+/// open, or evaluated by a movie. Whoever keeps a pointer keeps its memory; points and map follow the
 /// pose in place, and `revision` is another number whenever they do.
 struct StressFrame {
   document::OrganId organ; ///< None: there is nothing to draw.
@@ -73,8 +73,8 @@ struct StressFrame {
   std::uint64_t revision = 0;
 };
 
-/// The stress of one organ in poses of its own, whatever becomes of the document: for a recording on a thread
-/// of its own. For one thread.
+/// A copy of an organ's stress computation with poses of its own, for recording a movie on another thread.
+/// For one thread.
 class StressCopy {
 public:
   /// Follows nothing: frames without an organ.

@@ -7,7 +7,7 @@
 
 namespace viscera::live {
 
-/// What a stress map shows.
+/// A quantity that a stress map can show, such as rotational stress or stretch.
 enum class StressQuantity {
   rotationalStress, ///< Degrees: the largest angle between a direction and its image under the stretch.
   volumeRatio,      ///< det M.
@@ -16,7 +16,7 @@ enum class StressQuantity {
   folded ///< 1 where det M <= 0, else 0.
 };
 
-/// A quantity as a user meets it.
+/// Name, unit and number of decimals of a quantity, for users.
 struct StressQuantityDescription {
   StressQuantity quantity = StressQuantity::rotationalStress;
   std::string id;     ///< "rotational-stress"; as in settings.
@@ -26,7 +26,7 @@ struct StressQuantityDescription {
   int decimals = 2;
 };
 
-/// All of them, in the order of a list.
+/// All quantities, in the order of a list.
 const std::vector<StressQuantityDescription>& stressQuantities();
 const StressQuantityDescription& describe(StressQuantity quantity);
 /// The quantity of that id, or the rotational stress.
@@ -36,7 +36,7 @@ StressQuantity stressQuantityFromId(const std::string& id);
 /// tissue is folded, except for the folded quantity itself: what is folded is never hidden in an angle. O(n).
 void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values);
 
-/// Numbers in one line: those that are none are counted apart.
+/// Summary statistics of a quantity; values that are not numbers are counted apart.
 struct QuantitySummary {
   double min = 0;
   double percentile5 = 0;
@@ -45,7 +45,7 @@ struct QuantitySummary {
   double max = 0;
   int missing = 0;
 };
-/// Of the first `count` values; zeros when there is no number among them. O(count).
+/// Summarises the first `count` values; zeros when there is no number among them. O(count).
 QuantitySummary summaryOf(const Values& values, Eigen::Index count);
 
 /// The quantity at one point, folded or not.

@@ -20,15 +20,15 @@ inline constexpr double kFarthestCompensation = 0.5;
 /// A volume this near to the one at rest (relative) is meant to be the one at rest: so it does not drift.
 inline constexpr double kSameVolume = 1e-9;
 
-/// A volume that an organ is to have, whatever its lock says.
+/// A volume that an organ is to have in a motion, whether or not its volume is locked.
 struct AskedVolume {
   document::OrganId organ;
   double mm3 = 0;
 };
 
-/// Begins motions of a document's handles under its locked volumes. The volume that a lock keeps is the one
-/// that the organ has when the motion begins. Organs that do not follow the handles (they are unbound) keep
-/// theirs anyway. For the thread of the organs.
+/// Creates the `LockedMotion` of a drag or a typed number, which keeps the document's locked volumes. The
+/// volume that a lock keeps is the one that the organ has when the motion begins. Organs that do not follow
+/// the handles (they are unbound) keep theirs anyway. For the thread of the organs.
 class VolumeKeeper {
 public:
   /// Both must live longer. `state` is the document's own, which is looked at whenever something is asked

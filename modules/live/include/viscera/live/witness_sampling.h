@@ -13,7 +13,7 @@
 
 namespace viscera::live {
 
-/// How an organ is filled with witness points.
+/// The options for filling an organ with witness points: their number, and limits of time and memory.
 struct WitnessOptions {
   static constexpr int kFewest = 200;
   static constexpr int kMost = 200'000;
@@ -26,14 +26,14 @@ struct WitnessOptions {
   Threads threads;
 };
 
-/// How witness points came about, best first.
+/// The method by which witness points were made, best first.
 enum class WitnessOrigin {
   surface,         ///< TetGen filled the surface as it is, or thinned out where it is finer than needed.
   repairedSurface, ///< TetGen filled a closed surface made from the organ's, which it had refused.
   grid,            ///< A regular grid inside the surface: TetGen could not be used.
 };
 
-/// An organ filled with witness points.
+/// The witness points of an organ, with their origin and remarks.
 struct WitnessSample {
   std::shared_ptr<const deformation::WitnessMesh> mesh; ///< Never null.
   WitnessOrigin origin = WitnessOrigin::surface;

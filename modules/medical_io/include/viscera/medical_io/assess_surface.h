@@ -12,13 +12,13 @@
 
 namespace viscera::medical_io {
 
-/// How grave a finding is: as it should be; worth knowing; to be looked at; will go wrong.
+/// The severity of a finding: as it should be; worth knowing; to be looked at; will go wrong.
 enum class Light { good, note, doubt, fault };
 
-/// What a finding is about. `arrangement` is how organs lie to each other.
+/// The subject of a finding, such as axes, size or holes. `arrangement` is how organs lie to each other.
 enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement };
 
-/// One thing found out about a surface that is to become an organ.
+/// A finding about a surface that is to become an organ: something doubtful or wrong, with possible repairs.
 struct Finding {
   Light light = Light::good;
   std::string text;                 ///< A sentence without capital and full stop, for a user.
@@ -28,14 +28,14 @@ struct Finding {
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-/// What is known of a surface besides its shape.
+/// The name of a surface, and what its file says about axes and unit.
 struct SurfaceOrigin {
   std::string name;                 ///< What it is said to be: "kidney_left".
   std::optional<Space> statedSpace; ///< The axes that its file states; none: LPS was assumed.
   bool unitStated = false;          ///< Its file states the unit, as label maps do: small means small.
 };
 
-/// All that was found out.
+/// The result of assessing a surface: all findings and its measures.
 struct SurfaceAssessment {
   geometry::SurfaceReport report;
   int selfIntersections = 0;
@@ -49,20 +49,20 @@ struct SurfaceAssessment {
   bool questionable() const { return worst() >= Light::doubt; }
 };
 
-/// Looks at everything that goes wrong with patients' surfaces: axes and the side of the body, unit and size
-/// for the organ named, holes, edges that join more than two triangles, triangles that face inward, pieces,
-/// intersections with itself. Changes nothing. Expects valid indices. Throws `Cancelled`. O(m log m), about a
-/// second for a million triangles.
+/// Checks a surface for everything that goes wrong with patients' surfaces: axes and the side of the body,
+/// unit and size for the organ named, holes, edges that join more than two triangles, triangles that face
+/// inward, pieces, intersections with itself. Changes nothing. Expects valid indices. Throws `Cancelled`. O(m
+/// log m), about a second for a million triangles.
 SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const SurfaceOrigin& origin,
                                 Progress& progress, Threads threads = {});
 
-/// Where an organ is, to be judged together with the others.
+/// The name and place of an organ, for judging its arrangement with others.
 struct PlacedOrgan {
   std::string name;
   Bounds bounds;
 };
 
-/// Whether organs known by name lie to each other as in a body: the liver to the right of the spleen, the
+/// Checks whether organs known by name are arranged as in a body: the liver to the right of the spleen, the
 /// kidneys behind the liver, the heart above it. Nothing when they do, or when too few are known; else one
 /// finding with the repair that puts all of them right (`ras-to-lps`, `mirror`).
 std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs);

@@ -4,25 +4,25 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 
-/// Images that bend along with a pose of the handles.
+/// Deforms scans and label maps by a pose of the handles.
 namespace viscera::medical_io {
 
-/// How far a bent image may show a voxel's tissue off its place: this part of the smallest spacing.
+/// The accuracy of deformed images, in voxels: this part of the smallest spacing.
 inline constexpr double kBendAccuracy = 0.05;
 
 /// What an `InverseMap` is made with for `kBendAccuracy` in an image with that spacing, mm.
 deformation::InverseMapOptions bendOptions(const Vec3& spacing);
 
-/// The inverse of a pose, and the coordinates that say it exactly.
+/// The inverse of a deformation, on a grid and exactly by coordinates.
 struct Bend {
   const deformation::InverseMap& map; ///< Made with `bendOptions`.
   const coordinates::CoordinateSystem& system;
 };
 
-/// What became of an image's voxels.
+/// Numbers of the moved and the folded voxels of a deformed image, and its largest error.
 struct BendReport {
-  std::size_t moved = 0;     ///< Voxels whose place at rest is another one.
-  std::size_t folded = 0;    ///< Voxels at which the pose folds the tissue, so that their value is a guess.
+  std::size_t moved = 0;  ///< Voxels whose place at rest is another one.
+  std::size_t folded = 0; ///< Voxels at which the pose folds the tissue, so that their value is an estimate.
   double largestErrorMm = 0; ///< Of some thousand of the moved ones: `InverseMap::residualMm`.
 };
 

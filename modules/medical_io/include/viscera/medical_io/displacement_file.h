@@ -7,7 +7,7 @@
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// How tissue has moved, for other programs.
+/// Writes displacements of tissue for other programs.
 namespace viscera::medical_io {
 
 /// Writes a surface at rest with the vector "displacement" (mm, LPS, where each vertex went) as VTP, for

@@ -5,7 +5,7 @@
 
 namespace viscera::medical_io {
 
-/// What a file holds, as far as Viscera is concerned.
+/// The kind of a file: surface, handles, session and others.
 enum class FileKind { unknown, surface, handles, sequence, session, labelMap, scan };
 
 /// Tells by the first bytes of the file, and by its ending where they leave a doubt: sequences

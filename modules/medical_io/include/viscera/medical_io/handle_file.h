@@ -9,7 +9,7 @@
 
 namespace viscera::medical_io {
 
-/// One handle of a file.
+/// A handle as it is in a file of handles.
 struct HandleRecord {
   std::string label;            ///< "H-1"; after reading no two different handles have the same.
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
@@ -20,14 +20,14 @@ struct HandleRecord {
   friend bool operator==(const HandleRecord&, const HandleRecord&) = default;
 };
 
-/// One markup list: a group of handles with one colour.
+/// A markup list of a handle file: a group of handles with one colour.
 struct HandleGroupRecord {
   std::string name;
   Vec3 color = {1.0, 0.5, 0.2}; ///< Red green blue, 0 to 1.
   std::vector<HandleRecord> handles;
 };
 
-/// A rig of handles as 3D Slicer keeps it: one markup list a group.
+/// The contents of a handle file of 3D Slicer: one markup list for each group of handles.
 struct HandleFile {
   std::vector<HandleGroupRecord> groups;
   std::vector<std::string> warnings; ///< What was mended or left out, one sentence each.

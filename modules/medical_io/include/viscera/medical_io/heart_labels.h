@@ -7,10 +7,10 @@
 
 #include "viscera/medical_io/label_map.h"
 
-/// A heart that was labelled part by part is one organ with cavities.
+/// Combines the labels of a heart that was segmented in parts into one organ with cavities.
 namespace viscera::medical_io {
 
-/// Which labels of a map are the parts of a heart.
+/// The labels of a map that are the parts of a heart.
 struct HeartLabels {
   /// A chamber's cavity.
   struct Cavity {

@@ -12,7 +12,7 @@
 /// Label maps: images whose voxels say which organ they belong to.
 namespace viscera::medical_io {
 
-/// One organ of a label map.
+/// A segment of a label map: the label, name and colour of one organ.
 struct Segment {
   std::int64_t label = 0;        ///< The value that its voxels have in the file; never 0.
   int layer = 0;                 ///< The layer of the map that it is in.

@@ -9,10 +9,10 @@
 #include "viscera/core/progress.h"
 #include "viscera/medical_io/label_map.h"
 
-/// Label maps over time.
+/// Reads label maps over time, as a series of phases.
 namespace viscera::medical_io {
 
-/// What a series says of its time.
+/// The times of the phases of a series, as far as its files say them.
 struct SeriesTimes {
   std::vector<double> seconds; ///< One a phase, from 0 on; empty: it does not say.
   /// Of one cycle: as many steps as there are phases; none: it does not say.
@@ -31,7 +31,7 @@ std::size_t volumesIn(const std::filesystem::path& file);
 SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
                             const std::function<void(std::size_t phase, LabelMap&& map)>& visit);
 
-/// What a DICOM file says of when in the heart's cycle it was made.
+/// The time in the heart's cycle that a DICOM file was made at.
 struct DicomPhase {
   std::optional<double> triggerMs;         ///< After the R wave (0018,1060), else (0020,9153).
   std::optional<double> nominalIntervalMs; ///< From one R wave to the next (0018,1062).

@@ -9,10 +9,10 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/label_map.h"
 
-/// Label maps into organ surfaces.
+/// Converts label maps to organ surfaces.
 namespace viscera::medical_io {
 
-/// How labels become surfaces.
+/// The options of the conversion: which labels, smoothing and number of triangles.
 struct LabelSurfaceOptions {
   std::vector<std::size_t> segments; ///< Indices into `LabelMap::segments`, each once; empty: all.
   int triangles = 20'000;            ///< About as many as a surface may have at most; 0: all there are.
@@ -20,7 +20,7 @@ struct LabelSurfaceOptions {
   bool largestPieceOnly = false;     ///< Drops the voxels that do not touch the largest piece by a face.
 };
 
-/// The surface of one label.
+/// The surface of one label, with its volume and remarks.
 struct LabelSurface {
   std::size_t segment = 0;           ///< Index into `LabelMap::segments`: its name and colour.
   geometry::TriangleMesh mesh;       ///< mm LPS; closed, manifold, outward.

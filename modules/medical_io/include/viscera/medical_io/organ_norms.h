@@ -7,21 +7,22 @@
 
 #include "viscera/core/arrays.h"
 
-/// What an adult's organ is like, to question a surface that is unlike it.
+/// Usual volume and place of adult organs, by which doubtful surfaces are found.
 namespace viscera::medical_io {
 
-/// On which side of the middle an organ lies.
+/// The side of the body on which an organ lies.
 enum class BodySide { right, middle, left };
 
-/// What is known of an organ by its name. A heart is the whole organ with its blood, a myocardium its muscle.
+/// The usual volume and side of an organ, found by its name. A heart is the whole organ with its blood, a
+/// myocardium its muscle.
 struct OrganNorm {
   std::string_view name;   ///< "kidney"
   std::string_view volume; ///< Its row in the table of `norms`; empty where fillings differ too much.
   BodySide side = BodySide::middle;
 };
 
-/// The norm of the organ that a name speaks of: "Kidney_left 2" is a left kidney, "liver tumour" nothing
-/// that is known.
+/// Finds the norm of an organ by its name: "Kidney_left 2" is a left kidney, "liver tumour" nothing that is
+/// known.
 std::optional<OrganNorm> organNorm(std::string_view name);
 
 /// "liver" of 239 ml: as a sentence, when its volume is less than half or more than twice what 19 of 20

@@ -21,7 +21,7 @@ struct ValueWindow {
   double width = 400; ///< From black to white; positive.
 };
 
-/// What is odd in a scan's files, and where.
+/// Something doubtful in the files of a scan, and where.
 struct ScanFinding {
   enum class Kind { missingSlice, doubledSlice, unevenSpacing, tilt, order, mixedSizes, damaged, other };
   Kind kind = Kind::other;
@@ -80,7 +80,7 @@ struct Scan {
   ValueWindow firstWindow() const;
 };
 
-/// One of several series (or phases, or echoes) that lie in one place, for somebody to choose from.
+/// One of several series (or phases, or echoes) in a folder, for the user to choose from.
 struct ScanSeries {
   std::string id;                                           ///< What `ScanOptions::series` takes.
   std::string description;                                  ///< "Abdomen 5.0 B30f".
@@ -92,7 +92,7 @@ struct ScanSeries {
   std::vector<std::filesystem::path> files;
 };
 
-/// Which series and which phase to read; the largest and the first when nothing is asked.
+/// The series and the phase to read; by default the largest series and its first phase.
 struct ScanOptions {
   std::string series;
   int phase = 0;

@@ -9,11 +9,11 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/space.h"
 
-/// Files in and out. Everything inside Viscera is LPS millimetres; what a file says otherwise is converted
-/// here.
+/// Reads and writes surface files. Everything inside Viscera is LPS millimetres; what a file says otherwise
+/// is converted here.
 namespace viscera::medical_io {
 
-/// A surface as it came from a file.
+/// A surface that was read from a file, with its axes and warnings.
 struct SurfaceFile {
   geometry::TriangleMesh mesh;       ///< LPS mm, triangles only, equal points merged.
   std::string name;                  ///< From the file's contents or its name.
@@ -41,9 +41,10 @@ struct SurfacePart {
   int cavityOf = -1;         ///< The part whose cavity this is; -1: an organ of its own.
 };
 
-/// The organs of a file apart: those of a GLB that `writeSurfaces` has written, in its order, with names,
-/// colours and cavities; of any other file the one surface that `readSurface` gives, for nobody can know what
-/// the meshes of another program's scene are. Throws what `readSurface` throws. O(n + m log m).
+/// Reads all organs of a file that holds several: those of a GLB that `writeSurfaces` has written, in its
+/// order, with names, colours and cavities; of any other file the one surface that `readSurface` gives, for
+/// nobody can know what the meshes of another program's scene are. Throws what `readSurface` throws. O(n + m
+/// log m).
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file);
 
 /// Options of `writeSurface`.

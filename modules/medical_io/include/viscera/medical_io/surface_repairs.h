@@ -11,7 +11,7 @@
 
 namespace viscera::medical_io {
 
-/// One thing that can be done to a surface that came in badly. Nothing is repaired unasked.
+/// A repair of a defective surface that the user can choose. Nothing is repaired unasked.
 struct SurfaceRepair {
   std::string id;   ///< As in `viscera convert`: "fill-holes", "unit-m".
   std::string does; ///< What it does, as a sentence: "fills every hole with a cap".
@@ -20,14 +20,14 @@ struct SurfaceRepair {
   std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
 };
 
-/// All there are: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
+/// All repairs: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
 /// `unit-ID` for every unit of `lengthUnits` but mm.
 const std::vector<SurfaceRepair>& surfaceRepairs();
 
 /// The one of that id. Throws `UsageError` that names those there are.
 const SurfaceRepair& surfaceRepair(std::string_view id);
 
-/// How a surface is made anew.
+/// The options of `repairSurface`: fineness and number of triangles.
 struct RepairOptions {
   int cells = 100;        ///< Grid cells along the longest side; details smaller than one are lost.
   int triangles = 10'000; ///< About as many as the result is to have.

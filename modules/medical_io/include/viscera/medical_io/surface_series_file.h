@@ -9,7 +9,7 @@
 
 namespace viscera::medical_io {
 
-/// One surface in several phases, as files have it: points keep their numbers.
+/// A surface in several phases, as read from its files, and whether its points correspond by their numbers.
 struct SurfaceSeriesFile {
   /// `n x 3` mm LPS, one a file; with the points that no triangle uses.
   std::vector<Points> phases;

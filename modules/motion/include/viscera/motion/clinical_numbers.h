@@ -6,10 +6,10 @@
 
 #include "viscera/norms/norms.h"
 
-/// What a clinician reads off volumes, and what healthy people have.
+/// Clinical numbers computed from volumes, such as ejection fraction, and their normal ranges.
 namespace viscera::motion {
 
-/// What a clinician reads off the volume curve of a ventricle.
+/// End-diastolic and end-systolic volume, stroke volume, ejection fraction and output of a ventricle.
 struct CardiacIndices {
   double endDiastolicMl = 0;          ///< EDV: the largest volume of the cycle.
   double endSystolicMl = 0;           ///< ESV: the smallest.
@@ -18,11 +18,11 @@ struct CardiacIndices {
   double cardiacOutputLPerMinute = 0; ///< CO = SV x rate.
 };
 
-/// Computes them from the volumes of at least one whole cycle. Throws `DataError` for no samples, volumes
-/// that are not positive and finite, and `UsageError` for a rate that is not positive. O(samples).
+/// Computes these numbers from the volumes of at least one whole cycle. Throws `DataError` for no samples,
+/// volumes that are not positive and finite, and `UsageError` for a rate that is not positive. O(samples).
 CardiacIndices cardiacIndices(const std::vector<double>& volumesMl, double ratePerMinute);
 
-/// What healthy people have, to be drawn behind a curve or written beside a number.
+/// A normal range with its name and source, to be drawn behind a curve or written beside a number.
 struct NormalRange {
   /// What is measured.
   enum class Quantity {
@@ -48,8 +48,8 @@ std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Per
 /// The chambers of the heart.
 enum class Chamber { leftVentricle, rightVentricle, leftAtrium, rightAtrium };
 
-/// Which chamber's cavity an organ is, by its name: "LV", "patient1_RV_ENDOCARDIAL", "left atrium of heart".
-/// None for anything else, walls and muscle too.
+/// Finds by the name of an organ which chamber's cavity it is: "LV", "patient1_RV_ENDOCARDIAL", "left atrium
+/// of heart". None for anything else, walls and muscle too.
 std::optional<Chamber> heartChamber(const std::string& organ);
 
 } // namespace viscera::motion

@@ -10,8 +10,8 @@
 
 namespace viscera::motion {
 
-/// The volumes of a document's organs over one whole cycle of a sequence, each instant computed: no frame has
-/// to be played for a curve, an extreme or an ejection fraction.
+/// The volumes of organs over one whole cycle of a sequence, computed without playing it: no frame has to be
+/// played for a curve, an extreme or an ejection fraction.
 ///
 ///     live::PosedCopy organs = live.copy();
 ///     MotionRunner runner(state, organs);

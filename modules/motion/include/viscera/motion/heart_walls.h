@@ -7,8 +7,8 @@
 
 namespace viscera::motion {
 
-/// The walls of the sample heart that a runner moves, measured on its organs where they are: left and right
-/// cavity ("lv", "rv") and the surface around them. For the runner's thread.
+/// Measures how the walls of the sample heart move in a sequence, on the surfaces of left and right cavity
+/// ("lv", "rv") and the surface around them. For the runner's thread.
 class HeartWalls {
 public:
   /// Looks for them; `runner` must live longer.

@@ -9,15 +9,15 @@
 
 namespace viscera::motion {
 
-/// What a session keeps of a motion that was found in a series: measured volumes and how well every phase
-/// fits. What was measured itself (voxels, surfaces) and the sequence, which the document has, are not in it.
+/// The numbers of a tracked motion that a session keeps: measured volumes and how well every phase fits. What
+/// was measured itself (voxels, surfaces) and the sequence, which the document has, are not in it.
 struct MeasuredRecord {
   std::vector<document::OrganId> organs; ///< That are moved, one a surface.
   MotionSeries series;                   ///< Names, times and volumes only.
   PatientMotion motion;                  ///< Without its sequence.
 };
 
-/// As JSON text (docs/session_format.md, "measured"). O(phases x surfaces).
+/// Writes the record as JSON text (docs/session_format.md, "measured"). O(phases x surfaces).
 std::string toJson(const MeasuredRecord& record);
 
 /// Reads what `toJson` wrote; verdicts, ejection fractions and tissue are computed again. Throws `DataError`

@@ -10,12 +10,12 @@
 #include "viscera/sample_organs/sample_organ.h"
 #include "viscera/sequences/sequence.h"
 
-/// How a motion was made, as JSON, so that a session can make it again.
+/// Recipes of motions: JSON texts from which a session makes a motion again.
 namespace viscera::motion {
 
-/// A sequence that the program ships, on its sample organ.
+/// The recipe of a shipped sequence on its sample organ.
 std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution resolution);
-/// The same on another organ, with the landmarks that somebody gave.
+/// The recipe of a shipped sequence fitted to another organ, with the landmarks that the user gave.
 std::string fittedRecipe(const std::string& sequence, const Landmarks& given);
 
 /// The resolution of the sample heart that the recipe lets beat; nothing for a recipe of anything else.

@@ -21,7 +21,7 @@ struct PrescribedVolume {
   sequences::Curve milliliters; ///< Over the fraction of the cycle, with period 1.
 };
 
-/// Shows organs as they are at an instant of a sequence, and measures them: what the window, a recording and
+/// Poses organs as they are at an instant of a sequence, and measures them: what the window, a movie and
 /// `viscera play` do for a frame. Locked volumes stay, and a prescribed one is met, each exactly: the
 /// compensating handles move by the least that this takes (`VolumeKeeper`). For the thread of the organs; it
 /// changes no document.

@@ -13,16 +13,16 @@
 #include "viscera/tracking/phase_times.h"
 #include "viscera/tracking/surface_series.h"
 
-/// A patient's organ over time, out of files.
+/// Reads a patient's organ over time from a series of files.
 namespace viscera::motion {
 
-/// Which labels make a surface: the epicardium of a heart is muscle and both cavities together.
+/// The labels whose union makes one surface: the epicardium of a heart is muscle and both cavities together.
 struct LabelledSurface {
   std::string name;                ///< "LV"
   std::vector<std::string> labels; ///< Names or values; all of a map when empty.
 };
 
-/// What a series is made of.
+/// The files of a series, and the surfaces to make from them.
 struct SeriesRequest {
   /// Surfaces or label maps, one a phase; or one folder of them; or one file of several volumes. Several
   /// surfaces a phase are told by their files' names without the last number.
@@ -36,7 +36,7 @@ struct SeriesRequest {
   bool loop = true;                    ///< Whether the last phase leads back to the first.
 };
 
-/// One organ in all phases. Volumes and grids are checked.
+/// The surfaces of one organ in all phases of a series. Volumes and grids are checked.
 struct MotionSeries {
   std::vector<std::string> names; ///< Of the surfaces, the outer one first.
   std::size_t outer = 0;          ///< The one that holds the others.

@@ -17,10 +17,11 @@
 #include "viscera/tracking/motion_rig.h"
 #include "viscera/tracking/surface_distance.h"
 
-/// A patient's own motion: handles and their poses in time that bring one organ through its series.
+/// Finds a patient's own motion from a series: handles and their poses in time that bring one organ through
+/// its series.
 namespace viscera::motion {
 
-/// How a motion is looked for. docs/patient_motion.md says where the standards come from.
+/// The options of tracking a motion. docs/patient_motion.md says where the standards come from.
 struct TrackOptions {
   tracking::RigOptions rig;
   std::optional<medical_io::HandleFile> handles; ///< A given rig in the place of one that is made.
@@ -31,14 +32,14 @@ struct TrackOptions {
   int witnesses = 3000; ///< In the tissue, where folds are looked for.
 };
 
-/// One phase of a motion.
+/// One phase of a tracked motion: its time and how well it fits.
 struct TrackedPhase {
   double seconds = 0;
   tracking::PhaseQuality quality;
   tracking::FitVerdict verdict;
 };
 
-/// What was found.
+/// A tracked motion: handles, poses, and the quality of the fit.
 struct PatientMotion {
   /// A key for every phase, the handles in groups by surface, the coordinates, and the organ's surfaces at
   /// rest: by itself enough to play it. Its volumes at the keys are the measured ones.
@@ -78,8 +79,8 @@ struct MeasuredPhase {
   Values apartMm(std::size_t surface, const Points& vertices) const;
 };
 
-/// Makes it. Of label maps the surface around the voxels and their distances, some tenths of a second; else
-/// O(vertices). Throws `Cancelled`.
+/// Makes the measured surfaces of one phase of a series. Of label maps the surface around the voxels and
+/// their distances, some tenths of a second; else O(vertices). Throws `Cancelled`.
 MeasuredPhase measuredPhase(const MotionSeries& series, std::size_t phase, Progress& progress,
                             Threads threads = {});
 

@@ -9,9 +9,10 @@
 
 namespace viscera::motion {
 
-/// One view of a transport: which sequence moves its organs, at which rate, and where in the cycle they are.
-/// It shows poses without touching the document, so playing leaves no undo steps. The position is kept in
-/// cycles: another rate goes on from the same place of the cycle. For the document's thread.
+/// Plays a sequence in one view of a `Transport`: it knows which sequence moves its organs, at which rate,
+/// and where in the cycle they are. It shows poses without touching the document, so playing leaves no undo
+/// steps. The position is kept in cycles: another rate goes on from the same place of the cycle. For the
+/// document's thread.
 class Player {
 public:
   /// Joins the views of `transport`, as the one that leads when it is the first. All must live longer;

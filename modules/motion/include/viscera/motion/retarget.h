@@ -12,11 +12,10 @@
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/sequences/sequence.h"
 
-/// The sequences that the program ships, on organs that it does not ship: a patient's heart, stomach or
-/// liver.
+/// Fits the shipped sequences to a patient's heart, stomach or liver.
 namespace viscera::motion {
 
-/// A place on an organ that a sequence has to know.
+/// A landmark: a named place of an organ by which a sequence is fitted to it.
 struct Landmark {
   std::string role;             ///< As in `landmarkRoles`: "apex".
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
@@ -33,7 +32,7 @@ struct Landmarks {
   std::vector<Vec3> all(const std::string& role) const;
 };
 
-/// What a sequence can be told of an organ.
+/// A kind of landmark that a sequence can use, with its name and hint for the user.
 struct LandmarkRole {
   std::string role; ///< "apex"; as labels in files, where numbers behind it do not count ("centreline-2").
   std::string name; ///< "Apex", for a button.
@@ -55,7 +54,7 @@ Landmarks landmarksFrom(const medical_io::HandleFile& file, const std::string& s
 /// The landmarks as a handle file, which `landmarksFrom` reads back.
 medical_io::HandleFile landmarkFile(const Landmarks& landmarks, const std::string& name);
 
-/// Those that are given, checked, and all others that the sequence needs, found by the shape of the organ.
+/// Checks the given landmarks and finds all others that the sequence needs by the shape of the organ.
 /// heartbeat needs apex and base both or none, `right` may be given alone with them; peristalsis needs fundus
 /// and pylorus both or none. Throws `DataError` that says what to do for an organ that is open, inside out,
 /// in pieces; for landmarks too few, far outside the organ, at one place or on one line. Some 100 ms at
@@ -63,7 +62,7 @@ medical_io::HandleFile landmarkFile(const Landmarks& landmarks, const std::strin
 Landmarks completeLandmarks(const std::string& sequence, const document::Organ& organ, const Landmarks& given,
                             Progress& progress);
 
-/// A sequence made for an organ.
+/// A sequence that was fitted to an organ, with its handles and landmarks.
 struct RetargetedSequence {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
   document::NewRig rig;              ///< Its rest handles, in its order, with labels and groups.
@@ -84,8 +83,8 @@ struct RetargetedSequence {
 RetargetedSequence retargetSequence(const std::string& id, const document::Organ& organ,
                                     const Landmarks& given, Progress& progress, Threads threads = {});
 
-/// Takes its rig in place of the one there is and its coordinates: one undo step. The organ is in the
-/// document already.
+/// The command that puts the handles and coordinates of a fitted sequence into the document: one undo step.
+/// The organ is in the document already.
 document::Command useRetargeted(const RetargetedSequence& retargeted);
 
 } // namespace viscera::motion

@@ -10,7 +10,7 @@
 #include "viscera/document/key_sequence.h"
 #include "viscera/document/rig_commands.h"
 
-/// Recorded sequences as `.sequence.json` files (docs/file_formats.md).
+/// Reads and writes key sequences as `.sequence.json` files (docs/file_formats.md).
 namespace viscera::motion {
 
 /// A surface that a sequence was made for, at rest.
@@ -19,7 +19,7 @@ struct SequenceOrgan {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< mm LPS; never null.
 };
 
-/// What a sequence file holds: by itself enough to play it.
+/// The contents of a sequence file: everything that is needed to play it.
 struct SequenceFile {
   sequences::KeyframedSequence::Track track;    ///< Handles at rest in the order of `labels`; groups; keys.
   std::vector<std::string> labels;              ///< One a handle, unique.
@@ -39,17 +39,18 @@ SequenceFile readSequence(const std::filesystem::path& file);
 /// What `writeSequence` writes: every number with the digits that bring back its bits.
 std::string textOf(const SequenceFile& sequence);
 
-/// Writes one; reading it back gives the same bits. Atomic. Throws `CannotCreateError`.
+/// Writes a sequence file; reading it back gives the same bits. Atomic. Throws `CannotCreateError`.
 void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence);
 
-/// The document's recording as a file has it. Throws `UsageError` when nothing is recorded.
+/// The key sequence of a document as contents of a sequence file. Throws `UsageError` when nothing is
+/// recorded.
 SequenceFile sequenceFile(const document::DocumentState& state);
 
 /// The rig of a sequence file, in its order.
 document::NewRig rigOf(const SequenceFile& sequence);
 
 /// Takes a sequence file into the document in one undo step: when the rig has all its handles by label (at
-/// their rest places to 1e-6 of the size), only the recording; else the file's handles and, when it says
+/// their rest places to 1e-6 of the size), only the key sequence; else the file's handles and, when it says
 /// which, its coordinates too.
 document::Command openSequence(SequenceFile sequence);
 

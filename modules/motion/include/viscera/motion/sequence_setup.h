@@ -12,7 +12,7 @@
 
 namespace viscera::motion {
 
-/// A sequence with all that it moves: what the window shows and the command line plays.
+/// A sequence with its sample organ, handles and coordinates, ready to be played.
 struct SequenceSetup {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
   sample_organs::SampleOrgan organ;                    ///< On whose surfaces it was calibrated.
@@ -20,21 +20,21 @@ struct SequenceSetup {
   document::SystemChoice system; ///< The coordinates and parameters with which it was calibrated.
 };
 
-/// A sequence that the program ships.
+/// Id, name and sample organ of a sequence that the program ships.
 struct SampleSequence {
   std::string id;    ///< As on the command line: "heartbeat".
   std::string name;  ///< As in the window: "Heartbeat".
   std::string organ; ///< The sample organ that it moves: "heart".
 };
 
-/// The sequences there are, in the order in which a list shows them.
+/// All shipped sequences, in the order in which a list shows them.
 const std::vector<SampleSequence>& sampleSequences();
 
 /// Whether an organ is of the kind that a sequence moves.
 enum class Suits { yes, unknown, no };
 
-/// Judged by the organ's name alone: "liver_2" breathes, "spleen" has no heartbeat, and of "mesh 1" nothing
-/// is known.
+/// Judges by its name whether an organ suits a sequence: "liver_2" breathes, "spleen" has no heartbeat, and
+/// of "mesh 1" nothing is known.
 Suits suits(const SampleSequence& sequence, const std::string& organName);
 
 /// Makes the sample organ of a sequence, its handles and the sequence itself, calibrated on that organ at

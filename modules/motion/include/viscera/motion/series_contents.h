@@ -11,21 +11,21 @@
 
 namespace viscera::motion {
 
-/// What a label, or a surface of its own, is to a motion.
+/// The role of a label or surface in a motion: cavity, tissue or unused.
 enum class SeriesPart {
   cavity, ///< A surface that is within the others.
   tissue, ///< A part of the outer surface; of files of surfaces: used as it is.
   unused
 };
 
-/// One label of a map, or one name of surface files.
+/// A label or surface of a series, with its role.
 struct SeriesItem {
   std::string name;                     ///< "LV", "heart_myocardium"
   std::string label;                    ///< How a request names it: the label's value; empty for surfaces.
   SeriesPart part = SeriesPart::unused; ///< What it seems to be, by its name or its box.
 };
 
-/// What there is in a series, before anything of it is chosen.
+/// The labels or surfaces that a series holds, before the user chooses among them.
 struct SeriesContents {
   bool labels = false;    ///< Label maps, else surfaces.
   std::size_t phases = 0; ///< That there are files or volumes of.
@@ -34,10 +34,10 @@ struct SeriesContents {
   std::string doubt;                   ///< What had to be assumed of their times, a sentence; or empty.
 };
 
-/// Looks what the files of a series hold: names of surfaces, or labels of the first phase, with a proposal
-/// what is a cavity and what is tissue. Labels of a heart go by their names; else the label with the largest
-/// box is tissue, the others are cavities. Reads the first label map, or the whole of a file of several.
-/// Throws what `readMotionSeries` throws of files, `Cancelled`.
+/// Reads which labels or surfaces the files of a series hold: names of surfaces, or labels of the first
+/// phase, with a proposal what is a cavity and what is tissue. Labels of a heart go by their names; else the
+/// label with the largest box is tissue, the others are cavities. Reads the first label map, or the whole of
+/// a file of several. Throws what `readMotionSeries` throws of files, `Cancelled`.
 SeriesContents lookIntoSeries(const std::vector<std::filesystem::path>& inputs, Progress& progress);
 
 /// The surfaces of a request as the items say: a cavity each; of label maps with tissue, or with several

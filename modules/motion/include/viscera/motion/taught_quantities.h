@@ -10,7 +10,7 @@
 
 namespace viscera::motion {
 
-/// A number that the program teaches, and what it belongs to in the table of normal ranges.
+/// A number that the program shows in teaching, with its row in the table of normal ranges.
 struct TaughtQuantity {
   const norms::Norm* norm = nullptr; ///< Never null.
   std::string where;                 ///< "heartbeat, 75 a minute"

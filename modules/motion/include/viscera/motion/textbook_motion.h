@@ -11,7 +11,7 @@
 
 namespace viscera::motion {
 
-/// The textbook's beat that a heart with cavities is to have.
+/// Ejection fraction, rate and number of phases of the textbook's beat for a heart with cavities.
 struct TextbookBeat {
   double ejectionFraction = 0.58; ///< Of the left ventricle: the mean of healthy men (docs/sequences.md).
   double ratePerMinute = 75;
@@ -30,8 +30,8 @@ struct TextbookBeat {
 MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat, Progress& progress,
                             Threads threads = {});
 
-/// The heart that an organ is, or is a chamber of: the organ around a chamber, else the organ itself. None
-/// where no ventricle is among its closed cavities.
+/// Finds the heart to which an organ belongs as the heart itself or one of its chambers: the organ around a
+/// chamber, else the organ itself. None where no ventricle is among its closed cavities.
 std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
                                                          const document::Organ& organ);
 

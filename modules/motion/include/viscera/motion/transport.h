@@ -9,17 +9,17 @@ namespace viscera::motion {
 
 class Player;
 
-/// Which pose the views are to show.
+/// The pose that the views show: that of the document, the rest pose, or that of the sequence.
 enum class WantedPose {
   document, ///< The document's own.
   rest,     ///< The handles at rest.
   sequence, ///< The sequence's once it was started, else the document's.
 };
 
-/// The time of motions, for any number of views (`Player`), each with its own document, sequence and rate:
-/// all are at the same seconds. The first view leads: its cycle is the one that is sought, and ends where it
-/// does not loop. Whatever this is told, the views show it before the call returns; a position is never moved
-/// without the pose. For one thread.
+/// Keeps the time of playing sequences, for any number of views (`Player`), each with its own document,
+/// sequence and rate: all are at the same seconds. The first view leads: its cycle is the one that is sought,
+/// and ends where it does not loop. Whatever this is told, the views show it before the call returns; a
+/// position is never moved without the pose. For one thread.
 class Transport {
 public:
   /// A clock in seconds that never goes back.

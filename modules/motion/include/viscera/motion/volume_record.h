@@ -7,7 +7,8 @@
 
 namespace viscera::motion {
 
-/// Volumes over time, for the chart and for tables: one row an instant, one column a surface. For one thread.
+/// A table of volumes over time, for charts and files: one row an instant, one column a surface. For one
+/// thread.
 class VolumeRecord {
 public:
   /// Keeps the last `capacity` rows at least, twice as many at most; 0 keeps all.

@@ -5,18 +5,18 @@
 #include <string_view>
 #include <vector>
 
-/// What healthy adults have: the one table that charts, the check of imported organs, the circulation,
+/// The table of normal ranges of healthy adults that charts, the check of imported organs, the circulation,
 /// reports and lessons take their normal ranges from, each row with its source.
 namespace viscera::norms {
 
-/// Whose ranges are asked for.
+/// The sex for which a normal range is wanted.
 enum class Sex {
   either, ///< From the lower bound of one sex to the upper bound of the other.
   women,
   men,
 };
 
-/// The person that a number is compared with.
+/// The person with whose normal ranges a number is compared: sex and body surface.
 struct Person {
   Sex sex = Sex::either;
   double bodySurfaceM2 = 0; ///< m2; 0: not known, ranges are those of people of any size.
@@ -34,7 +34,7 @@ struct Measured {
   double deviation = 0;
 };
 
-/// From where to where; infinite where there is no bound.
+/// A range of values; infinite where there is no bound.
 struct Range {
   double low = 0;
   double high = 0;
@@ -42,14 +42,14 @@ struct Range {
   bool holds(double value) const { return value >= low && value <= high; }
 };
 
-/// What the bounds of a row are.
+/// The statistical meaning of the bounds of a row.
 enum class Kind {
   spread,   ///< Mean minus to mean plus two standard deviations: 19 of 20 healthy people lie within.
   limits,   ///< As the source draws them: a guideline, or what is customary.
   averages, ///< From the mean of women to that of men: people differ by more than that.
 };
 
-/// One row of the table.
+/// One row of the table: a number with its normal range and source.
 struct Norm {
   std::string id;       ///< "lv.edv"
   std::string subject;  ///< "Left ventricle"
@@ -77,7 +77,7 @@ const std::vector<Norm>& table();
 /// The row of that id. Throws `UsageError` when there is none.
 const Norm& norm(std::string_view id);
 
-/// What is normal for that person. What the row does not know of, it leaves aside.
+/// Computes the normal range for a person. What the row does not know of, it leaves aside.
 Range rangeOf(const Norm& norm, const Person& person = {});
 
 /// How `rangeOf` comes about: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".

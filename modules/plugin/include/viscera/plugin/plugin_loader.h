@@ -8,7 +8,8 @@
 
 namespace viscera::plugin {
 
-/// What a plugin says of itself; read from the file without running any of its code.
+/// The description of a plugin: id, name, version and summary; read from the file without running any of its
+/// code.
 struct PluginManifest {
   std::string id;
   std::string name;
@@ -16,7 +17,7 @@ struct PluginManifest {
   std::string summary;
 };
 
-/// What became of one file.
+/// Whether a file was loaded as a plugin, and if not, why.
 struct PluginReport {
   std::filesystem::path file;
   PluginManifest manifest;          ///< Empty when it has none.

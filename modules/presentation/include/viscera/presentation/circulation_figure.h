@@ -10,7 +10,7 @@
 
 namespace viscera::presentation {
 
-/// A circulation that is to be drawn.
+/// The solved circulation that a figure draws.
 struct ShownCirculation {
   std::string name; ///< "Aortic stenosis"
   circulation::Parameters parameters;
@@ -28,22 +28,22 @@ std::vector<scene::CurvePanel> wiggersPanels(const ShownCirculation& shown, doub
 std::vector<scene::CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCirculation* before,
                                           double left);
 
-/// Both for a low and wide window of that many pixels, as under a view: the strips of Wiggers's diagram, then
-/// the loops of the left and of the right ventricle, the last two panels. Without titles and legends:
-/// `circulationLegend` says what is drawn in which colour.
+/// The panels of both figures, arranged for a low and wide window of that many pixels, as under a view: the
+/// strips of Wiggers's diagram, then the loops of the left and of the right ventricle, the last two panels.
+/// Without titles and legends: `circulationLegend` says what is drawn in which colour.
 std::vector<scene::CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
                                                 int width, int height);
 
-/// What a curve is, for a legend beside the panels.
+/// An entry of the legend: the name, colour and style of a curve.
 struct CirculationLine {
   std::string name;
   Vec3 color;
   bool dashed = false;
 };
-/// Those of the strip, in the order in which they are read; what was `before` last.
+/// The legend of the strip's curves, in reading order; the entry for `before` is last.
 std::vector<CirculationLine> circulationLegend(const ShownCirculation* before);
 
-/// Both in one picture.
+/// The panels of both figures, arranged in one picture.
 std::vector<scene::CurvePanel> circulationFigure(const ShownCirculation& shown,
                                                  const ShownCirculation* before);
 

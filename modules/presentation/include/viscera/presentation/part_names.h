@@ -11,7 +11,7 @@
 /// Parts of organs that have a name in anatomy (`document::Organ::places`), for labels and for a quiz.
 namespace viscera::presentation {
 
-/// One of them.
+/// A part of an organ, by the organ's id and the number of the part.
 struct Part {
   document::OrganId organ;
   std::size_t place = 0;    ///< In `Organ::places`.
@@ -31,8 +31,8 @@ const std::string& nameOf(const Part& part, const document::OrganList& organs);
 std::optional<Part> nearestPart(const std::vector<Part>& parts, document::OrganId organ, const Points& points,
                                 const Vec3& place);
 
-/// Asks for all parts, one after the other, in an order that the seed chooses; one that was not found is
-/// asked again at the end.
+/// The quiz: asks for all parts, one after the other, in an order that the seed chooses; one that was not
+/// found is asked again at the end.
 ///
 ///     PartQuiz quiz(partsOf(organs), seed);
 ///     while (quiz.asked())

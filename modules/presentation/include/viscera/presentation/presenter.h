@@ -32,7 +32,7 @@ namespace viscera::presentation {
 
 struct Bending;
 
-/// Numbers on the surfaces of organs, in one colour map: an influence, a stress of the surface alone.
+/// Numbers that are shown as colours on the surfaces of organs, such as an influence.
 struct SurfaceMap {
   std::map<document::OrganId, std::shared_ptr<const Values>> values; ///< One a vertex.
   scene::ColorMap colors;
@@ -42,7 +42,7 @@ struct SurfaceMap {
   std::string mark;  ///< What has the map's `missing` colour ("folded"); empty: nothing has.
 };
 
-/// What somebody is measuring at the moment: no part of the document yet.
+/// A measurement that the user has begun and that is not part of the document yet.
 struct MeasuringNow {
   std::vector<document::MeasurementId> highlighted; ///< Chosen, or under the mouse.
   /// What its one to three points become, complete or not: no measurement yet. None while there are no
@@ -50,14 +50,14 @@ struct MeasuringNow {
   document::Measurement pending;
 };
 
-/// A surface that is in no document yet: an organ of a file that somebody still looks at.
+/// A surface that is shown although no document has it, such as an organ that is being imported.
 struct Guest {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< Never null.
   Vec3 color = Vec3::Ones();
   double opacity = 1;
 };
 
-/// All that a picture depends on. Only looked at while it is drawn.
+/// Everything that is drawn: document, organs, view state and further input. Only read while it is drawn.
 struct Scene {
   const document::DocumentState& state;
   live::PosedOrgans& organs;
@@ -77,10 +77,10 @@ struct Scene {
   bool stressLegend = true; ///< False: the other picture says it for both.
 };
 
-/// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,
-/// labels, measurements and the legend become actors. The window, its second view, recordings and the command
-/// line each have one on a view of their own. It owns its actors and the memory that they show, has no user
-/// interface and changes nothing: what handles the mouse is given the presenter.
+/// Draws a document in a 3D view: the one place where organs, handles, ghosts, regions, cages, influence and
+/// stress maps, labels, measurements and the legend become actors. The window, its second view, movies
+/// and the command line each have one on a view of their own. It owns its actors and the memory that they
+/// show, has no user interface and changes nothing: what handles the mouse is given the presenter.
 ///
 /// `update` compares with what it drew last and touches only what is different, so that it may be called
 /// after any change, in any order, and as often as anybody likes. For the thread that renders the view.
@@ -133,13 +133,13 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Where the eye of a view is.
+/// Returns the camera of a view.
 Camera cameraOf(const scene::OrganView& view);
 
-/// Puts it there. A camera that looks nowhere (position and focus are one place) changes nothing.
+/// Sets the camera of a view. A camera that looks nowhere (position and focus are one place) changes nothing.
 void lookFrom(const Camera& camera, scene::OrganView& view);
 
-/// What is written beside an organ: "LV cavity" for the sample heart's organ LV, else its name.
+/// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label
@@ -149,12 +149,14 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
 Vec3 shownColor(const Vec3& color);
 
 /// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is
-/// none. UTF-8.
-std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {});
+/// none. `decimalMark` stands before the decimals. UTF-8.
+std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {},
+                           char decimalMark = '.');
 
 /// How the values of a rectangle or a sphere spread: deviation, least and largest value, size and number of
 /// voxels; empty for the other kinds, and where there are no values. UTF-8.
 std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
-                           const std::string& unit, const Presenter::Translate& translate = {});
+                           const std::string& unit, const Presenter::Translate& translate = {},
+                           char decimalMark = '.');
 
 } // namespace viscera::presentation

@@ -8,7 +8,7 @@
 
 namespace viscera::presentation {
 
-/// Which part of a slice is in the picture.
+/// The zoom and centre of a slice.
 struct SliceFraming {
   double rightMm = 0; ///< From the middle of what there is to the middle of the picture, to the right.
   double upMm = 0;    ///< The same upwards.
@@ -17,7 +17,7 @@ struct SliceFraming {
   bool operator==(const SliceFraming&) const = default;
 };
 
-/// How the scan beside the organs is looked at.
+/// How the scan is shown: window and level, places of the slices, thickness and others.
 struct ScanLook {
   /// What the middle of the window shows: "3d" alone, "four" views at once, or one slice alone by the id of
   /// its direction (`slices::sliceDirections`).

@@ -21,7 +21,7 @@
 
 namespace viscera::presentation {
 
-/// Says where the tissue of the posed patient is at rest.
+/// The inverse deformation with which the scan is deformed on slices.
 struct Bending {
   /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
   std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
@@ -33,14 +33,14 @@ struct Bending {
 std::optional<Bending> bendingOf(live::LiveBend& bend);
 struct MeasuringNow;
 
-/// A slice that is wanted, and how large.
+/// The direction and the size in pixels of a slice to be drawn.
 struct SlicePane {
   int direction = 0; ///< Of `slices::sliceDirections`.
   int width = 0;     ///< Device pixels, at least 1.
   int height = 0;    ///< Device pixels, at least 1.
 };
 
-/// What slices depend on. Only looked at while they are made.
+/// Everything that slices show: document, organs, view state. Only read while they are made.
 struct SliceScene {
   const document::DocumentState& state;
   const live::PosedOrgans& organs;
@@ -50,11 +50,11 @@ struct SliceScene {
   int activeHandle = -1;                   ///< The row of the handle under the mouse or in the hand.
 };
 
-/// What lies at a place of a slice.
+/// The scan's value and the organ at a place of a slice.
 struct SliceReading {
   Vec3 position = Vec3::Zero(); ///< mm LPS.
   std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
-  bool folded = false;          ///< The pose folds the tissue here: the value is a guess.
+  bool folded = false;          ///< The pose folds the tissue here: the value is an estimate.
   document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
 };
 
@@ -66,9 +66,9 @@ struct ContourFigure {
   double lengthMm = 0;
 };
 
-/// The slices of a document as pictures: the scan's grey levels, the contours of its organs as they are posed
-/// and at rest, handles near it, what is measured in it, crosshair and letters. Window and command line each
-/// have one. As `Presenter`, it compares with what it made last and makes anew what is different, and changes
+/// Draws slices of a document: the scan's grey levels, the contours of its organs as they are posed and at
+/// rest, handles near it, what is measured in it, crosshair and letters. Window and command line each have
+/// one. As `Presenter`, it compares with what it made last and makes anew what is different, and changes
 /// nothing. For one thread.
 ///
 ///     SlicePresenter slices;
@@ -82,6 +82,8 @@ public:
   ~SlicePresenter();
   SlicePresenter(const SlicePresenter&) = delete;
   SlicePresenter& operator=(const SlicePresenter&) = delete;
+  /// What numbers have before their decimals, a point at first: ',' in German. Before `update`.
+  void setDecimalMark(char mark);
 
   /// Brings the pictures of these panes up to date; of each direction one pane at most.
   void update(const SliceScene& scene, const std::vector<SlicePane>& panes);
@@ -106,10 +108,11 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// The box that slices show: the scan's, else that of the organs at rest; a box of 200 mm without either.
+/// The bounding box of everything that slices show: the scan's, else that of the organs at rest; a box of 200
+/// mm without either.
 Bounds boxOfSlices(const document::DocumentState& state);
 
-/// Where the slices meet: as the view says, else in the middle of the box.
+/// The point in which the three slices meet: as the view says, else in the middle of the box.
 Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
 
 /// How far the voxels of the scan are apart along an axis of the patient (x, y, z as 0, 1, 2), or slices
@@ -117,7 +120,7 @@ Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
 double stepAlong(const document::DocumentState& state, int axis);
 
 /// "S 120.0 mm": how far a place lies along a slice's axis, by the letter of its side.
-std::string formatSlicePosition(int axis, double mm);
+std::string formatSlicePosition(int axis, double mm, char decimalMark = '.');
 
 /// The level and width that a scan is shown with: the view's, else what the scan proposes.
 medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look);

@@ -11,15 +11,15 @@
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/region_hulls.h"
 
-/// What of a document is drawn beside its organs and handles, as data.
+/// Computes what is drawn beside organs and handles: regions, cages and mirror planes.
 namespace viscera::presentation {
 
-/// The organ that commands and pictures are about: the selected one, else the first that is nobody's cavity;
-/// null without organs. O(organs).
+/// The current organ, to which commands and pictures refer: the selected one, else the first that is nobody's
+/// cavity; null without organs. O(organs).
 std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentState& state,
                                                     document::OrganId selected);
 
-/// What the chosen coordinates are like; nothing special for some that are not there.
+/// The traits of the chosen coordinate system; the default traits when it is not available.
 coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems);
 
 /// How the coordinates of a document divide the space around its handles at rest; empty when they treat all

@@ -10,8 +10,8 @@
 
 namespace viscera::presentation {
 
-/// A presenter with a window of its own that needs no display: the command line's pictures and recordings.
-/// Belongs to the thread that made it.
+/// Renders pictures of a document off the screen, for the command line and for movies. Belongs to the thread
+/// that made it.
 class Stage {
 public:
   /// `width x height` device pixels, `pixelRatio` of them a logical one: type and lines grow with it. Throws

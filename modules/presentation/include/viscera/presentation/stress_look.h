@@ -10,10 +10,10 @@
 
 namespace viscera::presentation {
 
-/// Glyphs of the principal stretches.
+/// The glyphs that show the principal stretches of tissue.
 enum class GlyphChoice { none, ellipsoids, crosses };
 
-/// How a stress map is looked at.
+/// How a stress map is shown: quantity, range, cut and glyphs.
 struct StressLook {
   live::StressQuantity quantity = live::StressQuantity::rotationalStress;
   bool onSurface = true; ///< The map on the organ's own surface instead of on the outer tetrahedra.

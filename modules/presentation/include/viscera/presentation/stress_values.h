@@ -11,7 +11,7 @@
 
 namespace viscera::presentation {
 
-/// The numbers that a stress map shows and how they are coloured: of this instant, or of the peak over a
+/// Computes the numbers that a stress map shows, and their colours: of this instant, or of the peak over a
 /// cycle. For one thread.
 class StressValues {
 public:

@@ -11,12 +11,12 @@
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
 
-/// How a document is looked at, as one value: what a session keeps beside the document, and all that a
-/// `Presenter` has to know to draw the same picture again. The theme is not in it: it is the user's, not the
-/// document's.
+/// The view of a document as one value (camera, colours, cuts, playing sequence): what a session keeps beside
+/// the document, and all that a `Presenter` has to know to draw the same picture again. The theme is not in
+/// it: it is the user's, not the document's.
 namespace viscera::presentation {
 
-/// Where the eye is.
+/// Position, focus and opening angle of a camera.
 struct Camera {
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
   Vec3 focus = Vec3::Zero();
@@ -28,8 +28,8 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// What a mode asks to be seen. A picture depends on this and not on the mode, so that a new mode needs no
-/// line in what draws.
+/// The items that a mode shows, such as handles or regions. A picture depends on this and not on the mode, so
+/// that a new mode needs no line in what draws.
 struct Shown {
   bool rest = false;         ///< Organs and handles at rest instead of in their pose.
   bool handles = false;      ///< The handles, also where the user has not asked for them.
@@ -53,7 +53,7 @@ struct MotionChoice {
   bool operator==(const MotionChoice&) const = default;
 };
 
-/// Which sequence is on, and where.
+/// The playing sequence, its rate and its present instant.
 struct Playing {
   int motion = -1;     ///< Among the motions; -1: the sequence that the document holds.
   double fraction = 0; ///< Of the cycle, 0 to 1.
@@ -74,7 +74,7 @@ struct OrganCut {
   bool operator==(const OrganCut&) const = default;
 };
 
-/// A view that was kept to be shown in a lecture.
+/// A slide of a lecture: a kept view with a caption.
 struct Slide {
   std::string caption; ///< Under the picture; UTF-8.
   Camera camera;
@@ -84,7 +84,7 @@ struct Slide {
   bool operator==(const Slide&) const = default;
 };
 
-/// What is selected, the last handle being the current one.
+/// The selected organ and handles; the last handle is the current one.
 struct SelectionState {
   document::OrganId organ;
   document::GroupId group;
@@ -93,7 +93,7 @@ struct SelectionState {
   bool operator==(const SelectionState&) const = default;
 };
 
-/// Everything about the view of a document.
+/// The whole view of a document, as a session saves it.
 struct ViewState {
   std::string mode = "explore"; ///< The id of a mode of the window.
   Shown shown;                  ///< As that mode asks for.

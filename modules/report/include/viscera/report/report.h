@@ -18,7 +18,7 @@
 
 namespace viscera::report {
 
-/// What a report is made of.
+/// The document, view and motion that a report is made from.
 struct ReportSource {
   document::DocumentState state = {};
   presentation::ViewState view = {};
@@ -40,18 +40,18 @@ struct ReportSource {
   std::string date = {};               ///< As it is to be read; empty: today's.
 };
 
-/// A picture with what is written below it.
+/// A picture of a report with its caption.
 struct Picture {
   std::string png; ///< The bytes of a PNG file.
   std::string caption;
 };
 
-/// Sentences.
+/// A paragraph of text.
 struct Paragraph {
   std::string text;
 };
 
-/// Rows of texts; every row has as many as `numbers`.
+/// A table of a report; every row has as many texts as `numbers`.
 struct Table {
   std::vector<std::string> head; ///< Empty: none.
   std::vector<std::vector<std::string>> rows;
@@ -59,7 +59,7 @@ struct Table {
   std::vector<Vec3> swatches = {}; ///< A colour before the first text of each row; may be empty.
 };
 
-/// Pictures beside each other, in rows; all as wide as fits.
+/// A grid of pictures, in rows, all as wide as fits.
 struct PictureGrid {
   std::vector<Picture> pictures;
   int columns = 1;
@@ -73,7 +73,7 @@ struct Section {
   std::vector<Block> blocks;
 };
 
-/// A report as its reader finds it, before it is laid out on pages. All texts are plain UTF-8.
+/// The contents of a report, before they are laid out on pages. All texts are plain UTF-8.
 struct Report {
   std::string title;
   std::string made; ///< "Made by Viscera 1.0 on ..."
@@ -82,11 +82,11 @@ struct Report {
   int pictures() const;
 };
 
-/// Measures and draws all that a report tells: pictures from six sides and as the view has it, volumes,
-/// measurements, stress, the sequence over a whole cycle with curves, what was done to the files. Nothing
-/// that says where files lie comes into it. Needs no display. Throws `UsageError` when there are no organs,
-/// `Error` when there is nothing to draw with, what posing throws, and `Cancelled`. About a second for the
-/// pictures of 100,000 vertices. For the thread of the organs, which may be any.
+/// Makes a report: measures and draws all its contents: pictures from six sides and as the view has it,
+/// volumes, measurements, stress, the sequence over a whole cycle with curves, what was done to the files.
+/// Nothing that says where files lie comes into it. Needs no display. Throws `UsageError` when there are no
+/// organs, `Error` when there is nothing to draw with, what posing throws, and `Cancelled`. About a second
+/// for the pictures of 100,000 vertices. For the thread of the organs, which may be any.
 Report makeReport(const ReportSource& source, Threads threads, Progress& progress);
 
 } // namespace viscera::report

@@ -5,7 +5,7 @@
 
 #include "viscera/report/report.h"
 
-/// Reports as files.
+/// Writes reports as PDF or HTML files.
 namespace viscera::report {
 
 /// Whether the name ends like a report (.pdf, .html, .htm).

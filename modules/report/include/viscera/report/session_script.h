@@ -9,7 +9,7 @@
 
 namespace viscera::report {
 
-/// What a script is made of.
+/// The document, view and file names that a script is made from.
 struct ScriptSource {
   document::DocumentState state;
   presentation::ViewState view;
@@ -18,9 +18,9 @@ struct ScriptSource {
   std::filesystem::path session = {};
 };
 
-/// A session as commands of a shell.
+/// A session as a script of shell commands.
 struct SessionScript {
-  /// For `sh`: files that it writes first (handles, pose, landmarks, a recording), the commands, and in
+  /// For `sh`: files that it writes first (handles, pose, landmarks, a key sequence), the commands, and in
   /// comments what no command can do.
   std::string text;
   std::vector<std::string> commands; ///< The lines that begin with `viscera`, in order.

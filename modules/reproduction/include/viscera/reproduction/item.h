@@ -10,10 +10,10 @@
 #include "viscera/reproduction/result.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Figures and tables of the thesis that the program follows, measured again.
+/// Reproduces figures and tables of the thesis that the program is based on.
 namespace viscera::reproduction {
 
-/// What figures are measured with. Outlived by both references.
+/// The coordinate systems and sample organs with which figures are measured. Outlived by both references.
 struct Bench {
   const plugin::Registry& systems;
   const sample_organs::SampleLibrary& samples;
@@ -32,12 +32,12 @@ struct Item {
   std::string name() const { return (table ? "table-" : "") + id; }
 };
 
-/// Those with the given names, all in the order of the thesis for none. Throws `UsageError` for a name that
-/// there is not.
+/// Finds the items with the given names; without names all, in the order of the thesis. Throws `UsageError`
+/// for a name that there is not.
 std::vector<Item> chosenItems(const std::vector<std::string>& names);
 
-/// Does all of them, one after the other; milliseconds to half a minute each. What goes wrong with one is its
-/// `Result::problem` and stops no other one. Throws `Cancelled`.
+/// Reproduces all items, one after the other; milliseconds to half a minute each. What goes wrong with one is
+/// its `Result::problem` and stops no other one. Throws `Cancelled`.
 std::vector<Result> makeAll(const std::vector<Item>& items, const Bench& bench, Progress& progress);
 
 } // namespace viscera::reproduction

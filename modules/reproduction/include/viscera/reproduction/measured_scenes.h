@@ -7,7 +7,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// What `viscera properties` and `viscera reproduce` try the coordinate systems on.
+/// The test scenes of `viscera properties` and `viscera reproduce`.
 namespace viscera::reproduction {
 
 /// How many handles lie around the line of `resources/lines`, for each of its tables.

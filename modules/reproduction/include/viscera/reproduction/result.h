@@ -6,7 +6,7 @@
 
 namespace viscera::reproduction {
 
-/// One thing that the thesis says, as a condition on numbers that were measured.
+/// A claim of the thesis as a condition on measured numbers, and whether it is met.
 struct Finding {
   std::string criterion; ///< "S-Celestial: no coordinate below 0"
   std::string measured;  ///< "least 0.0012"
@@ -15,8 +15,8 @@ struct Finding {
 
 enum class Judgement { holds, differs, doesNotHold, notMeasured };
 
-/// What becomes of a claim: it holds where all of its findings are met, differs where some are, else it does
-/// not hold. Nobody writes it down.
+/// The verdict on a claim of the thesis: it holds where all of its findings are met, differs where some are,
+/// else it does not hold. Nobody writes it down.
 struct Verdict {
   Judgement judgement = Judgement::notMeasured;
   std::string because; ///< The findings that are not met, with their numbers.
@@ -27,7 +27,7 @@ struct Verdict {
 Verdict verdictOf(const std::vector<Finding>& findings);
 std::string nameOf(Judgement judgement);
 
-/// A vector picture with what is below it.
+/// A vector picture with its caption.
 struct Picture {
   std::string name; ///< Of its file, without ending.
   std::string caption;

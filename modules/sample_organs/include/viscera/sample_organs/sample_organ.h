@@ -37,7 +37,7 @@ struct SampleOrgan {
   std::vector<SampleSurface> surfaces; ///< The outer surface first.
 };
 
-/// Where definitions are read from and generated surfaces are kept.
+/// The folder of definitions and the folder in which generated surfaces are cached.
 struct SampleLibrary {
   std::filesystem::path definitions; ///< The folder `sample_organs`.
   std::filesystem::path cache;       ///< Written to when possible; may be lost at any time.

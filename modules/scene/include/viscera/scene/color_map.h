@@ -20,7 +20,7 @@ struct ColorMap {
   std::array<std::uint8_t, 3> missing = {128, 128, 128}; ///< For what is not a number.
 };
 
-/// The numbers at the two ends of a map.
+/// The smallest and the largest value that a colour map shows.
 struct ValueRange {
   double low = 0;
   double high = 1;
@@ -45,8 +45,7 @@ ColorMap diverging();
 /// The two maps by name; throws `UsageError` that lists them for any other.
 ColorMap colorMapByName(const std::string& name);
 
-/// From the smallest to the largest finite value; widened a little when they are equal, {0, 1} when there is
-/// none. O(n).
+/// The range of the finite values; widened a little when they are equal, {0, 1} when there is none. O(n).
 ValueRange rangeOf(const Values& values);
 
 /// A lookup table with those colours; values beyond the range take the end colours, values that are not

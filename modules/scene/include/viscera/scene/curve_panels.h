@@ -12,7 +12,7 @@ class vtkRenderWindow;
 
 namespace viscera::scene {
 
-/// A curve in a plane: `y[i]` over `x[i]`, in this order, so that it may return on itself as a loop does.
+/// A curve of a chart: `y[i]` over `x[i]`, in this order, so that it may return on itself as a loop does.
 struct PanelCurve {
   std::string name; ///< In the legend; empty: not in it.
   Vec3 color = {0.3, 0.7, 0.75};
@@ -22,13 +22,13 @@ struct PanelCurve {
   bool dashed = false;
 };
 
-/// A place between axes.
+/// A point in the coordinates of a chart's axes.
 struct CurvePoint {
   double x = 0;
   double y = 0;
 };
 
-/// One pair of axes with its curves, somewhere in a window.
+/// A chart with its axes and curves, and its place in a window.
 struct CurvePanel {
   std::string title; ///< Above it; may be empty.
   std::string xTitle;
@@ -46,9 +46,9 @@ struct CurvePanel {
   bool cursor = false; ///< Whether it shows the line of `setCursor`.
 };
 
-/// Charts beside and below each other in one window, for curves that are known as a whole: those of one cycle
-/// over time, loops of two quantities. Draws into any vtkRenderWindow, which it has for itself; nothing is
-/// drawn until the window is rendered. Belongs to the thread that renders.
+/// Draws several charts in one window, for curves that are known as a whole: those of one cycle over time,
+/// loops of two quantities. Draws into any vtkRenderWindow, which it has for itself; nothing is drawn until
+/// the window is rendered. Belongs to the thread that renders.
 class CurvePanels {
 public:
   CurvePanels();

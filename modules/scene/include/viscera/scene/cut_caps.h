@@ -10,8 +10,8 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// The faces that a plane leaves where it cuts closed surfaces open: as an anatomist's knife leaves the wall
-/// of a heart. Belongs to the thread that renders.
+/// Draws the faces that close surfaces where a plane cuts them open, such as the cut wall of a heart. Belongs
+/// to the thread that renders.
 class CutCaps {
 public:
   CutCaps();

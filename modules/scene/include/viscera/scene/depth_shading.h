@@ -7,10 +7,9 @@ namespace viscera::scene {
 
 class OrganView;
 
-/// Darkness in the folds of organs (ambient occlusion) and softer lights (tone mapping), by VTK's passes over
-/// the finished picture. Only where nothing is translucent and no colours mean numbers: then layers are
-/// peeled, or colours are read off a legend, and the picture is drawn as without. Text stays as clear as it
-/// is.
+/// Shades the folds of organs (ambient occlusion) and softens lights (tone mapping), by VTK's passes over the
+/// finished picture. Only where nothing is translucent and no colours mean numbers: then layers are peeled,
+/// or colours are read off a legend, and the picture is drawn as without. Text stays as clear as it is.
 class DepthShading {
 public:
   /// Of a view that has its window already. It may go first.

@@ -9,8 +9,8 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// The outline of a surface as a thin translucent line that follows the camera: the rest shape behind a pose,
-/// or what tells the selected organ from the others. Belongs to the thread that renders.
+/// Draws the outline of a surface as a thin translucent line that follows the camera: the rest shape behind a
+/// pose, or what tells the selected organ from the others. Belongs to the thread that renders.
 ///
 /// The line is where the interpolated normal is perpendicular to the line of sight (Hertzmann and Zorin,
 /// "Illustrating Smooth Surfaces", 2000, DOI 10.1145/344779.345074), so it is smooth where the triangles are

@@ -11,8 +11,8 @@ namespace viscera::scene {
 
 struct ViewGeometry;
 
-/// Something small that a view draws over its organs while somebody works with them; hidden to begin with.
-/// What an organ hides of it is drawn fainter. Belongs to the thread that renders.
+/// The base of small markers that a view draws over its organs while the user works with them. Hidden to
+/// begin with; what an organ hides of it is drawn fainter. Belongs to the thread that renders.
 class HelperGlyph {
 public:
   virtual ~HelperGlyph();
@@ -57,7 +57,7 @@ private:
   Vec3 normal_ = Vec3::UnitX();
 };
 
-/// The plane that symmetric drags are mirrored at: a faint square with a rim.
+/// Shows the plane at which symmetric drags are mirrored: a faint square with a rim.
 class MirrorPlaneGlyph final : public HelperGlyph {
 public:
   MirrorPlaneGlyph();
@@ -67,7 +67,7 @@ public:
   void show(const Vec3& center, const Vec3& normal, double halfSize);
 };
 
-/// A small ball of constant size on the screen at a place that is being looked at.
+/// Marks a place with a small ball of constant size on the screen.
 class ProbeMarker final : public HelperGlyph {
 public:
   ProbeMarker();

@@ -28,8 +28,8 @@ struct ScreenBox {
   }
 };
 
-/// What part of a view is covered, as the farthest covered places to the left and to the right in each of its
-/// rows: all that somebody needs to know who wants to write beside it.
+/// The part of a view that organs cover, as the farthest covered places to the left and to the right in each
+/// row of pixels; labels are placed outside of it.
 class Footprint {
 public:
   /// An uncovered view; a row is `rowHeight` pixels.
@@ -56,7 +56,7 @@ private:
   std::vector<Extent> rows_; ///< Left is larger than right where nothing is covered.
 };
 
-/// A label that wants a place beside what it names.
+/// The size of a label and the place that it names, for the layout of labels.
 struct LabelRequest {
   double x = 0; ///< What it names, pixels.
   double y = 0;
@@ -66,7 +66,7 @@ struct LabelRequest {
   double brokenHeight = 0;
 };
 
-/// Where there is room for labels.
+/// The space in a view that labels may take.
 struct LabelSpace {
   double width = 0; ///< Of the view, pixels.
   double height = 0;
@@ -82,8 +82,8 @@ struct ScreenPlace {
   double y = 0;
 };
 
-/// Where the line from a label to what it names begins: `gap` beside the box, at half its height; above or
-/// below it where the named place is above or below it.
+/// The start of the line from a label to the place that it names: `gap` beside the box, at half its height;
+/// above or below it where the named place is above or below it.
 ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double gap);
 
 /// Places labels to the left and to the right of what is covered, each as level with what it names as there

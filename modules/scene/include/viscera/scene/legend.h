@@ -11,9 +11,9 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// A scale bar of colours with title, unit and at most six ticks at round numbers, at the right edge of a
-/// view. Keeps its size in logical pixels, and follows the window's size and DPI. Belongs to the thread that
-/// renders.
+/// The legend of a colour map: a bar of colours with title, unit and at most six ticks at round numbers, at
+/// the right edge of a view. Keeps its size in logical pixels, and follows the window's size and DPI. Belongs
+/// to the thread that renders.
 class Legend {
 public:
   Legend();
@@ -24,6 +24,8 @@ public:
   /// Draws in `renderer` from now on. Null: nowhere.
   void setRenderer(vtkRenderer* renderer);
   void setTheme(const Theme& theme);
+  /// What numbers have before their decimals, a point at first: ',' in German. Before `show`.
+  void setDecimalMark(char mark);
 
   /// What the colours mean: "Influence of H-7", unit "%" or empty.
   void show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range);
@@ -44,9 +46,13 @@ private:
 std::vector<double> niceTicks(ValueRange range, int most = 6);
 
 /// A tick's label with just the digits that tell it from its neighbours: "0.25", "-3", "1.2e-06".
-std::string tickLabel(double value, double spacing);
+/// `decimalMark` stands before the decimals.
+std::string tickLabel(double value, double spacing, char decimalMark = '.');
+
+/// A number that was written with a decimal point, with another decimal mark.
+std::string withDecimalMark(std::string number, char decimalMark);
 
 /// The labels of all ticks: evenly spaced ones have the same digits, those of decades each its own.
-std::vector<std::string> tickLabels(const std::vector<double>& ticks);
+std::vector<std::string> tickLabels(const std::vector<double>& ticks, char decimalMark = '.');
 
 } // namespace viscera::scene

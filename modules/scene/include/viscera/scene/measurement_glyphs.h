@@ -14,8 +14,8 @@ namespace viscera::scene {
 
 class OrganView;
 
-/// Distances and angles in a view: marks at their points, lines between them, an arc for an angle, and a
-/// label each. Lines and marks keep their width on the screen; what an organ hides of them is seen through
+/// Draws distances and angles in a view: marks at their points, lines between them, an arc for an angle, and
+/// a label each. Lines and marks keep their width on the screen; what an organ hides of them is seen through
 /// it, fainter. Labels are in front of everything and do not lie over each other. Belongs to the thread that
 /// renders; the view has to live longer.
 class MeasurementGlyphs {

@@ -12,7 +12,7 @@ class vtkImageData;
 
 namespace viscera::scene {
 
-/// How a movie is written.
+/// Frame rate and quality of a movie.
 struct MovieOptions {
   double framesPerSecond = 25;
   int quality = 2; ///< 0 small, 1 medium, 2 good.
@@ -21,7 +21,7 @@ struct MovieOptions {
 /// Whether MP4 and GIF can be written: the program `ffmpeg` is on the PATH.
 bool ffmpegInstalled();
 
-/// Turns frames into a movie while the next ones are being rendered: a worker thread encodes from a short
+/// Writes frames to a movie file while the next ones are being rendered: a worker thread encodes from a short
 /// queue.
 ///
 /// `.ogv` is Ogg Theora and needs nothing; `.mp4` and `.gif` go through the program `ffmpeg`; a path without

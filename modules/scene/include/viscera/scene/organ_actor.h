@@ -15,7 +15,7 @@ class vtkPolyData;
 
 namespace viscera::scene {
 
-/// One organ's surface on the screen. VTK looks at the mesh's own memory: points, triangles, vertex colours,
+/// Draws the surface of one organ. VTK looks at the mesh's own memory: points, triangles, vertex colours,
 /// normals and scalars are never copied on the processor's side. Belongs to the thread that renders.
 ///
 /// An organ that is posed by a `deformation::Deformer` shows the deformer's points; the aliasing constructor

@@ -14,9 +14,9 @@ namespace viscera::scene {
 
 class OrganView;
 
-/// Names beside the organs of a view and beside parts of them, each with a line to what it names. Labels
-/// follow the camera and the motion; they overlap neither each other nor any organ, and one that finds no
-/// room is left out. Belongs to the thread that renders; the view has to live longer.
+/// Draws labels beside the organs of a view and their parts, each with a line to what it names. Labels follow
+/// the camera and the motion; they overlap neither each other nor any organ, and one that finds no room is
+/// left out. Belongs to the thread that renders; the view has to live longer.
 class OrganLabels {
 public:
   /// What is to be labelled.

@@ -23,8 +23,8 @@ class vtkVisceraHandleSetWidget;
 
 namespace viscera::scene {
 
-/// Where the camera looks from. In the anterior view the reader faces the patient: the patient's left is on
-/// the right.
+/// The standard directions from which the camera looks at the patient. In the anterior view the reader faces
+/// the patient: the patient's left is on the right.
 enum class StandardView { anterior, posterior, left, right, superior, inferior };
 
 /// "anterior" and so on. Throws `UsageError` that lists them for anything else.
@@ -92,6 +92,10 @@ public:
   /// Highlights a side of the cube from the next frame on, or none; says whether that changes the picture.
   bool highlightOrientationSide(std::optional<StandardView> side);
   void setScaleBarShown(bool shown);
+  /// What numbers in the view have before their decimals, a point at first: ',' in German. Before the legend
+  /// and measurements are shown.
+  void setDecimalMark(char mark);
+  char decimalMark() const;
 
   /// While something moves, a software renderer does not smooth edges, which takes as long as all the rest,
   /// blends translucent organs in order of their distance in place of peeling them, which takes four times as

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file);
 vtkSmartPointer<vtkImageData> contactSheet(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                                            int columns);
 
-/// How two pictures differ.
+/// The difference of two pictures: the part of differing pixels and the mean difference.
 struct PictureDifference {
   double mean = 0;      ///< Mean absolute difference over pixels and channels, 0 to 255.
   double differing = 0; ///< Part of the pixels in which a channel differs by more than the threshold, 0 to 1.

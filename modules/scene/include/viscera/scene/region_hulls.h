@@ -11,8 +11,8 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// One convex body as it is drawn: its faces as a tinted glass, its sharp edges as lines. A flat one is a
-/// pane, one without faces a thick line or a dot.
+/// A convex body to be drawn: its faces as a tinted glass, its sharp edges as lines. A flat one is a pane,
+/// one without faces a thick line or a dot.
 struct RegionHull {
   Points vertices;                       ///< `n x 3` mm.
   Triangles triangles;                   ///< Over `vertices`; may be none.
@@ -21,7 +21,7 @@ struct RegionHull {
   double opacity = 0.1;                  ///< Of the faces, 0 to 1; the lines are opaquer.
 };
 
-/// Which parts of a layout are drawn.
+/// The parts of a layout that are drawn: regions, zones, super-regions.
 struct LayoutParts {
   bool regions = true;
   bool zones = false;
@@ -38,7 +38,7 @@ std::vector<RegionHull> layoutHulls(const coordinates::SpaceLayout& layout,
 /// A cage as it is drawn, by its triangles over the handles (`n x 3` mm), in the grey of what has no group.
 RegionHull cageHull(const Points& handles, const Triangles& cage);
 
-/// Translucent hulls around the organs: regions, zones and super-regions of grouped handles. They hide
+/// Draws translucent hulls around the organs: regions, zones and super-regions of grouped handles. They hide
 /// nothing, can be looked through from any side, and what an organ hides of their edges is drawn fainter.
 /// Belongs to the thread that renders.
 class RegionHulls {

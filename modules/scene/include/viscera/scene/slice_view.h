@@ -18,7 +18,7 @@ class vtkRenderWindow;
 
 namespace viscera::scene {
 
-/// A line of a slice's picture.
+/// A polygonal line on a slice, such as a contour.
 struct SliceLine {
   std::vector<Eigen::Vector2d> points; ///< In pixels of the picture; whole numbers are their centres.
   bool closed = false;                 ///< The last point is joined to the first.
@@ -35,7 +35,7 @@ struct SliceMark {
   double rimWidth = 1;     ///< Logical pixels.
 };
 
-/// Words on a slice's picture, beside a place and inside of the picture.
+/// A text on a slice, placed beside a point and inside of the picture.
 struct SliceText {
   Eigen::Vector2d place; ///< In pixels of the picture.
   std::string words;     ///< UTF-8; may have several lines.
@@ -45,7 +45,7 @@ struct SliceText {
   Eigen::AlignedBox2d around = {};
 };
 
-/// A slice as it is to be drawn: grey levels for each pixel of the window, and what lies over them.
+/// The contents of a slice to be drawn: grey levels for each pixel of the window, and what lies over them.
 struct SlicePicture {
   int width = 0;                  ///< Device pixels.
   int height = 0;                 ///< Device pixels.
@@ -60,9 +60,9 @@ struct SlicePicture {
   double mmPerPixel = 0;                ///< For the scale bar; 0: there is none.
 };
 
-/// One slice of a scan in a window of its own: grey levels pixel by pixel, contours, crosshair, letters at
-/// the edges, scale bar. Draws into any vtkRenderWindow, as `OrganView` does. The ground is black in every
-/// theme, as radiologists have it. Belongs to the thread that renders.
+/// Draws one slice of a scan in a window: grey levels pixel by pixel, contours, crosshair, letters at the
+/// edges, scale bar. Draws into any vtkRenderWindow, as `OrganView` does. The ground is black in every theme,
+/// as radiologists have it. Belongs to the thread that renders.
 class SliceView {
 public:
   SliceView();
@@ -76,6 +76,8 @@ public:
   vtkRenderer* renderer() const;
   /// For crosshair and letters.
   void setTheme(const Theme& theme);
+  /// What the number of the scale bar has before its decimals, a point at first. Before `show`.
+  void setDecimalMark(char mark);
 
   /// Shows this from the next frame on. A picture of another size than the window lies at its lower left.
   /// O(pixels + points).

@@ -10,8 +10,8 @@ namespace viscera::scene {
 
 class OrganView;
 
-/// Slices of a scan that stand among the organs of a view, cut by them and cutting them. Light does not
-/// change their grey levels. Belongs to the thread that renders; the view has to live longer.
+/// Draws slices of a scan in a 3D view among its organs. Light does not change their grey levels. Belongs to
+/// the thread that renders; the view has to live longer.
 class StandingSlices {
 public:
   /// A picture in space, its pixels from the lower left, row by row.

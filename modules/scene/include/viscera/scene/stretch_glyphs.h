@@ -13,7 +13,7 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// How tissue is stretched at one place.
+/// The principal stretches of tissue at one place.
 struct StretchGlyph {
   Vec3 position = Vec3::Zero();                                   ///< mm, in the deformed body.
   Eigen::Quaterniond directions = Eigen::Quaterniond::Identity(); ///< Turns x, y, z into the directions,
@@ -21,8 +21,8 @@ struct StretchGlyph {
   double value = 0;                                               ///< For its colour.
 };
 
-/// What a small ball of tissue has become: ellipsoids, or crosses of their axes; one instanced mapper for all
-/// of them. Belongs to the thread that renders.
+/// Draws the principal stretches of tissue as glyphs: ellipsoids, or crosses of their axes; one instanced
+/// mapper for all of them. Belongs to the thread that renders.
 class StretchGlyphs {
 public:
   enum class Shape { ellipsoids, crosses };

@@ -20,7 +20,7 @@ struct Ray {
 /// perspective and parallel cameras.
 Ray rayThrough(vtkRenderer* renderer, double x, double y);
 
-/// Where a line of sight meets an organ.
+/// The place at which a line of sight meets an organ.
 struct SurfacePick {
   OrganActor* organ = nullptr;
   int triangle = -1;            ///< Row of the mesh's triangles.

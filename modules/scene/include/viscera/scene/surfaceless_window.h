@@ -7,7 +7,7 @@ class vtkRenderWindowInteractor;
 
 namespace viscera::scene {
 
-/// A render window that needs no display at all: an OpenGL context by EGL without a surface, on a graphics
+/// A render window that works without a display: an OpenGL context by EGL without a surface, on a graphics
 /// processor or in software. One thread at a time; the context is current on the thread that made it.
 class SurfacelessWindow {
 public:

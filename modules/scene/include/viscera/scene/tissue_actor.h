@@ -30,7 +30,7 @@ enum class CutStyle {
   crinkle ///< Whole tetrahedra stay, the same ones while the tissue moves.
 };
 
-/// Where a line of sight meets the tissue as drawn.
+/// The place at which a line of sight meets the drawn tissue.
 struct TissuePick {
   int tetrahedron = -1;
   int point = -1;                  ///< The nearest corner of that tetrahedron.
@@ -39,9 +39,9 @@ struct TissuePick {
   double distance = 0;             ///< From the ray's origin, mm.
 };
 
-/// The inside of an organ on the screen: tetrahedra coloured by one number a point, cut open by a plane, and
-/// only those in a range of values if wanted. Which tetrahedra touch is found once; a new pose moves the
-/// points, which VTK looks at where they are, and makes anew no more than the cut. Belongs to the thread that
+/// Draws the inside of an organ: tetrahedra coloured by one number a point, cut open by a plane, and only
+/// those in a range of values if wanted. Which tetrahedra touch is found once; a new pose moves the points,
+/// which VTK looks at where they are, and makes anew no more than the cut. Belongs to the thread that
 /// renders.
 class TissueActor {
 public:

@@ -9,7 +9,7 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// One valve as it is drawn.
+/// The leaflets and the ring of a valve to be drawn.
 struct ValveGlyph {
   Points points; ///< Of its leaflets, mm.
   Triangles triangles;
@@ -17,7 +17,7 @@ struct ValveGlyph {
   std::vector<Points> edges;
 };
 
-/// Blood that flows: an arrow, mm.
+/// An arrow that shows flowing blood, mm.
 struct FlowArrow {
   Vec3 tail = Vec3::Zero();
   Vec3 head = Vec3::UnitX();
@@ -25,8 +25,8 @@ struct FlowArrow {
   Vec3 color = Vec3::Ones();
 };
 
-/// Leaflets of heart valves, their rings, and arrows for the blood that flows through them. Nothing of it can
-/// be picked. Belongs to the thread that renders.
+/// Draws the leaflets of heart valves, their rings, and arrows for the blood that flows through them. Nothing
+/// of it can be picked. Belongs to the thread that renders.
 class ValveGlyphs {
 public:
   ValveGlyphs();

@@ -12,13 +12,13 @@ class vtkRenderWindowInteractor;
 
 namespace viscera::scene {
 
-/// A pale stripe behind the curves: what healthy people have.
+/// A pale band behind the curves of a chart that shows a normal range.
 struct ChartBand {
   ValueRange range;  ///< In the unit of the axis.
   std::string label; ///< Written into the stripe where no curve passes, if there is room; may be empty.
 };
 
-/// One curve of a chart.
+/// Name, colour and style of a curve.
 struct ChartLine {
   std::string name;                  ///< "LV"
   Vec3 color = {0.3, 0.7, 0.75};     ///< Red green blue, 0 to 1.
@@ -28,10 +28,10 @@ struct ChartLine {
   bool dots = false;                 ///< Its points alone, without a line: what was measured.
 };
 
-/// Curves over time that grow while a sequence plays: volumes in ml, usually. Names stand at the right ends
-/// of the curves, in their colours, and never over each other. Draws into any vtkRenderWindow, which it has
-/// for itself. Nothing is drawn until the window is rendered: the caller decides how often (some 10 Hz is
-/// enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
+/// Draws a chart of curves over time that grow while a sequence plays: volumes in ml, usually. Names stand at
+/// the right ends of the curves, in their colours, and never over each other. Draws into any vtkRenderWindow,
+/// which it has for itself. Nothing is drawn until the window is rendered: the caller decides how often (some
+/// 10 Hz is enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
 class VolumeChart {
 public:
   VolumeChart();

@@ -9,10 +9,10 @@
 #include "viscera/scene/tissue_actor.h"
 
 /**
- * A cut plane to take hold of: a thin rim in the plane around what is cut, and an arrow out of its middle
- * towards the side that is cut away. The arrow is pushed and pulled along the normal; the rim tilts the plane
- * about its middle. Nothing lies over the cut itself, so that it can be looked at, clicked and turned. Sizes
- * are in logical pixels; display coordinates are VTK's.
+ * Draws the grips of a cut plane and finds the one under the cursor: a thin rim in the plane around what is
+ * cut, and an arrow out of its middle towards the side that is cut away. The arrow is pushed and pulled along
+ * the normal; the rim tilts the plane about its middle. Nothing lies over the cut itself, so that it can be
+ * seen, clicked and turned. Sizes are in logical pixels; display coordinates are VTK's.
  */
 class vtkVisceraCutPlaneRepresentation : public vtkWidgetRepresentation {
 public:

@@ -3,8 +3,8 @@
 #include <vtkAbstractWidget.h>
 
 /**
- * What our widgets have in common: a left press on a part of the representation takes it into the hand, moves
- * drag it, the release lets it go. Where no part of it is under the cursor the events go on to widgets of a
+ * The base of our widgets, which drag parts of their representation: a left press grabs a part, moves drag
+ * it, the release lets it go. Where no part of it is under the cursor the events go on to widgets of a
  * lower priority and to the camera; while the camera is being moved nothing is under the cursor.
  *
  * VTK's StartInteractionEvent, InteractionEvent and EndInteractionEvent tell of a drag.

@@ -9,8 +9,8 @@
 #include "viscera/scene/widget_events.h"
 
 /**
- * A gizmo to turn and scale things about a centre: a ring around each of the patient's axes turns, a cube at
- * the end of each axis scales along it, the cube in the middle scales evenly.
+ * Draws a gizmo to turn and scale things about a centre: a ring around each of the patient's axes turns, a
+ * cube at the end of each axis scales along it, the cube in the middle scales evenly.
  *
  * It keeps its size on the screen. What lies behind an organ is drawn fainter, and can be grabbed all the
  * same. A ring that is seen from its side turns by the motion along it, any other by the angle of the cursor

@@ -7,9 +7,9 @@
 class vtkVisceraGizmoRepresentation;
 
 /**
- * The mouse on a gizmo: a left drag on a part of it turns or scales. Escape during a drag puts everything
- * back. It goes before the handles under the cursor; where no part of it is, the events go on to them and to
- * the camera. The widget is enabled once and shown by its representation's visibility.
+ * Handles the mouse on a gizmo: a left drag on a part of it turns or scales. Escape during a drag puts
+ * everything back. It goes before the handles under the cursor; where no part of it is, the events go on to
+ * them and to the camera. The widget is enabled once and shown by its representation's visibility.
  *
  * Events (call data: `viscera::scene::GizmoEvent`): HoveredEvent when another part is under the cursor; then
  * GrabbedEvent, MovedEvent for every mouse move, and ReleasedEvent or CancelledEvent.

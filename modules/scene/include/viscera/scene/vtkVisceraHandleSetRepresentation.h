@@ -11,8 +11,7 @@
 class vtkActor;
 
 /**
- * All handles of a view: what they look like, which of them lies under the cursor, and where a drag takes
- * them.
+ * Draws all handles of a view, finds the one under the cursor, and computes where a drag moves them.
  *
  * Handles are balls of constant size on the screen, in one glyph mapper. A handle behind an opaque occluder
  * is drawn as a ghost and is never picked; of several under the cursor the one nearest to the eye is. Sizes

@@ -10,7 +10,7 @@ class vtkVisceraHandleSetWidget;
 
 namespace viscera::scene {
 
-/// What a handle widget says with each of its events (the events' call data points to one of these).
+/// The data of a handle widget's events (the events' call data points to one of these).
 struct HandleEvent {
   int handle = -1;              ///< The handle under the cursor or in the hand; -1: none.
   Vec3 position = Vec3::Zero(); ///< Where that handle is now, mm.
@@ -19,8 +19,8 @@ struct HandleEvent {
   Vec3 delta() const { return position - start; } ///< The same for every handle of `moving`.
 };
 
-/// What a gizmo's hand has done since it was grabbed (the call data of its events points to one of these):
-/// a rotation, or a scaling.
+/// The rotation or scaling of the gizmo since the user grabbed it (the call data of its events points to one
+/// of these): a rotation, or a scaling.
 struct GizmoEvent {
   bool rotates = false;        ///< Else it scales.
   Vec3 center = Vec3::Zero();  ///< What it turns or scales about, mm.

@@ -17,13 +17,13 @@ struct LiverExcursion {
       0.03; ///< How much farther down the right side goes than the left, as a part of their distance.
 };
 
-/// The liver in quiet breathing: the diaphragm pushes it down and forward, the dome more than the lower edge
-/// and the right lobe more than the left, and it widens by as much as keeps its volume. Time course `sin^4`
-/// (Lujan and others, doi 10.1118/1.598577, n = 2): rest is the end of expiration, in the middle of the
-/// pause, at which a breath begins. Inspiration takes 0.38 of a breath, expiration and pause 0.62 (1 : 1.6;
-/// awake adults at rest differ much, but each keeps a pattern of his own: doi 10.1016/S0034-5687(00)00154-7).
-/// The motion is affine, so that any coordinates with linear precision follow it exactly, whatever the
-/// handles. Thread-safe.
+/// The motion of the liver in quiet breathing: the diaphragm pushes it down and forward, the dome more than
+/// the lower edge and the right lobe more than the left, and it widens by as much as keeps its volume. Time
+/// course `sin^4` (Lujan and others, doi 10.1118/1.598577, n = 2): rest is the end of expiration, in the
+/// middle of the pause, at which a breath begins. Inspiration takes 0.38 of a breath, expiration and pause
+/// 0.62 (1 : 1.6; awake adults at rest differ much, but each keeps a pattern of his own: doi
+/// 10.1016/S0034-5687(00)00154-7). The motion is affine, so that any coordinates with linear precision follow
+/// it exactly, whatever the handles. Thread-safe.
 class LiverBreathing final : public Sequence {
 public:
   /// `restHandles` is `n x 3`; `organ` the liver's box, about whose middle it moves. Throws `DataError` for

@@ -8,13 +8,13 @@
 
 namespace viscera::sequences {
 
-/// What the two ventricles hold.
+/// The volumes of the left and the right ventricle, or of the two atria.
 struct CavityVolumes {
   double leftMl = 0;
   double rightMl = 0;
 };
 
-/// Where in its beat a heart is at one instant.
+/// The state of the cardiac cycle at one instant: volumes, emptying, twist and contraction of the atria.
 struct CardiacInstant {
   CavityVolumes volumes;
   /// How much of the stroke at rest has left each ventricle: 0 at the end of diastole at rest, 1 at the end
@@ -25,7 +25,7 @@ struct CardiacInstant {
   double atrialContraction = 0; ///< 0 to 1.
 };
 
-/// One beat at one rate. Immutable; thread-safe.
+/// The course of one heartbeat at a given rate. Immutable; thread-safe.
 class CardiacBeat {
 public:
   const CardiacTimes& times() const { return times_; }
@@ -53,8 +53,8 @@ private:
   Curve atrial_;
 };
 
-/// What happens in one beat, and when. A beat starts with the atria's contraction; how long its parts last at
-/// each rate is `cardiacTimes`.
+/// The textbook's cardiac cycle: volumes and events of a beat at any rate. A beat starts with the atria's
+/// contraction; how long its parts last at each rate is `cardiacTimes`.
 ///
 /// Standard volumes at rest: left ventricle 130.5 ml at the end of diastole, 55 ml at the end of systole
 /// (ejection fraction 0.58, the mean of healthy men: UK Biobank, doi 10.1186/s12968-017-0327-9); right

@@ -56,7 +56,7 @@ double strokePart(const CardiacTimes& times, double strokeMl);
 /// docs/sequences.md says who disagrees.
 inline constexpr double kFastestFilling = 219 * 1.75;
 
-/// When the valves of one ventricle move, s after the beginning of a beat.
+/// The times at which the valves of one ventricle open and close, s after the beginning of a beat.
 struct VentricleClock {
   double inletShuts = 0; ///< Mitral or tricuspid valve.
   double outletOpens = 0;

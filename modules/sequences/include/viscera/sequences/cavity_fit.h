@@ -15,7 +15,7 @@ namespace viscera::sequences {
 /// threads.
 using MeasureCavities = std::function<CavityVolumes(const Points& pose)>;
 
-/// What a heart is to be like at one instant of its beat.
+/// The wanted state of a heart at one instant of its beat: its motion and the volumes of its cavities.
 struct HeartInstant {
   HeartState state;      ///< Without corrections.
   CavityVolumes volumes; ///< What its ventricles are to hold.
@@ -23,7 +23,7 @@ struct HeartInstant {
   std::optional<CavityVolumes> atria;
 };
 
-/// What was found for one instant, from which the search for one near it may begin.
+/// The solution for one instant, from which the search at a near instant can start.
 struct FoundCavities {
   /// The left cavity's gain, the right one's shift and, where the atria are known, theirs.
   Eigen::VectorXd corrections;
@@ -33,10 +33,10 @@ struct FoundCavities {
 /// The heart at an instant of a beat, without corrections.
 HeartInstant heartInstant(const CardiacCycle& cycle, const CardiacInstant& now);
 
-/// The handles of a heart whose cavities hold what they are to hold: in every pose the left cavity's gain,
-/// the right one's shift and, where the atria's volumes are known, theirs are found on the measured cavities.
-/// The handles are affine in them, so that only measuring is repeated, about eight times (two or four
-/// equations by Broyden's method). Immutable; as thread-safe as `measure` and `measureAtria`.
+/// Finds the pose of a heart's handles in which its cavities have given volumes: in every pose the left
+/// cavity's gain, the right one's shift and, where the atria's volumes are known, theirs are found on the
+/// measured cavities. The handles are affine in them, so that only measuring is repeated, about eight times
+/// (two or four equations by Broyden's method). Immutable; as thread-safe as `measure` and `measureAtria`.
 class CavityFit {
 public:
   /// How near the cavities come to what they are to hold, ml.

@@ -11,7 +11,7 @@
 
 namespace viscera::sequences {
 
-/// One beat of a heart as somebody else has computed it (a circulation): what it is like at even instants.
+/// One heartbeat that was computed elsewhere, as by a circulation, as states at even instants.
 struct HeartCourse {
   std::string name;                    ///< "Heartbeat: exercise"
   double period = 0;                   ///< s
@@ -25,7 +25,7 @@ struct HeartCourse {
   std::optional<ValveInstants> valvesAt(double phase) const;
 };
 
-/// The heart beating as a course says, so that its cavities hold the course's volumes at every instant. It
+/// The heartbeat of a course, in which the heart's cavities have the course's volumes at every instant. It
 /// has one rate, that of the course: another rate is another course. Immutable; thread-safe.
 class CourseHeartbeat final : public Sequence {
 public:

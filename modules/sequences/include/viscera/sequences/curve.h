@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-/// Smooth curves through a few keys, for motions that are given by what is known at certain times.
+/// Smooth curves through a few keys, for motions that are known at certain times.
 namespace viscera::sequences {
 
 /// One key of a curve.

@@ -7,7 +7,8 @@
 
 namespace viscera::sequences {
 
-/// How waves run along a stomach; places are arc lengths of its centreline from the top of the fundus, mm.
+/// Where the waves of a stomach arise and end, and how deep they are; places are arc lengths of its
+/// centreline from the top of the fundus, mm.
 struct GastricCourse {
   double midBody = 101; ///< Where waves arise.
   double pylorus = 272; ///< Where they end.

@@ -3,10 +3,10 @@
 #include "viscera/core/arrays.h"
 #include "viscera/sequences/heart_rig.h"
 
-/// The anatomy of a heart of which nothing but the outer surface is known.
+/// Estimates the anatomy of a heart from its outer surface alone.
 namespace viscera::sequences {
 
-/// What a user points at on a heart, mm.
+/// The landmarks of a heart that a user can point at, mm.
 struct HeartLandmarks {
   Vec3 apex = Vec3::Zero();  ///< The tip, on the surface.
   Vec3 base = Vec3::Zero();  ///< The middle of the mitral valve, or of the plane of the valves; inside.

@@ -11,8 +11,9 @@ struct HeartPoint {
   double c = 0;   ///< Along it, mm: 0 at the mitral valve, growing towards the apex.
 };
 
-/// The ventricular frame: origin at the middle of the mitral valve, axes towards the right ventricle (a), the
-/// diaphragm (b) and the apex (c), right-handed and orthonormal. Immutable; thread-safe.
+/// The coordinate frame of a heart's ventricles: origin at the middle of the mitral valve, axes towards the
+/// right ventricle (a), the diaphragm (b) and the apex (c), right-handed and orthonormal. Immutable;
+/// thread-safe.
 class HeartFrame {
 public:
   /// The axes of the world.

@@ -8,7 +8,7 @@
 
 namespace viscera::sequences {
 
-/// What the atria hold, where that is known.
+/// The volumes of the atria relative to rest, where they are known.
 struct AtrialState {
   double leftPart = 1; ///< What the left atrium holds, as a part of what it holds at rest.
   double rightPart = 1;
@@ -18,7 +18,7 @@ struct AtrialState {
   double rightShift = 0;
 };
 
-/// Where in its beat a heart is.
+/// The state of a heart's motion at one instant of its beat.
 struct HeartState {
   double emptying = 0;          ///< Of the left ventricle: 0 at the end of diastole at rest, 1 of systole.
   double rightEmptying = 0;     ///< The same of the right one.
@@ -35,7 +35,7 @@ struct HeartState {
   double rightShift = 0;
 };
 
-/// How far the parts of a heart move.
+/// The amplitudes with which the parts of a heart move.
 struct HeartExcursions {
   double leftDescent = 12.5;       ///< Of the base at the left free wall, mm; the whole annulus comes to 15.5
                                    ///< (16.4: doi 10.1152/ajpheart.01376.2006).
@@ -48,7 +48,7 @@ struct HeartExcursions {
   double atrialFilling = 0.10;
 };
 
-/// Moves the handles of a heart from state to state.
+/// Computes the pose of a heart's handles for a state of its beat.
 ///
 /// The base descends towards the apex, which stays; the left cavity narrows; the wall of the left ventricle
 /// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f the

@@ -10,7 +10,7 @@
 
 namespace viscera::sequences {
 
-/// Which part of the heart a handle moves with.
+/// The part of the heart that a handle moves with.
 enum class HeartRole {
   leftEndocardium, ///< On the wall of the left ventricle's cavity.
   epicardium,      ///< A little outside the ventricles.
@@ -32,7 +32,7 @@ struct HeartShell {
   double apex() const { return center + halfLength; }
 };
 
-/// One atrium.
+/// Surface, centre and appendage of an atrium.
 struct AtriumAnatomy {
   AnatomySurface surface;
   Vec3 center = Vec3::Zero();  ///< Towards this point it contracts, mm.
@@ -50,7 +50,7 @@ struct VesselRing {
   double follow = 0; ///< The part of the base's descent in which the vessel takes part here, 0 to 1.
 };
 
-/// What has to be known of a heart to put handles around it.
+/// The measures of a heart that are needed to place handles around it.
 struct HeartAnatomy {
   HeartFrame frame;
   HeartShell endocardium; ///< The left ventricle's cavity.
@@ -66,7 +66,7 @@ struct HeartAnatomy {
   Bounds box; ///< Of the far corners.
 };
 
-/// One handle, its place and its part in the beat.
+/// A handle of a heart, with its position and its role in the beat.
 struct HeartHandle {
   HeartRole role = HeartRole::farCorner;
   Vec3 position = Vec3::Zero(); ///< At rest, mm, LPS.
@@ -76,7 +76,7 @@ struct HeartHandle {
   double follow = 1;            ///< As in `VesselRing`.
 };
 
-/// How close handles stand.
+/// The spacing of a heart's handles and other options of their placement.
 struct HeartRigOptions {
   double spacing = 20;    ///< Along the rings around the ventricles, mm.
   double offset = 8;      ///< Between the ventricles and the handles outside them, mm.
@@ -87,7 +87,7 @@ struct HeartRigOptions {
   bool firstWall = false;
 };
 
-/// The handles of a heart, those of one role in one piece.
+/// The handles of a heart, ordered by their role.
 struct HeartRig {
   HeartAnatomy anatomy;
   std::vector<HeartHandle> handles;
@@ -100,11 +100,11 @@ struct HeartRig {
   std::vector<HandleGroup> groups() const;
 };
 
-/// Places the handles: rings around the long axis on the endocardium and outside the epicardium, rows on the
-/// right ventricle's free wall and on the septum, points around the atria, rings around the vessels, far
-/// corners. Where a ray does not meet its surface there is no handle. Deterministic; some 10 ms. Throws
-/// `DataError` when the surfaces are not where the frame says, so that a ventricle gets fewer than eight
-/// handles.
+/// Places the handles of a heart: rings around the long axis on the endocardium and outside the epicardium,
+/// rows on the right ventricle's free wall and on the septum, points around the atria, rings around the
+/// vessels, far corners. Where a ray does not meet its surface there is no handle. Deterministic; some 10 ms.
+/// Throws `DataError` when the surfaces are not where the frame says, so that a ventricle gets fewer than
+/// eight handles.
 HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options = {});
 
 /// The surfaces of the sample heart that its handles need, each negative inside.

@@ -15,7 +15,7 @@ namespace viscera::sequences {
 enum class HeartValve { mitral, aortic, tricuspid, pulmonary };
 inline constexpr std::size_t kHeartValves = 4;
 
-/// One valve at one instant.
+/// The opening of a valve and the flow through it at one instant.
 struct ValveInstant {
   double areaMm2 = 0;    ///< Through which blood can pass, forwards or back; 0: shut and tight.
   double flowMlPerS = 0; ///< Forward positive; negative through a valve that leaks.
@@ -33,7 +33,7 @@ ValveInstants textbookValves(double seconds, double ratePerMinute);
 /// what the ventricles' volumes gain and lose. O(1).
 std::optional<ValveInstants> valvesAt(const Sequence& sequence, double seconds, double ratePerMinute);
 
-/// The ring in which a valve's leaflets hang: an ellipse.
+/// The ring to which a valve's leaflets are attached, an ellipse.
 struct ValveRing {
   Vec3 center = Vec3::Zero();      ///< mm
   Vec3 first = Vec3::UnitX();      ///< One half axis, mm.

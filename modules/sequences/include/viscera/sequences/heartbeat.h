@@ -8,7 +8,7 @@
 
 namespace viscera::sequences {
 
-/// What beating hearts have in common, whatever is known of them.
+/// The base of all sequences of a beating heart: cycle, phases and groups of handles.
 class Heartbeat : public Sequence {
 public:
   std::string id() const override { return "heartbeat"; }
@@ -33,8 +33,8 @@ private:
   CardiacCycle cycle_;
 };
 
-/// The beat of a heart whose cavities are known: they hold what the cycle says, at every instant and rate.
-/// Immutable; as thread-safe as what measures the cavities.
+/// The heartbeat of a heart with modelled cavities, whose volumes are those of the cardiac cycle at every
+/// instant and rate. Immutable; as thread-safe as what measures the cavities.
 class CavityHeartbeat final : public Heartbeat {
 public:
   /// Throws `DataError` when the volumes cannot be reached somewhere in a beat.

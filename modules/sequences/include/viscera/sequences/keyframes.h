@@ -9,10 +9,11 @@
 #include "viscera/sequences/curve.h"
 #include "viscera/sequences/sequence.h"
 
-/// Sequences out of a few poses that somebody has recorded.
+/// Sequences that interpolate between a few recorded poses (keyframes).
 namespace viscera::sequences {
 
-/// How the way from one key to the next is run through. All are monotone: no pose overshoots its keys.
+/// The easing of a key: how fast the motion goes to the next one. All are monotone: no pose overshoots its
+/// keys.
 enum class Easing {
   linear, ///< Evenly.
   smooth, ///< Starts and ends gently (smoothstep); continuously differentiable across keys.
@@ -29,7 +30,7 @@ std::optional<Easing> easingFromName(const std::string& name);
 /// What part of the way is done at `part` of the time, both 0 to 1; ascending, `eased(e, 0) == 0`.
 double eased(Easing easing, double part);
 
-/// How poses between keys are found.
+/// The method by which poses between keys are interpolated.
 enum class Interpolation {
   eased, ///< On the straight way from key to key, each as its easing says.
   curve  ///< On one curve through all keys, C1, without overshoot in any coordinate (`Curve`); no easings.
@@ -39,7 +40,7 @@ enum class Interpolation {
 std::string nameOf(Interpolation interpolation);
 std::optional<Interpolation> interpolationFromName(const std::string& name);
 
-/// One pose at one time.
+/// A keyframe: a pose with its time.
 struct Keyframe {
   double seconds = 0;             ///< [0, period).
   Points pose;                    ///< `n x 3` mm.
@@ -49,7 +50,7 @@ struct Keyframe {
 /// The shortest time between two keys and the shortest period, s.
 inline constexpr double kShortestSpan = 1e-3;
 
-/// Recorded poses in time. Immutable; thread-safe.
+/// A sequence that interpolates between recorded poses. Immutable; thread-safe.
 class KeyframedSequence final : public Sequence {
 public:
   /// All that makes one.

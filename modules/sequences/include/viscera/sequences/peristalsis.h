@@ -10,8 +10,8 @@
 
 namespace viscera::sequences {
 
-/// Waves that run down the stomach while it keeps its volume: what they press out of the antrum, the upper
-/// stomach takes in.
+/// The sequence of peristaltic waves, which run down the stomach while it keeps its volume: what they press
+/// out of the antrum, the upper stomach takes in.
 ///
 /// A ring at arc length s has the factor `[1 - constriction(s, t)] [1 + B beta(s)]` about its centre, beta a
 /// bell over the upper stomach. The handles are affine in B, so the organ's volume is a cubic in B; its root

@@ -10,7 +10,8 @@
 
 namespace viscera::sequences {
 
-/// Lets handles go further than the motion says, so that the organ goes as far.
+/// Enlarges the motion of handles, so that the organ itself, which follows them only in part, moves as far as
+/// intended.
 ///
 /// Coordinates with softness do not interpolate: what an organ does at a handle is an average of that handle
 /// and its neighbours, and a motion that differs from handle to handle comes out flattened. With W the

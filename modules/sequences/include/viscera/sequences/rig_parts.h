@@ -5,7 +5,7 @@
 
 #include "viscera/core/arrays.h"
 
-/// What the rigs of all organs are made of.
+/// Helper functions to place handles in rings and boxes around organs.
 namespace viscera::sequences {
 
 /// The surface of an organ or of a part of it as a function of the point (mm, LPS): negative inside, about

@@ -15,26 +15,27 @@ struct Phase {
   std::string group = {}; ///< The larger part of the cycle that it belongs to: "systole"; empty for none.
 };
 
-/// Something that travels through the organ during the cycle, such as a peristaltic wave.
+/// A mark that travels through the organ during the cycle, such as a peristaltic wave.
 struct TravellingMark {
   double place = 0;    ///< On its way through the organ: 0 at the beginning, 1 at the end.
   double strength = 0; ///< How much it does there, 0 to 1.
 };
 
-/// A place on the way of such marks that has a name.
+/// A named place on the path of travelling marks.
 struct NamedPlace {
   std::string name; ///< "pylorus"
   double place = 0; ///< As in `TravellingMark`.
 };
 
-/// Handles that move together and that a user finds together.
+/// A named group of handles that move together.
 struct HandleGroup {
   std::string name;             ///< "Epicardium"
   Vec3 color = {1.0, 0.5, 0.2}; ///< Red green blue, 0 to 1.
   std::vector<int> handles;     ///< Rows of the rest handles, ascending.
 };
 
-/// Motion over time: a pose of the handles at every instant. Immutable; may be asked from several threads.
+/// The interface of all sequences, which give a pose of the handles at every instant of a cycle. Immutable;
+/// may be asked from several threads.
 class Sequence {
 public:
   virtual ~Sequence() = default;

@@ -5,7 +5,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/sequences/stomach_rig.h"
 
-/// The anatomy of any stomach, from its surface and its middle line.
+/// Estimates the anatomy of a patient's stomach from its surface and middle line.
 namespace viscera::sequences {
 
 /// From the top of the fundus to the pylorus of the standard stomach along its centreline, mm: stomachs are

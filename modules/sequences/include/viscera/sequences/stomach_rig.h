@@ -18,7 +18,7 @@ struct FixedRing {
   int count = 1;
 };
 
-/// What has to be known of a stomach to put handles around it.
+/// The measures of a stomach that are needed to place handles around it.
 struct StomachAnatomy {
   Centerline centerline; ///< From the top of the fundus past the pylorus into the duodenum.
   GastricCourse course;  ///< On that line.
@@ -27,10 +27,10 @@ struct StomachAnatomy {
   Bounds box;                   ///< Of the far corners.
 };
 
-/// Which part of the stomach a handle stands at.
+/// The part of the stomach at which a handle is.
 enum class StomachRegion { fundus, body, antrum, fixed, farCorner };
 
-/// One handle and its cross-section.
+/// A handle of a stomach, with the cross-section that it belongs to.
 struct StomachHandle {
   StomachRegion region = StomachRegion::farCorner;
   Vec3 position = Vec3::Zero(); ///< At rest, mm, LPS.
@@ -38,13 +38,13 @@ struct StomachHandle {
   double s = 0;                 ///< Arc length of the ring, mm.
 };
 
-/// How close handles stand, mm.
+/// The spacing of a stomach's handles, mm.
 struct StomachRigOptions {
   double ringDistance = 12; ///< Between rings, along the centreline.
   double spacing = 20;      ///< Along a ring.
 };
 
-/// The handles of a stomach, those of one region in one piece.
+/// The handles of a stomach, ordered by region.
 struct StomachRig {
   StomachAnatomy anatomy;
   std::vector<StomachHandle> handles;

@@ -14,7 +14,7 @@ struct HeartSurfaces {
   const Points& outer;
 };
 
-/// Where the walls of the ventricles are at one instant.
+/// The positions of the ventricles' walls at one instant.
 struct WallPlaces {
   double leftBaseMm = 0;  ///< How far the rim of the left cavity's base has come towards the apex.
   double rightBaseMm = 0; ///< The same of the right cavity's base at its free wall.
@@ -23,7 +23,8 @@ struct WallPlaces {
   double wallMm = 0;      ///< The left ventricle's free wall between base and apex.
 };
 
-/// What a cardiologist measures of the ventricles' motion over a beat.
+/// Clinical measures of the ventricles' motion over a beat: descent of the valve planes, twist, wall
+/// thickening.
 struct WallMotion {
   double mapseMm = 0;           ///< Excursion of the mitral annulus' plane.
   double tapseMm = 0;           ///< That of the tricuspid annulus at the free wall.
@@ -33,11 +34,11 @@ struct WallMotion {
   double thickestWallMm = 0;
 };
 
-/// Measures the walls on the surfaces of a heart, not on what moves them: vertices are chosen once, at rest,
-/// and followed. Rings of the left cavity 2 to 8 mm (base), 4 to 14 and 70 to 82 mm (turn) below the mitral
-/// valve; the right cavity's base within 0.35 rad of its free wall's middle; the free wall opposite to the
-/// right ventricle, 15 to 50 mm below the valve, as the mean distance of both its surfaces from the axis in
-/// slices of 7 mm. Immutable; thread-safe.
+/// Measures the motion of the ventricles' walls on the surfaces of a heart: vertices are chosen once, at
+/// rest, and followed. Rings of the left cavity 2 to 8 mm (base), 4 to 14 and 70 to 82 mm (turn) below the
+/// mitral valve; the right cavity's base within 0.35 rad of its free wall's middle; the free wall opposite to
+/// the right ventricle, 15 to 50 mm below the valve, as the mean distance of both its surfaces from the axis
+/// in slices of 7 mm. Immutable; thread-safe.
 class WallGauge {
 public:
   /// Throws `DataError` naming the place where a surface has too few vertices to be measured. O(n).
@@ -68,10 +69,10 @@ private:
   std::vector<Slice> wall_;
 };
 
-/// The numbers of a beat from its instants, at least one.
+/// Computes the measures of a beat from its instants, at least one.
 WallMotion wallMotion(const std::vector<WallPlaces>& beat);
 
-/// What healthy adults have, for whoever shows the numbers: low, high, unit and source.
+/// The normal range of a measure of wall motion: low, high, unit and source.
 struct WallMotionRange {
   const char* name;  ///< "MAPSE"
   const char* about; ///< "excursion of the mitral annulus"

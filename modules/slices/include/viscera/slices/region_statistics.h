@@ -9,7 +9,7 @@
 
 namespace viscera::slices {
 
-/// A flat part of a slice's plane, mm LPS: from a corner along two sides at a right angle to each other.
+/// A rectangle in the plane of a slice, mm LPS: from a corner along two sides at a right angle to each other.
 struct RectangleRegion {
   Vec3 corner = Vec3::Zero();
   Vec3 first = Vec3::UnitX();
@@ -18,7 +18,7 @@ struct RectangleRegion {
   double areaMm2() const { return first.cross(second).norm(); }
 };
 
-/// A ball, mm LPS.
+/// A sphere, mm LPS.
 struct SphereRegion {
   Vec3 center = Vec3::Zero();
   double radius = 0;
@@ -28,7 +28,7 @@ struct SphereRegion {
 
 using Region = std::variant<RectangleRegion, SphereRegion>;
 
-/// What the voxels of a region say, in the scan's unit. All values are 0 where there is no voxel.
+/// Statistics of the scan's values in a region, in the scan's unit. All values are 0 where there is no voxel.
 struct RegionStatistics {
   std::size_t count = 0; ///< Voxels that were measured; those of padding are none.
   double mean = 0;

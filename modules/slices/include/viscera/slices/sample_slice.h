@@ -9,7 +9,7 @@
 
 namespace viscera::slices {
 
-/// How the values of a slice are taken from a scan.
+/// The options of `sampleSlice`: interpolation and thickness.
 struct SampleOptions {
   bool nearest = false; ///< The voxel's own value instead of the trilinear one.
   double slabMm = 0;    ///< Thickness around the slice's plane; 0: the plane alone.
@@ -17,25 +17,25 @@ struct SampleOptions {
   Threads threads = {};
 };
 
-/// The values of a picture's pixels, row by row from the lower left; NaN where nothing was measured: outside
-/// of the scan's voxels, and in padding.
+/// The scan's values at the pixels of a slice, row by row from the lower left; NaN where nothing was
+/// measured: outside of the scan's voxels, and in padding.
 struct ValueImage {
   int width = 0;
   int height = 0;
   std::vector<float> values;
 };
 
-/// What a scan has on a slice, in the scan's unit. Reads the stored samples in place; a frame may lie
-/// anyhow in the scan, which may be oblique, left-handed or sheared. With `rest`, `pixels x 3` mm LPS, what
-/// is seen at a pixel is what was at its place before the tissue was bent; a row of NaN says that there is no
-/// answer. The layers of a thick slice lie along its normal there as well. Uses the memory that `image` has.
-/// O(pixels * layers of the slab), on several threads; a fifth of that where rows of pixels run along an axis
-/// of the voxels and nothing is bent.
+/// Samples a scan on a slice, in the scan's unit. Reads the stored samples in place; a frame may lie anyhow
+/// in the scan, which may be oblique, left-handed or sheared. With `rest`, `pixels x 3` mm LPS, what is seen
+/// at a pixel is what was at its place before the tissue was bent; a row of NaN says that there is no answer.
+/// The layers of a thick slice lie along its normal there as well. Uses the memory that `image` has. O(pixels
+/// * layers of the slab), on several threads; a fifth of that where rows of pixels run along an axis of the
+/// voxels and nothing is bent.
 void sampleSlice(const medical_io::Scan& scan, const SliceFrame& frame, const SampleOptions& options,
                  ValueImage& image, const Points* rest = nullptr);
 
-/// Grey levels as a display has them: black at `level - width / 2` and below, white at `level + width / 2`
-/// and above, `background` where nothing was measured. O(pixels), on several threads.
+/// Converts values to grey levels by window and level: black at `level - width / 2` and below, white at
+/// `level + width / 2` and above, `background` where nothing was measured. O(pixels), on several threads.
 void greyOf(const ValueImage& image, const medical_io::ValueWindow& window, std::uint8_t background,
             std::vector<std::uint8_t>& grey, Threads threads = {});
 

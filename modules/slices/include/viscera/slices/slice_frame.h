@@ -27,7 +27,7 @@ std::array<SliceDirection, 3> sliceDirections();
 /// The direction of that id. Throws `UsageError` that lists them for another word.
 SliceDirection sliceDirection(const std::string& id);
 
-/// Where the pixels of a picture lie in the patient, mm LPS.
+/// Position and axes of a slice's pixels in the patient, mm LPS.
 struct SliceFrame {
   Vec3 corner = Vec3::Zero(); ///< The centre of the pixel at the lower left.
   Vec3 right = Vec3::UnitX(); ///< From a pixel to the next one in its row; not zero.

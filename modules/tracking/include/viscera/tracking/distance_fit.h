@@ -10,7 +10,7 @@
 
 namespace viscera::tracking {
 
-/// What surfaces are brought to in one phase: how far they are from it, surface by surface.
+/// The targets to which surfaces are fitted in one phase: how far they are from it, surface by surface.
 struct PhaseTargets {
   std::vector<std::shared_ptr<const SurfaceDistance>> distances; ///< One a surface.
   Values volumesMl;                                              ///< Measured, one a surface.
@@ -18,7 +18,7 @@ struct PhaseTargets {
   std::size_t bytes() const;
 };
 
-/// How a fit to distances goes on.
+/// The options of `fitDistances`.
 struct DistanceFitOptions {
   FitOptions fit{1e-5, 1e-4, true};
   double sliding = 0.02;  ///< Part of a step along the wall that counts as much as one away from it.
@@ -30,12 +30,12 @@ struct DistanceFitOptions {
   bool foreignRig = false;
 };
 
-/// Poses that bring the rig's surfaces to what there is in every phase, without knowing which point went
-/// where: Gauss and Newton on the squared distances of the vertices, phase by phase, each from the one
-/// before; then a sweep that pulls each phase to between its neighbours and closes the loop; then the
-/// volumes. `targets` makes a phase's distances; it is asked once a phase and sweep, or once where all of
-/// them fit into memory. What moves along a wall is not seen. Phases follow one another, the work within one
-/// uses several threads; bitwise independent of their number. O(steps x phases x m n^2). Throws `Cancelled`.
+/// Finds the poses in which a rig's surfaces fit the targets of every phase, without point correspondences:
+/// Gauss and Newton on the squared distances of the vertices, phase by phase, each from the one before; then
+/// a sweep that pulls each phase to between its neighbours and closes the loop; then the volumes. `targets`
+/// makes a phase's distances; it is asked once a phase and sweep, or once where all of them fit into memory.
+/// What moves along a wall is not seen. Phases follow one another, the work within one uses several threads;
+/// bitwise independent of their number. O(steps x phases x m n^2). Throws `Cancelled`.
 MotionFit fitDistances(const MotionRig& rig, const std::function<PhaseTargets(std::size_t phase)>& targets,
                        const PhaseTimes& times, const DistanceFitOptions& options, Progress& progress,
                        Threads threads = {});

@@ -14,7 +14,7 @@
 
 namespace viscera::tracking {
 
-/// How far one surface is from what it was fitted to, in one phase. All distances are weighted by area.
+/// The errors of one fitted surface in one phase. All distances are weighted by area.
 struct SurfaceQuality {
   double meanMm = 0, p95Mm = 0, maxMm = 0; ///< Of the vertices.
   double measuredMl = 0;                   ///< Of the surface or the voxels.
@@ -24,7 +24,7 @@ struct SurfaceQuality {
   int flipped = 0;                         ///< Triangles that face the wrong way.
 };
 
-/// One phase.
+/// The errors of all surfaces and of the tissue in one phase.
 struct PhaseQuality {
   std::vector<SurfaceQuality> surfaces;
   double meanMm = 0, p95Mm = 0, maxMm = 0; ///< Of all surfaces together, each counting the same.
@@ -34,11 +34,11 @@ struct PhaseQuality {
   bool volumesMet = true;
 };
 
-/// Weighted mean, 95 % and largest of some numbers.
+/// Weighted mean, 95th percentile and largest of some numbers.
 struct Spread {
   double mean = 0, p95 = 0, max = 0;
 };
-/// Of `values` that count as their `weights` say. O(n log n).
+/// Computes these of `values` with their `weights`. O(n log n).
 Spread spreadOf(const Values& values, const Values& weights);
 
 /// Triangles of `fitted` whose normal is opposed to that of the same triangle of `measured`. O(m).
@@ -63,10 +63,10 @@ private:
   Eigen::Index count_ = 0;
 };
 
-/// How a phase is to be looked at.
+/// The quality of a fitted phase as a light.
 enum class FitLight { good, amber, red };
 
-/// What a phase is worth, and why: a sentence for each reason.
+/// The verdict on a fitted phase and its reasons: a sentence for each reason.
 struct FitVerdict {
   FitLight light = FitLight::good;
   std::vector<std::string> reasons;

@@ -9,8 +9,8 @@
 
 namespace viscera::tracking {
 
-/// Which voxels of a grid belong to a surface's inside. The grid has no shear; it may be oblique or
-/// left-handed.
+/// A binary image: the voxels of a grid that belong to the inside of a surface. The grid has no shear; it may
+/// be oblique or left-handed.
 struct Mask {
   std::array<int, 3> size = {}; ///< Voxels along i, j and k.
   /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0).

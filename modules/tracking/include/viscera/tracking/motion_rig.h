@@ -9,7 +9,7 @@
 
 namespace viscera::tracking {
 
-/// How the handles of a motion are placed.
+/// The options for placing the handles of a tracked motion.
 struct RigOptions {
   int handles = 0;       ///< All, the eight corners of the box included; 0: 60 for one surface, else 120.
   double offsetMm = 0;   ///< Of a handle from its wall; 0: 2.5 % of the outer surface's diagonal.
@@ -17,7 +17,7 @@ struct RigOptions {
   double softness = 1.5; ///< Of the S-celestial coordinates, in median distances to the nearest handle.
 };
 
-/// The handles of a motion and what of them belongs together.
+/// The handles of a tracked motion and the surface that each belongs to.
 struct RigHandles {
   Points rest;                ///< `n x 3` mm: the corners of the box first, then surface by surface.
   std::vector<int> ofSurface; ///< One a handle: its surface, or -1 for a corner of the box.

@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 
-/// A patient's own motion out of a series of surfaces or label maps, one a phase: one rig of handles, a pose
-/// a phase. docs/patient_motion.md describes the method.
+/// Tracks a patient's own motion in a series of surfaces or label maps, one for each phase: one rig of
+/// handles, a pose a phase. docs/patient_motion.md describes the method.
 namespace viscera::tracking {
 
-/// When the phases of a series are.
+/// The times of the phases of a series.
 struct PhaseTimes {
   std::vector<double> seconds; ///< One a phase, ascending, all within [0, `periodSeconds`).
   double periodSeconds = 1;
@@ -25,7 +25,7 @@ struct PhaseTimes {
 /// no loop its ends have no such term. O(t^2).
 Eigen::MatrixXd unevenness(const PhaseTimes& times);
 
-/// A phase between its neighbours: where on the straight way from the one to the other it is.
+/// The neighbours of a phase in time: where on the straight way from the one to the other it is.
 struct Neighbours {
   std::size_t before = 0, after = 0;
   double part = 0.5; ///< 0 at `before`, 1 at `after`.

@@ -10,14 +10,14 @@
 
 namespace viscera::tracking {
 
-/// What a fit weighs against the distance of the surfaces, whose mean square it counts in mm^2.
+/// The weights of smoothness and other terms against the mean squared distance of the surfaces, mm^2.
 struct FitOptions {
   double bending = 1e-5;   ///< Of what of a pose is no affine motion of the handles.
   double smoothing = 1e-5; ///< Of unevenness in time.
   bool keepVolumes = true; ///< Each phase has its measured volumes, exactly.
 };
 
-/// The poses of a rig that bring it to a series.
+/// The poses of a rig that were fitted to a series.
 struct MotionFit {
   std::vector<Points> poses;         ///< `n x 3` mm, one a phase.
   std::vector<Values> freeVolumesMl; ///< Of every surface in every phase before volumes were kept.

@@ -8,8 +8,8 @@
 
 namespace viscera::tracking {
 
-/// How far points are from what a surface is brought to, negative inside. Immutable; may be asked from
-/// several threads.
+/// The interface that gives the signed distance of points from the target of a fit, negative inside.
+/// Immutable; may be asked from several threads.
 class SurfaceDistance {
 public:
   virtual ~SurfaceDistance() = default;
@@ -20,7 +20,7 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
-/// From a closed, outward surface. O(log m) a point.
+/// The signed distance from a closed, outward surface. O(log m) a point.
 class MeshDistance final : public SurfaceDistance {
 public:
   /// Keeps the mesh. Throws as `geometry::SignedDistance`.

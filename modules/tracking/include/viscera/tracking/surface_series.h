@@ -17,7 +17,7 @@ struct SurfaceSeries {
   geometry::TriangleMesh at(std::size_t phase) const { return {phases[phase], triangles, {}}; }
 };
 
-/// A series whose surfaces are closed and face outward, and what had to be done for it.
+/// A series of surfaces that were closed and turned outward where necessary, and what was done.
 struct TidySeries {
   SurfaceSeries series;
   int mergedPoints = 0;     ///< Points that repeated another one in the first phase.

@@ -10,7 +10,7 @@ namespace viscera::tracking {
 /// (`n x 3`), the displacement (`n x 3`) that raises it at the least cost of the fit.
 using Metric = std::function<Points(const Points& gradient)>;
 
-/// How far volumes are from what they are to be.
+/// The remaining errors of the volumes.
 struct MetVolumes {
   Values missingMl; ///< Of every surface: wanted less what it is, after the last step.
   int steps = 0;

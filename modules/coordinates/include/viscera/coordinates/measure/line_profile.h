@@ -4,7 +4,7 @@
 
 namespace viscera::coordinates {
 
-/// A straight row of points, mm, or one that sags like a parabola.
+/// A line of sample points, straight or curved like a parabola, mm.
 struct Line {
   Vec3 from;
   Vec3 to;
@@ -20,7 +20,7 @@ struct LineProfile {
   BindingReport report;
 };
 
-/// How a system's coordinates behave along a line.
+/// Jumps, kinks and local maxima of a system's coordinates along a line.
 struct LineProperties {
   BindingReport report;   ///< Of the points of the profile.
   double largestJump = 0; ///< Of a coordinate between two points whose distance goes to nothing.

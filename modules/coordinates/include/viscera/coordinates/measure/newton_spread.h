@@ -5,12 +5,12 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
 
-/// The way in which the thesis solves the T-Celestial equations (4.3.2), kept to measure it: Newton's method
+/// The thesis's method to solve the T-Celestial equations (4.3.2), kept for comparison: Newton's method
 /// without damping, begun at each point with the solution of a neighbour. The program's own coordinates do
 /// not need it: their damped method finds every solution from zero.
 namespace viscera::coordinates {
 
-/// How the neighbours of a point are ordered before they are tried.
+/// The order in which the neighbours of a solved point are tried.
 enum class NeighbourOrder {
   euclidean, ///< By their distance to the point.
   jacobian   ///< By `|J p|`, J the derivative at the point with the neighbour's solution, p from the handles'

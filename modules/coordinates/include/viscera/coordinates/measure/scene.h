@@ -6,10 +6,10 @@
 
 #include "viscera/coordinates/measure/line_profile.h"
 
-/// What coordinate systems are tried on.
+/// Test scenes on which coordinate systems are measured.
 namespace viscera::coordinates {
 
-/// Handles, and what is bound to them: points along a line, or any points.
+/// A test scene: handles, and points on a line or anywhere that are bound to them.
 struct Scene {
   std::string name; ///< "line, 15 handles", "liver"
   HandleSet handles;

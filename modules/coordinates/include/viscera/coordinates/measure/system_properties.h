@@ -7,11 +7,12 @@
 
 #include "viscera/coordinates/measure/scene.h"
 
-/// What coordinate systems keep and break, measured the same way for each of them (thesis, tables 4.1 and
-/// 4.2, which say it without numbers).
+/// Measures the properties of coordinate systems (identity, positivity, smoothness and others), the same way
+/// for each (thesis, tables 4.1 and 4.2, which say it without numbers).
 namespace viscera::coordinates {
 
-/// What one system does on one scene. Where `refusal` says something, nothing else is known.
+/// The measured properties of one coordinate system on one scene. Where `refusal` says something, nothing
+/// else is known.
 struct SceneProperties {
   std::string scene;
   Eigen::Index handles = 0;
@@ -32,7 +33,7 @@ struct SceneProperties {
   std::vector<std::string> notes; ///< The binding's own.
 };
 
-/// One system on all scenes; the worst of them where one number is enough.
+/// The measured properties of one coordinate system on all scenes, and the worst of each.
 struct SystemProperties {
   std::string id;
   std::string name;

@@ -4,8 +4,8 @@
 
 namespace viscera::coordinates {
 
-/// The centroid of the positive balanced vectors within the unit sphere, by sampling (thesis 4.2).
-/// `sampling`:
+/// C-Celestial coordinates: the centroid of the positive balanced vectors within the unit sphere, by sampling
+/// (thesis 4.2). `sampling`:
 /// * `hit-and-run` (ours): a walk inside the cone and the unit ball, which loses no sample;
 /// * `sphere`, `cube`: as the thesis, random vectors projected, those with a negative number thrown away.
 /// With

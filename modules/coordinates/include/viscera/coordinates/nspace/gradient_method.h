@@ -4,8 +4,8 @@
 
 namespace viscera::coordinates {
 
-/// Raises the smallest number of a balanced vector along its steepest direction; where others tie with it
-/// they are raised together (thesis 3.3.4). Parameters:
+/// Coordinates by gradient ascent: raises the smallest number of a balanced vector along its steepest
+/// direction; where others tie with it they are raised together (thesis 3.3.4). Parameters:
 /// * `stop`: `inside` stops as soon as no number is negative; `highest` goes on until the smallest number
 /// rises
 ///   no more, and where it rises without end takes the direction. The thesis describes both. It promises
