@@ -6,6 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "build_paths.h"
+
 /// The main program of all benchmarks: notes in the output what was measured, and on what.
 namespace {
 

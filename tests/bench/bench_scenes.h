@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "build_paths.h"
 #include "shared_organs.h"
 #include "viscera/deformation/place_handles.h"
 

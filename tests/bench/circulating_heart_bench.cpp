@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <vtkRenderWindow.h>
 
+#include "build_paths.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"

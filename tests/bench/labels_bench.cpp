@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "build_paths.h"
 #include "label_files.h"
 #include "temporary_folder.h"
 #include "viscera/core/progress.h"

@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "build_paths.h"
 #include "viscera/core/progress.h"
 #include "viscera/sample_organs/sample_organ.h"
 

@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "build_paths.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"

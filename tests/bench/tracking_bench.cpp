@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "build_paths.h"
 #include "measured_beat.h"
 #include "viscera/core/progress.h"
 #include "viscera/motion/motion_series.h"

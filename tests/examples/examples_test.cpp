@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "least_norm.h"
 #include "pulse.h"
 #include "viscera/coordinates/binding.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "fuzz_target.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "build_paths.h"
 #include "viscera/document/organ_commands.h"
 #include "window/import/import_controller.h"
 #include "window_test.h"

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "build_paths.h"
 #include "viscera/document/group_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "play_fixture.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/readings.h"

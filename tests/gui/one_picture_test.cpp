@@ -14,6 +14,7 @@
 #include <vtkImageData.h>
 #include <vtkRenderer.h>
 
+#include "build_paths.h"
 #include "run_process.h"
 #include "shapes.h"
 #include "temporary_folder.h"

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "play_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"

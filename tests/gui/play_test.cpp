@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "build_paths.h"
 #include "run_process.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/sample_organs/sample_organ.h"

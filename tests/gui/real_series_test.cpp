@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 
+#include "build_paths.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/modes/play_mode.h"

@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "build_paths.h"
 #include "temporary_folder.h"
 #include "viscera/document/autosave.h"
 #include "viscera/document/key_sequence_commands.h"

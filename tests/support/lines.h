@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "build_paths.h"
 #include "viscera/coordinates/measure/scene.h"
 
 /// The configurations of resources/lines, for tests of modules that have no readers below them.

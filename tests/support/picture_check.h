@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 
+#include "build_paths.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::tests {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "build_paths.h"
+
 namespace viscera::tests {
 
 /// What every coordinate system promises, by its id and then by the name of the promise: the committed table

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
+
 namespace viscera::tests {
 
 /// A screen is kept at a quarter of its size, in few colours: its layout and its colours, not its letters,

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -28,17 +26,7 @@ constexpr int kCancelled = 130;
 /// The real binary, run as a process in a folder of its own, without a display.
 class CliTest : public testing::Test {
 protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "." + info->name();
-    std::replace(name.begin(), name.end(), '/', '.');
-    folder_ =
-        std::filesystem::temp_directory_path() / ("viscera cli " + name + " " + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-    options_.environment = {{"DISPLAY", {}}, {"WAYLAND_DISPLAY", {}}, {"QT_QPA_PLATFORM", {}}};
-    if (!std::getenv("XDG_CACHE_HOME"))
-      options_.environment["XDG_CACHE_HOME"] = VISCERA_BINARY_DIR "/test_home/cache";
-  }
+  void SetUp() override;
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// A path in the test's folder.
@@ -55,10 +43,7 @@ protected:
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  test::ProcessResult run(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), VISCERA_PROGRAM);
-    return test::runProcess(arguments, options_);
-  }
+  test::ProcessResult run(std::vector<std::string> arguments) const;
 
   /// Runs with --json; the command has to succeed and to print one object and nothing else.
   json runJson(std::vector<std::string> arguments) const {

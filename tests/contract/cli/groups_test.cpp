@@ -1,3 +1,4 @@
+#include "build_paths.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {

@@ -2,6 +2,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "build_paths.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "build_paths.h"
 #include "cli_test.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"

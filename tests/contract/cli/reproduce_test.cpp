@@ -6,6 +6,7 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
+#include "build_paths.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {

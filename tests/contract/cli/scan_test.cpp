@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "build_paths.h"
 #include "cli_test.h"
 #include "dicom_slices.h"
 #include "phantom_scan.h"

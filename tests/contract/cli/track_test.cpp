@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "beating_labels.h"
+#include "build_paths.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "source_files.h"
 
 namespace viscera::house {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "build_paths.h"
+
 /// Reading the project's own sources.
 namespace viscera::house {
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "beating_labels.h"
+#include "build_paths.h"
 #include "lesson_scene.h"
 #include "run_process.h"
 #include "temporary_folder.h"

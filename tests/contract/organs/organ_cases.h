@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "build_paths.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/sample_organs/sample_organ.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/volume.h"

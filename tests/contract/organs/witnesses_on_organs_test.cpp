@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/surface_check.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "build_paths.h"
 #include "run_process.h"
 #include "session_scene.h"
 #include "viscera/medical_io/handle_file.h"

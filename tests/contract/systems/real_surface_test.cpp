@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "shared_organs.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/coordinates/celestial/t_celestial.h"

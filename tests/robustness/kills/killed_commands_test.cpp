@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "run_process.h"
 #include "shapes.h"
 #include "temporary_folder.h"

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "run_process.h"
 
 /// What docs/SECURITY.md promises of the binaries, read from them with readelf.

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "shapes.h"
 #include "shared_organs.h"
 #include "viscera/core/error.h"

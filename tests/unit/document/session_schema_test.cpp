@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "build_paths.h"
 #include "phantom_scan.h"
 #include "session_scene.h"
 #include "viscera/document/scan_item.h"

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "build_paths.h"
 #include "page_json.h"
 #include "page_strings.h"
 #include "temporary_folder.h"

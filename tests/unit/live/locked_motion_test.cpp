@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/bind_organ.h"

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "mesh_checks.h"
 #include "shapes.h"
 #include "viscera/core/error.h"

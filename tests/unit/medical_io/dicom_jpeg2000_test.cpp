@@ -9,6 +9,7 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 }
 
+#include "build_paths.h"
 #include "temporary_folder.h"
 #include "viscera/medical_io/scan.h"
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/label_map.h"

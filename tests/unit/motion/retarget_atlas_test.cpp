@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
 
+#include "build_paths.h"
 #include "self_intersections.h"
 #include "sequence_scene.h"
 #include "viscera/geometry/convex_hull.h"

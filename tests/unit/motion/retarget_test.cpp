@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "self_intersections.h"
 #include "sequence_scene.h"
 #include "tubes.h"

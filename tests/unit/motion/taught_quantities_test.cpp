@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "sequence_scene.h"
 
 namespace viscera::motion {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "build_paths.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::tests {

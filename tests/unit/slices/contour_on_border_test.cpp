@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build_paths.h"
 #include "dicom_slices.h"
 #include "phantom_scan.h"
 #include "temporary_folder.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "beating_shell.h"
+#include "build_paths.h"
 #include "shared_organs.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
