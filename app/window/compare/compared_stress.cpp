@@ -21,6 +21,7 @@ ComparedStress::ComparedStress(const Side& first, const Side& second, ViewModel&
 }
 
 ComparedStress::~ComparedStress() {
+  first_.picture.disconnect(this); // Or its next picture would get the shared range back.
   first_.picture.setStressRange(std::nullopt);
 }
 
