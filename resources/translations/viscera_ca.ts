@@ -5197,7 +5197,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Go to the &amp;time of the peak</source>
-        <translation>Vés al moment del pic</translation>
+        <translation>Vés al &amp;moment del pic</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>

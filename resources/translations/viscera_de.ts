@@ -5197,7 +5197,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Go to the &amp;time of the peak</source>
-        <translation>Zur Zeit der Spitze gehen</translation>
+        <translation>Zur Zei&amp;t der Spitze gehen</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>

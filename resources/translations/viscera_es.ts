@@ -5197,7 +5197,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Go to the &amp;time of the peak</source>
-        <translation>Ir al momento del máximo</translation>
+        <translation>Ir al momento d&amp;el máximo</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>

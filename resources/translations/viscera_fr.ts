@@ -5197,7 +5197,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Go to the &amp;time of the peak</source>
-        <translation>Aller au moment du pic</translation>
+        <translation>Alle&amp;r au moment du pic</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
