@@ -14,8 +14,8 @@
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kSolvedAtOnce =
-    1024; ///< Points that one thread solves, each from the last one's answer.
+/// Points that one thread solves, each from the last one's answer.
+constexpr Eigen::Index kSolvedAtOnce = 1024;
 constexpr int kMostSteps = 24;
 constexpr double kSolved = 0.01; ///< Of the accuracy.
 /// Of the accuracy: what is found so nearly is found. Where cells meet, Newton's method may go to and fro.

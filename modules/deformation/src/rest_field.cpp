@@ -11,8 +11,8 @@
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kPointsBoundAtOnce =
-    20'000;                                 ///< Points bound at a time, between two looks at the progress.
+/// Points bound at a time, between two looks at the progress.
+constexpr Eigen::Index kPointsBoundAtOnce = 20'000;
 constexpr Eigen::Index kNodesAtOnce = 4096; ///< Nodes or cells that a thread takes at a time.
 constexpr double kSlack = 1e-3;             ///< Of a cell, for nodes that are only just needed.
 constexpr int kCoarser = 4;                 ///< Cells of the inner grid along one of the outer.

@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kOrganFontSize = 14; ///< Points at 72 DPI: logical pixels.
 /// Logical pixels.
-constexpr double kVertexReach =
-    6; ///< A vertex that is looked at stands for that much around it, or for more.
+/// A vertex that is looked at stands for that much around it, or for more.
+constexpr double kVertexReach = 6;
 constexpr double kDot = 3;
 constexpr double kLeaderWidth = 1;
 constexpr double kLineGap = 4;

@@ -16,8 +16,8 @@ using std::numbers::pi;
 constexpr double kFirstRing = 10;       ///< From the top of the fundus, mm.
 constexpr double kPastPylorus = 6;      ///< How far beyond the pylorus there are rings, mm.
 constexpr double kStomachRayStep = 0.5; ///< mm
-constexpr double kFarthestFromLine =
-    65; ///< Of the wall from the centreline; a ray along the line goes on for long, mm.
+/// Of the wall from the centreline; a ray along the line goes on for long, mm.
+constexpr double kFarthestFromLine = 65;
 constexpr double kWider = 1.12; ///< A ring's radius as a multiple of the wall's,
 constexpr double kOffset = 3;   ///< and what is added to it, mm.
 constexpr int kFewestOnAStomachRing = 6;

@@ -20,8 +20,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr Uint32 kLongestLoadedPixels =
-    4096; ///< Bytes of a value; longer ones stay on the disk until they are read.
+/// Bytes of a value; longer ones stay on the disk until they are read.
+constexpr Uint32 kLongestLoadedPixels = 4096;
 
 void registerCodecs() {
   static std::once_flag once;

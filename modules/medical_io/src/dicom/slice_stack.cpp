@@ -24,8 +24,8 @@ constexpr double kRoundedMm = 0.0101, kMostOfRounding = 0.05;
 constexpr double kSamePlaceMm = 1e-3;
 /// Tilts below this angle come from rounded directions, and so does a shift below this part of a pixel.
 constexpr double kLeastTiltDegrees = 0.05, kLeastShift = 0.1;
-constexpr double kWholeNumber =
-    0.05; ///< How far a gap is off a multiple of the distance to be missing slices.
+/// How far a gap is off a multiple of the distance to be missing slices.
+constexpr double kWholeNumber = 0.05;
 constexpr std::size_t kMostNamed = 3; ///< Gaps that are named one by one.
 constexpr double kMsPerSecond = 1000;
 
