@@ -4,6 +4,10 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>%1 triangles instead of %2; the old surface lies %3 mm from the new one on average, %4 mm at most</source>
+        <translation>%1 triangles en lloc de %2; la superfície antiga dista de la nova %3 mm de mitjana i %4 mm com a màxim</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>«%1» no té forma plana</translation>
     </message>
@@ -654,6 +658,10 @@
         <translation>S’enllaça l’espai entre els tiradors</translation>
     </message>
     <message>
+        <source>Blue to red</source>
+        <translation>De blau a vermell</translation>
+    </message>
+    <message>
         <source>Body</source>
         <translation>Cos</translation>
     </message>
@@ -728,6 +736,10 @@
     <message>
         <source>Circulation: %1</source>
         <translation>Circulació: %1</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
     </message>
     <message>
         <source>Close holes</source>
@@ -924,6 +936,10 @@
         <translation>Green</translation>
     </message>
     <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Grup</translation>
     </message>
@@ -1025,6 +1041,10 @@
     <message>
         <source>Inferior vena cava</source>
         <translation>Vena cava inferior</translation>
+    </message>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
     </message>
     <message>
         <source>Influence of %1</source>
@@ -2601,6 +2621,10 @@
     <message>
         <source>Veins</source>
         <translation>Venes</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
     </message>
     <message>
         <source>Viscera:</source>

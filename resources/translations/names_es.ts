@@ -4,6 +4,10 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>%1 triangles instead of %2; the old surface lies %3 mm from the new one on average, %4 mm at most</source>
+        <translation>%1 triángulos en lugar de %2; la superficie antigua dista de la nueva %3 mm de media y %4 mm como máximo</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>«%1» no tiene forma plana</translation>
     </message>
@@ -654,6 +658,10 @@
         <translation>Enlace del espacio entre los tiradores</translation>
     </message>
     <message>
+        <source>Blue to red</source>
+        <translation>De azul a rojo</translation>
+    </message>
+    <message>
         <source>Body</source>
         <translation>Cuerpo</translation>
     </message>
@@ -728,6 +736,10 @@
     <message>
         <source>Circulation: %1</source>
         <translation>Circulación: %1</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
     </message>
     <message>
         <source>Close holes</source>
@@ -924,6 +936,10 @@
         <translation>Green</translation>
     </message>
     <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Grupo</translation>
     </message>
@@ -1025,6 +1041,10 @@
     <message>
         <source>Inferior vena cava</source>
         <translation>Vena cava inferior</translation>
+    </message>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
     </message>
     <message>
         <source>Influence of %1</source>
@@ -2601,6 +2621,10 @@
     <message>
         <source>Veins</source>
         <translation>Venas</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
     </message>
     <message>
         <source>Viscera:</source>

@@ -5464,6 +5464,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colors</translation>
+    </message>
+    <message>
+        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
+        <translation>Els colors del valor més baix al més alt; els angles i les raons tenen cadascun la seva tria</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>

@@ -5464,6 +5464,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
+        <translation>Die Farben vom niedrigsten zum höchsten Wert; Winkel und Verhältnisse haben je eine eigene Auswahl</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>

@@ -5464,6 +5464,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
+        <translation>Los colores del valor más bajo al más alto; los ángulos y las razones tienen cada uno su elección</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>

@@ -5464,6 +5464,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
+        <translation>Les couleurs de la valeur la plus basse à la plus haute ; les angles et les rapports ont chacun leur choix</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>

@@ -132,6 +132,16 @@ TEST_F(Import, ASurfaceInRasThatDoesNotSaySoIsCaughtAndTurnedByOneClick) {
                  QStringLiteral("RAS"), QStringLiteral("ras-to-lps"));
 }
 
+TEST_F(Import, RemeshingSaysHowFarTheSurfaceHasMoved) {
+  open(write(geometry::scaled(liver(), 0.001)));
+  press(repairButton(QStringLiteral("unit-m")));
+  const auto said = [this] { return panel().findChild<QLabel*>(QStringLiteral("surfaceChange")); };
+  EXPECT_FALSE(said());
+  window().imports().repair({0}, "remesh");
+  ASSERT_TRUE(waitUntil([&] { return said() && said()->isVisible(); }));
+  EXPECT_THAT(said()->text().toStdString(), testing::ContainsRegex("triangles instead of .* mm at most"));
+}
+
 TEST_F(Import, CancelLeavesTheDocumentUntouched) {
   open(sphereFile());
   const document::DocumentState before = document().state();

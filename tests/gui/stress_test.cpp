@@ -62,7 +62,11 @@ protected:
   void SetUp() override {
     WindowTest::SetUp();
     open(sphereFile());
-    look([](app::StressLook& look) { look.witnesses = kWitnesses; });
+    EXPECT_FALSE(model().look().cut) << "the organ is whole until the reader cuts it";
+    look([](app::StressLook& look) {
+      look.witnesses = kWitnesses;
+      look.cut = true;
+    });
   }
 
   app::StressModel& model() { return window().stress().model(); }
@@ -321,6 +325,38 @@ TEST_F(StressModeTest, ALogarithmicRangeIsThatOfLegendHistogramAndEveryColour) {
   window().actions()["stress.logarithmic"]->trigger();
   reopenWindow();
   EXPECT_TRUE(model().look().logarithmic);
+}
+
+TEST_F(StressModeTest, AColourMapIsThatOfLegendHistogramAndTissueAndStays) {
+  enter();
+  dragAHandle();
+  const auto firstColor = [this] {
+    double color[4];
+    drawn().tissue()->cut()->GetMapper()->GetLookupTable()->GetColor(-1, color);
+    return Vec3(color[0], color[1], color[2]);
+  };
+  const auto choose = [this](int index) {
+    auto* box = find<QComboBox>("stressColors");
+    box->setCurrentIndex(index);
+    Q_EMIT box->activated(index);
+    waitForNumbers();
+  };
+  const Vec3 viridis = firstColor();
+  choose(1);
+  EXPECT_EQ(model().look().amountColors, "cividis");
+  EXPECT_EQ(model().shown().colors().name, "cividis");
+  EXPECT_GT((firstColor() - viridis).norm(), 0.2);
+  double color[4];
+  organ().actor()->GetMapper()->GetLookupTable()->GetColor(-1, color);
+  EXPECT_EQ(Vec3(color[0], color[1], color[2]), firstColor()) << "surface and cut are of one map";
+  key(Qt::Key_M);
+  EXPECT_EQ(model().shown().colors().name, "diverging") << "ratios have their own";
+  EXPECT_EQ(find<QComboBox>("stressColors")->currentIndex(), 4);
+  choose(3);
+  EXPECT_EQ(model().look().ratioColors, "grey");
+  reopenWindow();
+  EXPECT_EQ(model().look().amountColors, "cividis");
+  EXPECT_EQ(model().look().ratioColors, "grey");
 }
 
 /// Probes and profiles of the ball.

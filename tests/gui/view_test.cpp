@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <vtkActor2D.h>
+#include <vtkActor2DCollection.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -17,6 +19,7 @@
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
@@ -148,11 +151,26 @@ TEST_F(ViewTest, AClickOnASideOfTheOrientationCubeLooksFromThereAndDoesNothingEl
   EXPECT_TRUE(waitUntil([this] { return view().cursor().shape() != Qt::PointingHandCursor; }));
 }
 
-TEST_F(ViewTest, AnEmptyViewHasNoOrientationCube) {
+TEST_F(ViewTest, AnEmptyViewHasNoOrientationCubeAndNoScaleBar) {
+  const auto lengthShown = [this] {
+    vtkActor2DCollection* actors = view().view().renderer()->GetActors2D();
+    vtkCollectionSimpleIterator each;
+    actors->InitTraversal(each);
+    while (vtkActor2D* actor = actors->GetNextActor2D(each))
+      if (auto* label = vtkTextActor::SafeDownCast(actor);
+          label && label->GetVisibility() && label->GetInput() && QString(label->GetInput()).endsWith(" mm"))
+        return true;
+    return false;
+  };
   EXPECT_TRUE(view().view().orientationSideAt(52, 52));
+  EXPECT_TRUE(lengthShown());
   window().actions()["organ.remove"]->trigger();
   settle();
   EXPECT_FALSE(view().view().orientationSideAt(52, 52));
+  EXPECT_FALSE(lengthShown());
+  window().actions()["edit.undo"]->trigger();
+  settle();
+  EXPECT_TRUE(lengthShown());
 }
 
 TEST_F(ViewTest, TheOpenedOrganFillsTheView) {

@@ -95,8 +95,12 @@ private:
       mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
     for (const std::string& repair : repairs())
       mesh = medical_io::surfaceRepair(repair).apply(mesh, context.progress, context.threads);
-    if (remesh_)
-      mesh = medical_io::remeshed(mesh, *remesh_, context.progress, context.threads);
+    std::optional<medical_io::SurfaceChange> change;
+    if (remesh_) {
+      geometry::TriangleMesh before = std::move(mesh);
+      mesh = medical_io::remeshed(before, *remesh_, context.progress, context.threads);
+      change = medical_io::surfaceChange(before, mesh, context.threads);
+    }
     context.progress.throwIfCancelled();
     medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
     const geometry::SurfaceReport report = geometry::checkSurface(mesh);
@@ -115,6 +119,12 @@ private:
                        .add("vertices", std::to_string(mesh.points.rows()))
                        .add("triangles", std::to_string(mesh.triangles.rows()))
                        .text();
+    if (change) {
+      outcome.json["remesh"] = {{"trianglesBefore", change->trianglesBefore},
+                                {"meanMm", change->meanMm},
+                                {"maximumMm", change->maximumMm}};
+      outcome.text += "  " + inWords(*change) + "\n";
+    }
     appendFindings(outcome.warnings, assess(mesh));
     outcome.json["warnings"] = outcome.warnings;
     return outcome;

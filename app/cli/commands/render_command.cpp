@@ -87,6 +87,13 @@ Contents read(std::vector<std::string> files, const std::string& cage, const Com
   return contents;
 }
 
+std::vector<std::string> colorMapNames() {
+  std::vector<std::string> names;
+  for (const scene::ColorMap& map : scene::colorMaps())
+    names.push_back(map.name);
+  return names;
+}
+
 /// The influence of a handle on every organ.
 std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int handle,
                                                   const coordinates::CoordinateSystem& system,
@@ -117,7 +124,8 @@ void showPose(StillOrgans& organs, const Contents& contents, const coordinates::
 /// its own.
 presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& contents,
                                   const coordinates::CoordinateSystem& system,
-                                  const coordinates::BindOptions& options, Progress& progress) {
+                                  const coordinates::BindOptions& options, const std::string& colors,
+                                  Progress& progress) {
   presentation::SurfaceMap shown;
   shown.range = {0, 0};
   for (std::size_t i = 0; i < contents.organs.size(); ++i) {
@@ -136,7 +144,7 @@ presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& con
   }
   if (!(shown.range.high > kNoStress))
     shown.range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
-  shown.colors = presentation::stressColors(live::StressQuantity::rotationalStress);
+  shown.colors = presentation::stressColors(colors);
   shown.title = "Rotational stress";
   shown.unit = "deg";
   return shown;
@@ -171,6 +179,8 @@ public:
     options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
         ->needs(pose)
         ->excludes(influence);
+    options.add_option("--color-map", colors_, "Colours of the influence or of the stress")
+        ->check(CLI::IsMember(colorMapNames()));
     options
         .add_option(
             "--beside", beside_,
@@ -290,7 +300,7 @@ private:
       Progress& progress = context.progress;
       showPose(organs, contents, *shown.system, shown.options, progress);
       if (stress_)
-        map = stressOf(organs, contents, *shown.system, shown.options, progress);
+        map = stressOf(organs, contents, *shown.system, shown.options, colors_, progress);
     }
     StageOptions options = stage_;
     options.size.width = width;
@@ -308,7 +318,7 @@ private:
     presentation::SurfaceMap map;
     for (std::size_t i = 0; i < shown.influences.size(); ++i)
       map.values[organs.idOf(i)] = shown.influences[i];
-    map.colors = scene::viridis();
+    map.colors = scene::colorMapByName(colors_);
     map.range = shown.range;
     map.title = "Influence of " + influence_ + (beside_.empty() ? "" : ", " + shown.system->name());
     return map;
@@ -397,6 +407,7 @@ private:
   scene::LayoutParts parts_{.regions = false};
   std::string pose_;
   bool stress_ = false;
+  std::string colors_ = scene::viridis().name;
   std::string slice_;
   double level_ = 0;
   double width_ = 0; ///< 0: as the scan proposes.

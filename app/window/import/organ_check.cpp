@@ -204,6 +204,11 @@ QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
     label->setObjectName(QStringLiteral("muted"));
     column->addWidget(label);
   }
+  if (organ.change) {
+    auto* label = wrapped(asSentence(inWords(*organ.change)), this);
+    label->setObjectName(QStringLiteral("surfaceChange"));
+    column->addWidget(label);
+  }
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   auto* more = new QPushButton(tr("More repairs"), this);

@@ -193,8 +193,10 @@ void StressModel::goToMaximum() {
   const Vec3 from = Vec3(mesh->points.row(most).transpose()) - drawn.stressMiddle();
   change([&](StressLook& look) {
     look.probe = most;
-    if (look.cut && drawn.stressRadius() > 0)
-      look.offset = std::clamp(from.dot(look.normal) / drawn.stressRadius(), -1.0, 1.0);
+    if (!(drawn.stressRadius() > 0))
+      return;
+    look.cut = true; // The largest value may lie deep inside.
+    look.offset = std::clamp(from.dot(look.normal) / drawn.stressRadius(), -1.0, 1.0);
   });
 }
 

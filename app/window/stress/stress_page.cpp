@@ -5,13 +5,16 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QLabel>
 #include <QLocale>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <cmath>
 
 #include "window/language.h"
@@ -51,6 +54,16 @@ QString nameOf(live::WitnessOrigin origin) {
     return StressPage::tr("regular grid");
   }
   return {};
+}
+
+const QSize kSwatch(56, 12);
+
+/// The colours of a map from left to right.
+QIcon swatchOf(const scene::ColorMap& map) {
+  QImage image(static_cast<int>(map.colors.rows()), 1, QImage::Format_RGB32);
+  for (int i = 0; i < image.width(); ++i)
+    image.setPixel(i, 0, qRgb(map.colors(i, 0), map.colors(i, 1), map.colors(i, 2)));
+  return QPixmap::fromImage(image.scaled(kSwatch));
 }
 
 } // namespace
@@ -104,6 +117,17 @@ void StressPage::makeMap(const Actions& actions) {
   quantity_->setToolTip(
       tr("What the colours mean (M: next map). Rotational stress is the largest angle by which a direction "
          "is turned when the tissue is stretched; it is not a pressure."));
+  QStringList maps;
+  for (const scene::ColorMap& map : scene::colorMaps())
+    maps.push_back(inWords(map.title));
+  colors_ = addChoice("stressColors", tr("Colours"), maps, [](StressLook& look, int index) {
+    look.*presentation::colorsOf(look.quantity) = scene::colorMaps()[static_cast<std::size_t>(index)].name;
+  });
+  colors_->setIconSize(kSwatch);
+  for (int i = 0; i < colors_->count(); ++i)
+    colors_->setItemIcon(i, swatchOf(scene::colorMaps()[static_cast<std::size_t>(i)]));
+  colors_->setToolTip(
+      tr("The colours from the lowest value to the highest; angles and ratios have a choice each"));
   add(makePose());
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);
@@ -300,6 +324,11 @@ void StressPage::makeWitnesses() {
 void StressPage::syncLook() {
   const StressLook& look = model_.look();
   quantity_->setCurrentIndex(static_cast<int>(look.quantity));
+  const auto& maps = scene::colorMaps();
+  const auto chosen = std::find_if(maps.begin(), maps.end(), [&](const scene::ColorMap& map) {
+    return map.name == look.*presentation::colorsOf(look.quantity);
+  });
+  colors_->setCurrentIndex(static_cast<int>(chosen - maps.begin()));
   style_->setCurrentIndex(look.style == scene::CutStyle::crinkle ? 1 : 0);
   style_->setEnabled(look.cut);
   offset_->setValue(100 * look.offset);

@@ -57,6 +57,7 @@ private:
   QPushButton* ownPose_ = nullptr;
   QPushButton* played_ = nullptr;
   QComboBox* quantity_ = nullptr;
+  QComboBox* colors_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* caution_ = nullptr;
   QLabel* min_ = nullptr;

@@ -115,6 +115,8 @@ Organ finished(const Organ& read, const DraftOrgan& organ) {
   result.file = read.file;
   if (!organ.repairs.empty())
     result.warnings.push_back(phrase("repaired on import: %1", joined(organ.repairs)));
+  if (organ.change)
+    result.warnings.push_back(inWords(*organ.change));
   return result;
 }
 
@@ -160,7 +162,10 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
     progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
                     phrase("Repairing %1", organ.name));
     try {
-      organ.mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
+      auto mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
+      organ.change =
+          what.remakes ? std::optional(medical_io::surfaceChange(*organ.mesh, *mesh)) : std::nullopt;
+      organ.mesh = std::move(mesh);
     } catch (const DataError& error) {
       throw DataError(error.problem(), organ.name, error.tryThis());
     }
@@ -175,6 +180,7 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   DraftOrgan& organ = draft.organs.at(place);
   organ.mesh = organ.asRead;
   organ.repairs.clear();
+  organ.change.reset();
   assess(organ, draft.files, place, progress);
   assessArrangement(draft);
   return draft;

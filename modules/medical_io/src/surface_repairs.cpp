@@ -13,10 +13,14 @@
 
 #include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/thin_surface.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -36,6 +40,7 @@ constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
 /// says, or as often as the others when triangles cross.
 constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
+constexpr Eigen::Index kVerticesAtOnce = 512;
 constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
 
 /// A repair that takes no time worth reporting.
@@ -45,7 +50,8 @@ SurfaceRepair quick(std::string id, std::string does, Function function) {
           [function](const TriangleMesh& mesh, Progress& progress, Threads) -> TriangleMesh {
             progress.throwIfCancelled();
             return function(mesh);
-          }};
+          },
+          false};
 }
 
 /// Of a model that stands on its y axis and looks along z, as programs for films and prints write it: x goes
@@ -71,7 +77,8 @@ std::vector<SurfaceRepair> allRepairs() {
       {"remesh", "makes a closed surface without intersections near this one; colours are lost",
        [](const TriangleMesh& mesh, Progress& progress, Threads threads) {
          return remeshed(mesh, 0, progress, threads);
-       }},
+       },
+       true},
       quick("mirror", "exchanges left and right", geometry::mirrored),
       quick("ras-to-lps", "turns the surface by half a turn, as from RAS to LPS", geometry::turnedHalf),
       quick("y-up", "turns the surface by a quarter turn, from a model whose y axis points to the head",
@@ -186,6 +193,28 @@ TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, Progress& progres
       triangles > 0 ? triangles
                     : std::clamp(static_cast<int>(mesh.triangles.rows()), kFewestTriangles, kMostTriangles);
   return repairSurface(mesh, options, progress, threads);
+}
+
+SurfaceChange surfaceChange(const TriangleMesh& before, const TriangleMesh& after, Threads threads) {
+  const geometry::SignedDistance distance(std::make_shared<const TriangleMesh>(after));
+  std::vector<int> used(before.triangles.data(), before.triangles.data() + before.triangles.size());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  Values distances(static_cast<Eigen::Index>(used.size()));
+  parallelRanges(distances.size(), kVerticesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i)
+      distances[i] = std::abs(distance(before.points.row(used[static_cast<std::size_t>(i)])));
+  });
+  const bool any = distances.size() > 0;
+  return {before.triangles.rows(), after.triangles.rows(), any ? distances.mean() : 0,
+          any ? distances.maxCoeff() : 0};
+}
+
+std::string inWords(const SurfaceChange& change) {
+  return phrase(
+      "%1 triangles instead of %2; the old surface lies %3 mm from the new one on average, %4 mm at most",
+      change.trianglesAfter, change.trianglesBefore, significant(change.meanMm, 2),
+      significant(change.maximumMm, 2));
 }
 
 } // namespace viscera::medical_io

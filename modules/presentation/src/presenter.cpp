@@ -278,7 +278,7 @@ void Presenter::update(const Scene& scene) {
   const bool empty = scene.state.organs->empty() && scene.state.rig->handles.empty() &&
                      (!scene.guests || scene.guests->empty());
   view_.setOrientationCubeShown(scene.view.orientationCube && !empty);
-  view_.setScaleBarShown(scene.view.scaleBar);
+  view_.setScaleBarShown(scene.view.scaleBar && !empty);
 }
 
 document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {

@@ -57,8 +57,12 @@ scene::ValueRange logarithmicRange(bool ratio, scene::ValueRange bulk, scene::Va
 
 } // namespace
 
-scene::ColorMap stressColors(live::StressQuantity quantity) {
-  scene::ColorMap colors = scene::colorMapByName(live::describe(quantity).ratio ? "diverging" : "viridis");
+std::string StressLook::*colorsOf(live::StressQuantity quantity) {
+  return live::describe(quantity).ratio ? &StressLook::ratioColors : &StressLook::amountColors;
+}
+
+scene::ColorMap stressColors(const std::string& name) {
+  scene::ColorMap colors = scene::colorMapByName(name);
   colors.missing = kFolded;
   return colors;
 }
@@ -99,11 +103,10 @@ void StressValues::update(const live::StressFrame& frame, const StressLook& look
   const deformation::StressMap& map = peak ? frame.peak->map : frame.map ? *frame.map : none;
   live::quantityOf(map, look.quantity, *values_);
   // A range belongs to one quantity on one mesh; the first one goes on from what the look has kept.
-  if (colors_.name.empty() || quantity_ != look.quantity || mesh_ != frame.mesh || peak_ != peak) {
-    if (colors_.name.empty() || quantity_ != look.quantity)
-      colors_ = stressColors(look.quantity);
+  if (colors_.name.empty() || quantity_ != look.quantity || mesh_ != frame.mesh || peak_ != peak)
     range_ = look.range;
-  }
+  if (const std::string& name = look.*colorsOf(look.quantity); colors_.name != name)
+    colors_ = stressColors(name);
   if (!look.pinned && range_.logarithmic != look.logarithmic)
     range_ = {0, 0}; // Chosen anew for the other scale.
   quantity_ = look.quantity;

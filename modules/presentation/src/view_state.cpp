@@ -119,6 +119,8 @@ void visitStress(StressLook& look, Visit visit) {
   visit("onSurface", look.onSurface);
   visit("pinned", look.pinned);
   visit("logarithmic", look.logarithmic);
+  visit("amountColors", look.amountColors);
+  visit("ratioColors", look.ratioColors);
   visit("peak", look.peak);
   visit("cut", look.cut);
   visit("offset", look.offset);
@@ -142,7 +144,16 @@ ordered_json stressJson(StressLook look) {
   return item;
 }
 
+bool isColorMap(const std::string& name) {
+  const auto& all = scene::colorMaps();
+  return std::any_of(all.begin(), all.end(), [&](const scene::ColorMap& map) { return map.name == name; });
+}
+
 void keepWithinBounds(StressLook& look) {
+  // A map that a newer version wrote is not refused: the usual one stands for it.
+  for (std::string StressLook::*colors : {&StressLook::amountColors, &StressLook::ratioColors})
+    if (!isColorMap(look.*colors))
+      look.*colors = StressLook().*colors;
   look.normal = unit(look.normal);
   look.offset = std::clamp(std::isfinite(look.offset) ? look.offset : 0.0, -1.0, 1.0);
   look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);

@@ -15,14 +15,25 @@ namespace {
 
 constexpr int kMapSize = 256;
 
-/// viridis at 20 evenly spaced places, 0xrrggbb.
-constexpr std::array<unsigned, 20> kViridis = {
-    0x440154, 0x481567, 0x482677, 0x453781, 0x404788, 0x39568c, 0x33638d, 0x2d708e, 0x287d8e, 0x238a8d,
-    0x1f968b, 0x20a387, 0x29af7f, 0x3cbb75, 0x55c667, 0x73d055, 0x95d840, 0xb8de29, 0xdce319, 0xfde725};
+/// A published map at evenly spaced places, 0xrrggbb.
+using Samples = std::array<unsigned, 20>;
+constexpr Samples kViridis = {0x440154, 0x481567, 0x482677, 0x453781, 0x404788, 0x39568c, 0x33638d,
+                              0x2d708e, 0x287d8e, 0x238a8d, 0x1f968b, 0x20a387, 0x29af7f, 0x3cbb75,
+                              0x55c667, 0x73d055, 0x95d840, 0xb8de29, 0xdce319, 0xfde725};
+constexpr Samples kCividis = {0x00224e, 0x002c64, 0x0c3470, 0x273e6e, 0x38476c, 0x46516c, 0x535a6d,
+                              0x5f636f, 0x6b6d72, 0x777776, 0x828079, 0x908b78, 0x9c9576, 0xaaa073,
+                              0xb8aa6e, 0xc6b667, 0xd4c15f, 0xe4ce53, 0xf2da44, 0xfee838};
+constexpr Samples kInferno = {0x000004, 0x08051d, 0x180c3c, 0x2f0a5b, 0x450a69, 0x5c126e, 0x71196e,
+                              0x87216b, 0x9b2964, 0xb1325a, 0xc43c4e, 0xd74b3f, 0xe55c30, 0xf1711f,
+                              0xf8870e, 0xfca108, 0xfbba1f, 0xf6d543, 0xf1ed71, 0xfcffa4};
+/// The ends of the grey map: darker or lighter ones would be lost on the grounds of the window.
+constexpr unsigned kDarkGrey = 0x1c1c1c;
+constexpr unsigned kLightGrey = 0xf4f4f4;
 
-ColorMap sampled(std::string name, vtkColorTransferFunction* function) {
+ColorMap sampled(std::string name, std::string title, vtkColorTransferFunction* function) {
   ColorMap map;
   map.name = std::move(name);
+  map.title = std::move(title);
   map.colors.resize(kMapSize, 3);
   for (int i = 0; i < kMapSize; ++i) {
     double rgb[3];
@@ -37,14 +48,26 @@ void addHex(vtkColorTransferFunction* function, double at, unsigned rgb) {
   function->AddRGBPoint(at, (rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
 }
 
+ColorMap interpolated(std::string name, std::string title, const Samples& samples) {
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToLab();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    addHex(function, double(i) / (samples.size() - 1), samples[i]);
+  return sampled(std::move(name), std::move(title), function);
+}
+
+ColorMap grey() {
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToLab();
+  addHex(function, 0, kDarkGrey);
+  addHex(function, 1, kLightGrey);
+  return sampled("grey", "Grey", function);
+}
+
 } // namespace
 
 ColorMap viridis() {
-  vtkNew<vtkColorTransferFunction> function;
-  function->SetColorSpaceToLab();
-  for (std::size_t i = 0; i < kViridis.size(); ++i)
-    addHex(function, double(i) / (kViridis.size() - 1), kViridis[i]);
-  return sampled("viridis", function);
+  return interpolated("viridis", "Viridis", kViridis);
 }
 
 ColorMap diverging() {
@@ -52,15 +75,24 @@ ColorMap diverging() {
   function->SetColorSpaceToDiverging();
   addHex(function, 0, 0x3b4cc0);
   addHex(function, 1, 0xb40426);
-  return sampled("diverging", function);
+  return sampled("diverging", "Blue to red", function);
 }
 
-ColorMap colorMapByName(const std::string& name) {
-  if (name == "viridis")
-    return viridis();
-  if (name == "diverging")
-    return diverging();
-  throw UsageError("there is no colour map of this name", name, "use viridis or diverging");
+const std::vector<ColorMap>& colorMaps() {
+  static const std::vector<ColorMap> all = {viridis(), interpolated("cividis", "Cividis", kCividis),
+                                            interpolated("inferno", "Inferno", kInferno), grey(),
+                                            diverging()};
+  return all;
+}
+
+const ColorMap& colorMapByName(const std::string& name) {
+  std::string names;
+  for (const ColorMap& map : colorMaps()) {
+    if (map.name == name)
+      return map;
+    names += (names.empty() ? "" : ", ") + map.name;
+  }
+  throw UsageError("there is no colour map of this name", name, "use one of " + names);
 }
 
 ValueRange rangeOf(const Values& values) {

@@ -78,6 +78,10 @@ TEST_F(CliConvert, RepairsOnlyWhatItIsAskedTo) {
   const json anew = runJson({"convert", cube(), path("anew.ply"), "--remesh", "800"});
   EXPECT_EQ(anew["closed"], true);
   EXPECT_NEAR(anew["triangles"].get<double>(), 800, 100);
+  EXPECT_EQ(anew["remesh"]["trianglesBefore"], 12);
+  EXPECT_GT(anew["remesh"]["maximumMm"], 0.1) << "the corners of the cube are rounded";
+  EXPECT_LT(anew["remesh"]["maximumMm"], 3);
+  EXPECT_LE(anew["remesh"]["meanMm"], anew["remesh"]["maximumMm"]);
 }
 
 TEST_F(CliConvert, HandlesGoToTheOldTableAndBackBitForBit) {

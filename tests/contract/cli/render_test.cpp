@@ -39,6 +39,10 @@ TEST_F(CliRender, DrawsTheSideAskedForWithHandlesAndTheInfluenceOfOne) {
     expectReference("stomach_" + view, {"--view", view});
   expectReference("stomach_handles", {handles});
   expectReference("stomach_influence", {handles, "--influence", "H-9"});
+  const std::string usual = contents(path("p.png"));
+  runJson({"render", "sample:stomach@low", handles, "-o", path("p.png"), "--size", "320x200", "--influence",
+           "H-9", "--color-map", "inferno"});
+  EXPECT_NE(contents(path("p.png")), usual);
 }
 
 TEST_F(CliRender, DrawsASliceOfAScanWithTheContoursOfPosedOrgans) {

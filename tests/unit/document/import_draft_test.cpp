@@ -157,6 +157,30 @@ TEST_F(ImportDrafts, ACavityComesWithTheOrganThatItIsIn) {
       << "without its organ a cavity is nothing";
 }
 
+TEST_F(ImportDrafts, SayWhatRemeshingHasChanged) {
+  // A ball with a vessel of 1 mm, which the grid of the new surface does not see.
+  const TriangleMesh ball = tests::sphere(3, 40), vessel = tests::sphere(2, 1, {0, 0, 60});
+  TriangleMesh both;
+  both.points.resize(ball.points.rows() + vessel.points.rows(), 3);
+  both.points << ball.points, vessel.points;
+  both.triangles.resize(ball.triangles.rows() + vessel.triangles.rows(), 3);
+  both.triangles << ball.triangles,
+      (vessel.triangles.array() + static_cast<int>(ball.points.rows())).matrix();
+  const ImportDraft first = draft({{"liver.ply", both}});
+  EXPECT_FALSE(first.organs[0].change);
+  const ImportDraft anew = repaired(first, {0}, "remesh", progress_);
+  const auto& change = anew.organs[0].change;
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->trianglesBefore, ball.triangles.rows() + vessel.triangles.rows());
+  EXPECT_EQ(change->trianglesAfter, anew.organs[0].mesh->triangles.rows());
+  EXPECT_NEAR(change->maximumMm, 21, 1) << "the far end of the lost vessel";
+  EXPECT_LT(change->meanMm, 6);
+  EXPECT_THAT(accepted(anew).organs.at(0).organ.warnings,
+              testing::ElementsAre("repaired on import: remesh", testing::HasSubstr("triangles instead of")));
+  EXPECT_FALSE(repaired(anew, {0}, "mirror", progress_).organs[0].change) << "of the last repair";
+  EXPECT_FALSE(reverted(anew, 0, progress_).organs[0].change);
+}
+
 TEST_F(ImportDrafts, ARepairCanBeCancelledAndAnUnknownOneIsRefused) {
   const ImportDraft bad = draft({{"liver.ply", insideOut()}});
   Progress cancelled;

@@ -1,5 +1,8 @@
 #include "viscera/presentation/stress_values.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "viscera/presentation/stress_look.h"
@@ -57,6 +60,32 @@ TEST(LogarithmicRange, IsAPartOfTheLook) {
   look.range = {0.2, 20, true};
   EXPECT_EQ(stressLookFromJson(toJson(look)), look);
   EXPECT_FALSE(stressLookFromJson("{}").logarithmic) << "sessions of before have none";
+}
+
+TEST(StressColors, AreChosenForAnglesAndRatiosApartAndAPartOfTheLook) {
+  StressLook look;
+  look.*colorsOf(Quantity::rotationalStress) = "cividis";
+  EXPECT_EQ(look.*colorsOf(Quantity::volumeRatio), "diverging");
+  look.*colorsOf(Quantity::stretchMin) = "grey";
+  EXPECT_EQ(look.*colorsOf(Quantity::stretchMax), "grey") << "ratios have one choice";
+  EXPECT_EQ(stressLookFromJson(toJson(look)), look);
+  EXPECT_EQ(stressLookFromJson(R"({"amountColors": "jet"})"), StressLook())
+      << "an unknown map is not refused";
+}
+
+TEST(StressColors, HaveNoMagentaBesidesTheFolded) {
+  for (const scene::ColorMap& map : scene::colorMaps()) {
+    const scene::ColorMap colors = stressColors(map.name);
+    EXPECT_EQ(colors.colors, map.colors);
+    double nearest = 1e9;
+    for (Eigen::Index i = 0; i < colors.colors.rows(); ++i) {
+      double distance = 0;
+      for (int c = 0; c < 3; ++c)
+        distance += std::pow(double(colors.colors(i, c)) - colors.missing[static_cast<std::size_t>(c)], 2);
+      nearest = std::min(nearest, std::sqrt(distance));
+    }
+    EXPECT_GT(nearest, 90) << map.name;
+  }
 }
 
 } // namespace

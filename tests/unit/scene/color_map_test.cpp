@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <vtkLookupTable.h>
@@ -21,14 +22,18 @@ double lightness(const ColorMap& map, Eigen::Index row) {
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-TEST(ColorMap, ViridisGetsLighterEvenlyFromEndToEnd) {
-  const auto map = viridis();
-  ASSERT_EQ(map.colors.rows(), 256);
-  const double whole = lightness(map, 255) - lightness(map, 0);
-  EXPECT_GT(whole, 70);
-  for (Eigen::Index i = 16; i < 256; i += 16) {
-    const double step = lightness(map, i) - lightness(map, i - 16);
-    EXPECT_NEAR(step, whole / 16, 0.5 * whole / 16) << i;
+TEST(ColorMap, OfAmountsGetsLighterEvenlyFromEndToEnd) {
+  for (const ColorMap& map : colorMaps()) {
+    if (map.name == "diverging")
+      continue;
+    SCOPED_TRACE(map.name);
+    ASSERT_EQ(map.colors.rows(), 256);
+    const double whole = lightness(map, 255) - lightness(map, 0);
+    EXPECT_GT(whole, 70);
+    for (Eigen::Index i = 16; i < 256; i += 16) {
+      const double step = lightness(map, i) - lightness(map, i - 16);
+      EXPECT_NEAR(step, whole / 16, 0.5 * whole / 16) << i;
+    }
   }
 }
 
@@ -47,6 +52,14 @@ TEST(ColorMap, DivergingIsLightestInTheMiddleAndAsDarkAtBothEnds) {
 TEST(ColorMap, MapsAreFoundByNameAndOthersRefused) {
   for (const auto& map : {viridis(), diverging()})
     EXPECT_EQ(colorMapByName(map.name).colors, map.colors);
+  std::set<std::string> names, titles;
+  for (const ColorMap& map : colorMaps()) {
+    names.insert(map.name);
+    titles.insert(map.title);
+    EXPECT_EQ(&colorMapByName(map.name), &map);
+  }
+  EXPECT_EQ(names.size(), colorMaps().size());
+  EXPECT_EQ(titles.size(), colorMaps().size());
   EXPECT_THROW(colorMapByName("jet"), UsageError);
 }
 

@@ -8,6 +8,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/assess_surface.h"
+#include "viscera/medical_io/surface_repairs.h"
 
 /// The contents of files that the user checks and repairs before they are imported into a document.
 /// Everything here is a value: a worker makes the next draft of a copy, and what is not accepted is
@@ -21,6 +22,7 @@ struct DraftOrgan {
   std::shared_ptr<const geometry::TriangleMesh> asRead;
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As repaired so far.
   std::vector<std::string> repairs;                   ///< Ids of what was done, in order.
+  std::optional<medical_io::SurfaceChange> change;    ///< By the last repair, where it made the surface anew.
   medical_io::SurfaceAssessment assessment;           ///< Of `mesh`.
   bool included = true;                               ///< Whether it will become an organ.
 };

@@ -18,6 +18,8 @@ struct SurfaceRepair {
   /// The repaired surface, from a valid mesh. Throws `DataError` when it is not possible, `Cancelled`. A pure
   /// function; bitwise independent of the number of threads.
   std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
+  bool remakes =
+      false; ///< The triangles are new ones, so `surfaceChange` says how far they lie from the old.
 };
 
 /// All repairs: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
@@ -40,6 +42,23 @@ struct RepairOptions {
 /// threads.
 geometry::TriangleMesh repairSurface(const geometry::TriangleMesh& mesh, const RepairOptions& options,
                                      Progress& progress, Threads threads = {});
+
+/// How a surface that was made anew differs from the one before.
+struct SurfaceChange {
+  Eigen::Index trianglesBefore = 0;
+  Eigen::Index trianglesAfter = 0;
+  double meanMm = 0; ///< From the old surface's vertices to the new surface.
+  double maximumMm =
+      0; ///< The same: what the new surface has lost, such as a thin vessel, is as far as this.
+};
+
+/// Measures the distances from every vertex of `before` that a triangle has to the surface `after`, which has
+/// to be valid and not empty. O(n log m); thread-safe; bitwise independent of the number of threads.
+SurfaceChange surfaceChange(const geometry::TriangleMesh& before, const geometry::TriangleMesh& after,
+                            Threads threads = {});
+
+/// The change as a sentence: "20,000 triangles instead of 61,204, 0.12 mm from ...".
+std::string inWords(const SurfaceChange& change);
 
 /// The surface with about `triangles` triangles, by quadric decimation (Hoppe 1999); a coarser one is
 /// returned as it is. A closed surface stays closed, but may come to intersect itself.

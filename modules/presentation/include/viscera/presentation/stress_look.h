@@ -22,8 +22,11 @@ struct StressLook {
   /// not pinned: the steps of the range depend on the range before.
   scene::ValueRange range = {0, 0};
   bool logarithmic = false; ///< The range goes by factors; what is 0 or 1 (folded tissue) has none.
-  bool peak = false;        ///< The worst of one cycle of the sequence instead of this instant.
-  bool cut = true;
+  std::string amountColors =
+      "viridis"; ///< The colour map of angles and of what is folded (`scene::colorMaps`).
+  std::string ratioColors = "diverging"; ///< That of ratios, which lie around 1.
+  bool peak = false;                     ///< The worst of one cycle of the sequence instead of this instant.
+  bool cut = false;
   scene::CutStyle style = scene::CutStyle::smooth;
   Vec3 normal = Vec3::UnitY(); ///< Of the cut, towards what stays. Unit.
   double offset = 0;           ///< Of the cut from the organ's middle along `normal`, in its radius, -1 to 1.

@@ -49,8 +49,12 @@ private:
   std::optional<scene::ValueRange> shared_;
 };
 
-/// The colours of rotational stress and stretches, what is folded in magenta: it is in none of the maps.
-scene::ColorMap stressColors(live::StressQuantity quantity);
+/// Where a look has the name of the colour map for a quantity.
+std::string StressLook::*colorsOf(live::StressQuantity quantity);
+
+/// The colour map of that name (`scene::colorMapByName`), with what is folded in magenta: it is in none of
+/// the maps.
+scene::ColorMap stressColors(const std::string& name);
 
 /// The range of a legend for a quantity of which nine tenths lie in `bulk`: from a list of round steps, so
 /// that it does not creep while something moves, and half as wide again as the bulk: a few extreme places do

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <vtkSmartPointer.h>
 
@@ -12,11 +13,12 @@ class vtkLookupTable;
 
 namespace viscera::scene {
 
-/// A scale of colours for numbers. Both maps rise evenly in lightness (or away from the middle) and can be
-/// told apart by readers who are colour-blind.
+/// A scale of colours for numbers. All maps rise evenly in lightness (or fall evenly away from the middle),
+/// so that readers who are colour-blind, and prints without colour, show the same order.
 struct ColorMap {
-  std::string name; ///< "viridis"
-  Colors colors;    ///< `k x 3`, from the lowest value to the highest, k >= 2.
+  std::string name;  ///< "viridis"
+  std::string title; ///< For users: "Viridis".
+  Colors colors;     ///< `k x 3`, from the lowest value to the highest, k >= 2.
   std::array<std::uint8_t, 3> missing = {128, 128, 128}; ///< For what is not a number.
 };
 
@@ -42,8 +44,14 @@ ColorMap viridis();
 /// "Diverging Color Maps for Scientific Visualization", 2009, DOI 10.1007/978-3-642-10520-3_9.
 ColorMap diverging();
 
-/// The two maps by name; throws `UsageError` that lists them for any other.
-ColorMap colorMapByName(const std::string& name);
+/// Every map that there is, in the order of a list: viridis, cividis, inferno, grey, diverging. Cividis is
+/// made to look the same with and without red-green blindness (Nunez, Anderton and Renslow 2018, DOI
+/// 10.1371/journal.pone.0199239); inferno (Smith and van der Walt, CC0) runs from black to light yellow; grey
+/// is even in CIE lightness.
+const std::vector<ColorMap>& colorMaps();
+
+/// A map by name; throws `UsageError` that lists them for any other name.
+const ColorMap& colorMapByName(const std::string& name);
 
 /// The range of the finite values; widened a little when they are equal, {0, 1} when there is none. O(n).
 ValueRange rangeOf(const Values& values);
