@@ -36,6 +36,10 @@ std::string Listing::text() const {
   return text;
 }
 
+nlohmann::ordered_json numbersJson(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings) {
   auto list = nlohmann::ordered_json::array();
   for (const medical_io::Finding& finding : findings)

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viscera/core/arrays.h"
 #include "viscera/core/text.h"
 #include "viscera/medical_io/assess_surface.h"
 
@@ -21,6 +22,9 @@ public:
 private:
   std::vector<std::pair<std::string, std::string>> lines_;
 };
+
+/// The three numbers as an array.
+nlohmann::ordered_json numbersJson(const Vec3& v);
 
 /// The findings of an assessed surface as a JSON array of objects: `light`, `text`, `repairs[]`.
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings);

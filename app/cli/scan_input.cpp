@@ -13,10 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json numbersJson(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 std::string sizeText(const std::array<int, 3>& size) {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
@@ -33,7 +29,7 @@ std::string_view nameOf(medical_io::ScanFinding::Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-ordered_json findingsJson(const medical_io::Scan& scan) {
+ordered_json scanFindingsJson(const medical_io::Scan& scan) {
   ordered_json list = ordered_json::array();
   for (const medical_io::ScanFinding& finding : scan.findings)
     list.push_back({{"kind", nameOf(finding.kind)}, {"text", finding.sentence}});
@@ -134,7 +130,7 @@ Outcome describeScan(const std::string& file, const ScanInputOptions& options, C
       {"phaseTimesMs", scan.phaseTimesMs},
       {"transferSyntax", scan.transferSyntax},
       {"series", seriesJson(series)},
-      {"findings", findingsJson(scan)},
+      {"findings", scanFindingsJson(scan)},
       {"warnings", outcome.warnings}};
   Listing listing = listingOf(scan, range);
   if (labels)

@@ -24,18 +24,18 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 }
 
 /// What a shell can offer for the value of an option.
-struct Values {
+struct OptionValues {
   std::vector<std::string> words;
   bool files = false;
 };
 
 /// Closed lists stand in the type as CLI11 writes it: "TEXT:{dark,light}".
-Values valuesOf(const CLI::Option& option, const ValueWords& words) {
+OptionValues valuesOf(const CLI::Option& option, const ValueWords& words) {
   const std::string type = option.get_type_name();
   if (const std::size_t open = type.find('{'), close = type.find('}');
       open != std::string::npos && close != std::string::npos)
     return {splitAtCommas(type.substr(open + 1, close - open - 1)), false};
-  Values values;
+  OptionValues values;
   const std::string name = option.get_positional() ? option.get_name(true, false) : type;
   if (const auto known = words.find(name); known != words.end())
     values.words = known->second;
@@ -70,7 +70,7 @@ std::vector<std::string> allSpellings(const CLI::App& app) {
 /// The lines of `case "$command $previous" in` that say what follows an option, and what stands without one.
 std::string bashCases(const CLI::App& app, const std::string& command, const ValueWords& words) {
   std::string text;
-  const auto add = [&](const std::string& pattern, const Values& values) {
+  const auto add = [&](const std::string& pattern, const OptionValues& values) {
     text += "    " + pattern + ") words='" + joined(values.words, " ") +
             "'; files=" + (values.files ? "1" : "") + " ;;\n";
   };
@@ -82,9 +82,9 @@ std::string bashCases(const CLI::App& app, const std::string& command, const Val
       patterns.push_back("'" + command + " " + name + "'");
     add(joined(patterns, "|"), valuesOf(*option, words));
   }
-  Values rest{allSpellings(app), false};
+  OptionValues rest{allSpellings(app), false};
   for (const CLI::Option* positional : shownOptions(app, true)) {
-    const Values values = valuesOf(*positional, words);
+    const OptionValues values = valuesOf(*positional, words);
     rest.words.insert(rest.words.end(), values.words.begin(), values.words.end());
     rest.files = rest.files || values.files;
   }
@@ -106,7 +106,7 @@ std::string zshText(const std::string& text) {
   return result;
 }
 
-std::string zshAction(const Values& values) {
+std::string zshAction(const OptionValues& values) {
   std::vector<std::string> words;
   for (const std::string& word : values.words)
     words.push_back(zshText(word));

@@ -21,23 +21,15 @@ constexpr const char* kProfile = "--profile";
 /// Of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
 constexpr double kOnSkin = 1e-9;
 
-ordered_json listOf(const Vec3& place) {
-  return {place.x(), place.y(), place.z()};
-}
-
 /// What is known of a point; null where it lies in no tissue.
 ordered_json jsonOf(const live::StressReading& reading) {
   const auto known = [&](const ordered_json& value) {
     return reading.inTissue ? value : ordered_json(nullptr);
   };
-  return {{"restMm", listOf(reading.rest)},
-          {"inTissue", reading.inTissue},
-          {"positionMm", known(listOf(reading.now))},
-          {"stressDegrees", known(reading.stressDegrees)},
-          {"volumeRatio", known(reading.volumeRatio)},
-          {"stretchMax", known(reading.stretchMax)},
-          {"stretchMin", known(reading.stretchMin)},
-          {"folded", known(reading.folded)}};
+  return {{"restMm", numbersJson(reading.rest)},           {"inTissue", reading.inTissue},
+          {"positionMm", known(numbersJson(reading.now))}, {"stressDegrees", known(reading.stressDegrees)},
+          {"volumeRatio", known(reading.volumeRatio)},     {"stretchMax", known(reading.stretchMax)},
+          {"stretchMin", known(reading.stretchMin)},       {"folded", known(reading.folded)}};
 }
 
 std::string inWords(const live::StressReading& reading) {

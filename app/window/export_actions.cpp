@@ -16,7 +16,6 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
 constexpr int kCellsAlongDiagonal = 60;
 
 } // namespace

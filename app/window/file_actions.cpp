@@ -17,8 +17,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder";
-constexpr int kShownWarnings = 3;
+constexpr int kShownFileWarnings = 3;
 constexpr const char* kHandleEnding = ".mrk.json";
 
 QString patterns(const std::vector<std::string>& extensions) {
@@ -244,9 +243,9 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
   QStringList lines;
   for (const std::string& warning : warnings)
     lines.push_back(messageInWords(warning));
-  if (lines.size() > kShownWarnings) {
-    const int more = static_cast<int>(lines.size()) - kShownWarnings;
-    lines = lines.mid(0, kShownWarnings);
+  if (lines.size() > kShownFileWarnings) {
+    const int more = static_cast<int>(lines.size()) - kShownFileWarnings;
+    lines = lines.mid(0, kShownFileWarnings);
     lines.push_back(tr("%n more on the {page of its organ|pages of their organs} in Explore", nullptr, more));
   }
   workspace_.note(lines.join(QLatin1Char('\n')), 15);

@@ -51,6 +51,9 @@ private:
 /// As it is when it has no translation.
 QString inWords(const std::string& name);
 
+/// Parts and seconds in the units that texts are in.
+inline constexpr double kPercent = 100, kMsPerSecond = 1000;
+
 /// Formats a number as the language of the window writes it: "12,5" in German. With so many decimals, and
 /// with so many significant digits.
 QString formatNumber(double value, int decimals);

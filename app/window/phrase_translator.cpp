@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kContext = "viscera::presentation"; ///< In the files of translations.
 constexpr const char* kMessages = "viscera::messages";
-constexpr int kNumber = 0; ///< The place of `%n`, which is also the first part.
+constexpr int kPlaceOfNumber = 0; ///< The place of `%n`, which is also the first part.
 
 const QRegularExpression& place() {
   static const QRegularExpression expression(QStringLiteral("%([n1-9])"));
@@ -22,7 +22,7 @@ const QRegularExpression& place() {
 }
 
 int placeOf(const QString& sign) {
-  return sign == QLatin1String("n") ? kNumber : sign.toInt();
+  return sign == QLatin1String("n") ? kPlaceOfNumber : sign.toInt();
 }
 
 QString capitalised(QString text) {
@@ -90,7 +90,7 @@ std::optional<QStringList> PhraseTranslator::partsIn(const QString& text, const 
     parts.push_back(text.mid(from, end - from));
     bool number = false;
     const int value = parts.back().toInt(&number);
-    if (form.places[i] == kNumber && (!number || form.one != (value == 1)))
+    if (form.places[i] == kPlaceOfNumber && (!number || form.one != (value == 1)))
       return std::nullopt;
     from = end + next.size();
   }
@@ -100,7 +100,7 @@ std::optional<QStringList> PhraseTranslator::partsIn(const QString& text, const 
 QString PhraseTranslator::made(const Form& form, const QStringList& parts) const {
   int number = form.one ? 1 : 2;
   for (int i = 0; i < parts.size(); ++i)
-    if (form.places[static_cast<std::size_t>(i)] == kNumber)
+    if (form.places[static_cast<std::size_t>(i)] == kPlaceOfNumber)
       number = parts[i].toInt();
   const QString pattern = QTranslator::translate(kContext, form.source.toUtf8().constData(), nullptr, number);
   QString text;
@@ -113,7 +113,7 @@ QString PhraseTranslator::made(const Form& form, const QStringList& parts) const
     const auto at = std::find(form.places.begin(), form.places.end(), wanted);
     if (at != form.places.end())
       text += inWords(parts[static_cast<int>(at - form.places.begin())]);
-    else if (wanted == kNumber)
+    else if (wanted == kPlaceOfNumber)
       text += QString::number(number);
   }
   return text + pattern.midRef(from);

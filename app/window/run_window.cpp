@@ -28,9 +28,9 @@ namespace {
 constexpr int kServiceUnavailable = 69;
 constexpr int kCannotCreate = 73;
 constexpr int kSoftware = 70;
-constexpr int kWidth = 1600;
-constexpr int kHeight = 1000;
-constexpr double kFrame = 1.0 / 25.0;
+constexpr int kScreenshotWidth = 1600;
+constexpr int kScreenshotHeight = 1000;
+constexpr double kFrameSeconds = 1.0 / 25.0;
 constexpr double kPlayedSeconds = 2.64; ///< Ends in the ejection at 75 beats a minute.
 constexpr int kLongestWait = 180000;    ///< ms, for a sample organ that has to be made first.
 constexpr int kSettle = 400;            ///< ms, for what the window still has to draw.
@@ -77,7 +77,8 @@ int takePicture(const WindowOptions& options) {
   double now = 0;
   MainWindow window(settings, availableSystems(options.pluginPath).registry, [&now] { return now; });
   window.setTheme(themeFromName(QString::fromStdString(options.theme)));
-  window.resize(options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight);
+  window.resize(options.width > 0 ? options.width : kScreenshotWidth,
+                options.height > 0 ? options.height : kScreenshotHeight);
   window.show();
   window.setMode(options.mode);
   load(window, options, false);
@@ -97,7 +98,7 @@ int takePicture(const WindowOptions& options) {
   if (moves && window.playback().sequence()) {
     window.playback().play();
     while (now < kPlayedSeconds) {
-      now += kFrame;
+      now += kFrameSeconds;
       window.playback().advance();
     }
   }

@@ -4,14 +4,11 @@
 #include "viscera/document/system_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
+#include "window/heart_look.h"
 
 namespace viscera::app {
 namespace {
 
-/// Through the wall of an organ with cavities one sees them.
-constexpr double kWallOpacity = 0.3;
-const Vec3 kArterialBlood(0.84, 0.16, 0.14);
-const Vec3 kVenousBlood(0.20, 0.36, 0.80);
 /// The atria's, lighter, so that they stand out against the ventricles that they reach to.
 const Vec3 kArterialAtrium(0.96, 0.52, 0.42);
 const Vec3 kVenousAtrium(0.46, 0.68, 0.96);

@@ -10,6 +10,11 @@
 
 namespace viscera::app {
 
+/// Keys of `Settings::folder`: of the file dialogs that have no folder of their own, and of those for
+/// sequences.
+inline constexpr const char* kFolderKey = "files/folder";
+inline constexpr const char* kSequencesFolderKey = "files/sequences";
+
 /// The user's settings of the window, an INI file under `$XDG_CONFIG_HOME/viscera`. Passed to whoever needs
 /// it.
 class Settings {

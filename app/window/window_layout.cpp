@@ -16,15 +16,15 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kWidth = 1440;
-constexpr int kHeight = 900;
+constexpr int kWindowWidth = 1440;
+constexpr int kWindowHeight = 900;
 constexpr int kLeftWidth = 304;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
-constexpr int kChartHeight = 200;
+constexpr int kDockedChartHeight = 200;
 constexpr int kHandlesHeight = 300;
 /// What a window manager draws around the window, at most.
-constexpr QSize kFrame(16, 48);
+constexpr QSize kWindowFrame(16, 48);
 
 /// What the settings and the user's choices call a panel in a mode.
 QString nameIn(const std::string& mode, const QDockWidget& dock) {
@@ -82,8 +82,8 @@ void WindowLayout::place(const Panels& panels) {
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
   window_.resizeDocks({organs, properties_}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window_.resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
-  window_.resizeDocks({chart}, {kChartHeight}, Qt::Vertical);
-  heights_ = {{chart, kChartHeight}, {handles, kHandlesHeight}};
+  window_.resizeDocks({chart}, {kDockedChartHeight}, Qt::Vertical);
+  heights_ = {{chart, kDockedChartHeight}, {handles, kHandlesHeight}};
   auto* slides = addDock(tr("Slides"), "slides", Qt::LeftDockWidgetArea, panels.slides, false);
   slides->hide();
   imports_ = new PanelDock(tr("Import"), "import", &window_);
@@ -202,8 +202,8 @@ void WindowLayout::bringBack() {
 }
 
 void WindowLayout::restore(const Settings& settings) {
-  const QSize room = window_.screen()->availableSize() - kFrame;
-  window_.resize(QSize(kWidth, kHeight).boundedTo(room));
+  const QSize room = window_.screen()->availableSize() - kWindowFrame;
+  window_.resize(QSize(kWindowWidth, kWindowHeight).boundedTo(room));
   standard_ = window_.saveState();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   window_.restoreState(settings.value("window/layout").toByteArray());

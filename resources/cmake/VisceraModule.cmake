@@ -42,6 +42,19 @@ function(viscera_warnings target)
   endif()
 endfunction()
 
+# viscera_unity(<target>): with VISCERA_UNITY the compiler takes several files of the target as one, which reads Eigen, VTK
+# and Qt once for all of them. What a file keeps for itself then needs a name that no other file of the target has
+# (docs/developer_guide.md).
+function(viscera_unity target)
+  if(VISCERA_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # The files are included then, and GCC takes what is in an unnamed namespace of an included file for a mistake.
+      target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+    endif()
+  endif()
+endfunction()
+
 # Flags of a target whose files begin with a precompiled header.
 function(viscera_with_precompiled target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -84,6 +97,7 @@ function(viscera_module name)
     target_link_options(viscera_${name} PRIVATE LINKER:--no-undefined)
   endif()
   viscera_warnings(viscera_${name})
+  viscera_unity(viscera_${name})
   install(TARGETS viscera_${name} EXPORT VisceraTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Library NAMELINK_COMPONENT Development)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT Development)

@@ -21,7 +21,7 @@
 namespace viscera::app::cli {
 namespace {
 
-constexpr int kFewestTriangles = 100, kMostTriangles = 1'000'000;
+constexpr int kFewestConvertedTriangles = 100, kMostConvertedTriangles = 1'000'000;
 
 double millimetres(const std::string& unit) {
   for (const medical_io::LengthUnit& known : medical_io::lengthUnits())
@@ -65,7 +65,7 @@ public:
         .add_option("--remesh", remesh_,
                     "Make the surface anew with about N triangles: closed, without intersections")
         ->type_name("N")
-        ->check(CLI::Range(kFewestTriangles, kMostTriangles));
+        ->check(CLI::Range(kFewestConvertedTriangles, kMostConvertedTriangles));
     options.add_flag("--mirror", mirror_, "Exchange left and right");
   }
 

@@ -19,7 +19,7 @@ namespace viscera::app::cli {
 namespace {
 
 constexpr int kEnclosing = 8; ///< Corners of a box.
-constexpr int kMostHandles = 10'000;
+constexpr int kMostPlacedHandles = 10'000;
 constexpr int kMostGroups = 100;
 
 /// The handles before grouping, the corners that grouping added, and the groups over both.
@@ -99,7 +99,7 @@ public:
     CLI::Option* count =
         options.add_option("--count", count_, "How many handles, the enclosing ones included")
             ->type_name("N")
-            ->check(CLI::Range(4, kMostHandles))
+            ->check(CLI::Range(4, kMostPlacedHandles))
             ->capture_default_str();
     CLI::Option* enclosing =
         options.add_flag("--enclosing", enclosing_,

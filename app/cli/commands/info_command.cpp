@@ -123,10 +123,6 @@ Outcome describe(const medical_io::HandleFile& handles, const std::string& file)
   return outcome;
 }
 
-ordered_json numbersJson(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progress& progress) {
   const Bounds bounds = map.bounds();
   const Vec3 spacing = map.spacing();

@@ -27,7 +27,7 @@
 namespace viscera::app::cli {
 namespace {
 
-constexpr int kMostHandles = 60;
+constexpr int kMostLessonHandles = 60;
 constexpr double kErrorToTell = 0.05; ///< mm; more is said.
 
 bool isSequence(const std::string& name) {
@@ -130,7 +130,7 @@ void LessonCommand::addOptions(CLI::App& options) {
       ->type_name("FILE");
   options.add_option("--handles", handles_, "How many handles there are to drag; 0: none")
       ->type_name("N")
-      ->check(CLI::Range(0, kMostHandles));
+      ->check(CLI::Range(0, kMostLessonHandles));
   options.add_option("--rate", rate_, "Cycles a minute to begin with; of a .glb the only ones")
       ->type_name("PER_MINUTE")
       ->check(CLI::PositiveNumber);

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kMostTriangles = 2'000'000;
+constexpr int kMostSegmentTriangles = 2'000'000;
 constexpr double kSmoothest = 2;
 constexpr std::size_t kLongestName = 100;
 
@@ -137,7 +137,7 @@ public:
         ->delimiter(',');
     options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
         ->type_name("N")
-        ->check(CLI::Range(0, kMostTriangles))
+        ->check(CLI::Range(0, kMostSegmentTriangles))
         ->capture_default_str();
     options.add_option("--smoothing", options_.smoothing, "0: the voxels' steps stay; 2: very smooth")
         ->check(CLI::Range(0.0, kSmoothest))

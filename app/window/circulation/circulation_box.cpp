@@ -22,7 +22,7 @@ namespace viscera::app {
 namespace {
 
 /// A slider has about so many steps.
-constexpr double kSteps = 100;
+constexpr double kSliderSteps = 100;
 
 /// The names of controls where a slider leaves little room; the tooltip has the whole.
 QString shortName(const circulation::ParameterInfo& info) {
@@ -43,7 +43,7 @@ const circulation::ParameterInfo& infoOf(const std::string& name) {
 }
 
 ValueSlider::Range rangeOf(const circulation::ParameterInfo& info) {
-  const double power = std::floor(std::log10((info.highest - info.lowest) / kSteps));
+  const double power = std::floor(std::log10((info.highest - info.lowest) / kSliderSteps));
   return {info.lowest, info.highest, std::pow(10.0, power), std::max(0, static_cast<int>(-power)),
           QLatin1Char(' ') + text(info.unit)};
 }

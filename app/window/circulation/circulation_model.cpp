@@ -14,7 +14,7 @@ namespace {
 /// One solves while the other lets the heart follow.
 constexpr int kWorkers = 2;
 /// ms after which a control rests.
-constexpr int kRest = 200;
+constexpr int kControlRestMilliseconds = 200;
 
 /// Whether a circulation moves the heart, be it the present one.
 bool followsOne(const Playback::Motion& motion) {
@@ -41,7 +41,7 @@ CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QOb
   });
   connect(&playback, &Playback::stateChanged, this, &CirculationModel::soon);
   rests_.setSingleShot(true);
-  rests_.setInterval(kRest);
+  rests_.setInterval(kControlRestMilliseconds);
   connect(&rests_, &QTimer::timeout, this, &CirculationModel::sync);
 }
 

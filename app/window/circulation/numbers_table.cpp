@@ -8,8 +8,8 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kName, kNow, kBefore, kNormal, kColumns };
-constexpr int kRowHeight = 20;
+enum NumbersColumn { kNumbersName, kNumbersNow, kNumbersBefore, kNumbersNormal, kNumbersColumns };
+constexpr int kNumbersRowHeight = 20;
 
 const circulation::Reading& readingOf(int row) {
   return circulation::readings()[static_cast<std::size_t>(row)];
@@ -18,18 +18,18 @@ const circulation::Reading& readingOf(int row) {
 } // namespace
 
 NumbersTable::NumbersTable(QWidget* parent)
-    : QTableWidget(static_cast<int>(circulation::readings().size()), kColumns, parent),
+    : QTableWidget(static_cast<int>(circulation::readings().size()), kNumbersColumns, parent),
       theme_(themeOf(ThemeKind::dark)) {
   setObjectName(QStringLiteral("circulationNumbers"));
   setAccessibleName(tr("Numbers of the circulation"));
   setHorizontalHeaderLabels({QString(), tr("now"), tr("before"), tr("normal")});
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  horizontalHeader()->setSectionResizeMode(kNumbersName, QHeaderView::Stretch);
   horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setMinimumSectionSize(kRowHeight);
+  horizontalHeader()->setMinimumSectionSize(kNumbersRowHeight);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  verticalHeader()->setDefaultSectionSize(kNumbersRowHeight);
   setShowGrid(false);
   setEditTriggers(NoEditTriggers);
   setSelectionMode(NoSelection);
@@ -40,8 +40,8 @@ NumbersTable::NumbersTable(QWidget* parent)
     const QString unit = reading.unit.empty() ? QString() : QStringLiteral(" (%1)").arg(text(reading.unit));
     auto* name = new QTableWidgetItem(inWords(reading.title) + unit);
     name->setToolTip(name->text());
-    setItem(row, kName, name);
-    for (const int column : {kNow, kBefore, kNormal}) {
+    setItem(row, kNumbersName, name);
+    for (const int column : {kNumbersNow, kNumbersBefore, kNumbersNormal}) {
       auto* item = new QTableWidgetItem;
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       setItem(row, column, item);
@@ -57,16 +57,17 @@ void NumbersTable::setPerson(const norms::Person& person) {
     const auto normal = circulation::normalOf(readingOf(row), person);
     if (!normal)
       continue;
-    item(row, kNormal)->setText(text(circulation::rangeText(*normal, readingOf(row).decimals > 0 ? 1 : 0)));
-    item(row, kNormal)->setToolTip(text(normal->source));
+    item(row, kNumbersNormal)
+        ->setText(text(circulation::rangeText(*normal, readingOf(row).decimals > 0 ? 1 : 0)));
+    item(row, kNumbersNormal)->setToolTip(text(normal->source));
   }
 }
 
 void NumbersTable::setIndices(const circulation::Indices* now, const circulation::Indices* before) {
-  setColumnHidden(kBefore, !before);
+  setColumnHidden(kNumbersBefore, !before);
   for (int row = 0; row < rowCount(); ++row) {
-    fill(row, kNow, now);
-    fill(row, kBefore, before);
+    fill(row, kNumbersNow, now);
+    fill(row, kNumbersBefore, before);
   }
 }
 
@@ -82,8 +83,8 @@ void NumbersTable::fill(int row, int column, const circulation::Indices* indices
 void NumbersTable::setTheme(const Theme& theme) {
   theme_ = theme;
   for (int row = 0; row < rowCount(); ++row) {
-    item(row, kName)->setForeground(theme.text);
-    item(row, kNormal)->setForeground(theme.muted);
+    item(row, kNumbersName)->setForeground(theme.text);
+    item(row, kNumbersNormal)->setForeground(theme.muted);
   }
 }
 

@@ -2,9 +2,9 @@
 
 namespace viscera::app {
 namespace {
-constexpr int kHeight = 36;
+constexpr int kHeaderHeight = 36;
 /// Two of them leave the panels beside the views their width in a small window.
-constexpr int kNarrowest = 160;
+constexpr int kNarrowestHeader = 160;
 } // namespace
 
 SideHeader::SideHeader(const QString& letter, QWidget* parent)
@@ -12,8 +12,8 @@ SideHeader::SideHeader(const QString& letter, QWidget* parent)
       volumes_(new ElidedLabel(this)) {
   setObjectName(QStringLiteral("sideHeader"));
   setAttribute(Qt::WA_StyledBackground);
-  setFixedHeight(kHeight);
-  setMinimumWidth(kNarrowest);
+  setFixedHeight(kHeaderHeight);
+  setMinimumWidth(kNarrowestHeader);
   row_->setContentsMargins(12, 0, 4, 0);
   row_->setSpacing(8);
   auto* badge = new QLabel(letter, this);

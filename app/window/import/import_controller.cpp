@@ -13,7 +13,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kSlot = "import";
+constexpr const char* kImportSlot = "import";
 constexpr double kGlass = 0.5, kSolid = 1;
 /// Of the diagonal: less is not worth a jump of the camera.
 constexpr double kElsewhere = 0.01;
@@ -59,7 +59,7 @@ void ImportController::accept() {
 void ImportController::cancel() {
   if (!open_)
     return;
-  workspace_.jobs().cancelSlot(kSlot);
+  workspace_.jobs().cancelSlot(kImportSlot);
   close();
 }
 
@@ -113,7 +113,7 @@ void ImportController::preview() {
 
 void ImportController::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {
   panel_->setBusy(true);
-  workspace_.jobs().submit<document::ImportDraft>(name.toStdString(), kSlot, std::move(next),
+  workspace_.jobs().submit<document::ImportDraft>(name.toStdString(), kImportSlot, std::move(next),
                                                   [this](JobResult<document::ImportDraft> result) {
                                                     if (!open_)
                                                       return;

@@ -55,7 +55,7 @@ QString measures(const document::DraftOrgan& organ) {
   return OrganCheck::tr("%1, %2").arg(box, formatMilliliters(organ.assessment.volumeMl));
 }
 
-QString translated(const char* text) {
+QString repairText(const char* text) {
   return QCoreApplication::translate("viscera::app::Repairs", text);
 }
 
@@ -72,10 +72,10 @@ QString repairName(const std::string& id) {
       {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from Y up to LPS")}};
   const auto known = kNames.find(id);
   if (known != kNames.end())
-    return translated(known->second);
+    return repairText(known->second);
   for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
     if (id == "unit-" + std::string(unit.id))
-      return translated(QT_TRANSLATE_NOOP("viscera::app::Repairs", "Coordinates are in %1"))
+      return repairText(QT_TRANSLATE_NOOP("viscera::app::Repairs", "Coordinates are in %1"))
           .arg(text(std::string(unit.name)));
   return text(id);
 }

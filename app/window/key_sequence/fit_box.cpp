@@ -24,7 +24,7 @@ namespace viscera::app {
 namespace {
 
 constexpr const char* kHeartbeat = "heartbeat";
-constexpr double kPercent = 100, kLeastEjection = 11, kMostEjection = 79;
+constexpr double kLeastEjection = 11, kMostEjection = 79;
 
 QString placeText(const std::vector<Vec3>& places) {
   if (places.empty())

@@ -22,11 +22,10 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kTime, kEasing, kColumns };
+enum KeyColumn { kKeyTime, kKeyEasing, kKeyColumns };
 constexpr double kLongest = 600; ///< s
-constexpr int kShownRows = 5;
-constexpr const char* kFolderKey = "files/sequences";
-constexpr const char* kEnding = ".sequence.json";
+constexpr int kShownKeys = 5;
+constexpr const char* kSequenceEnding = ".sequence.json";
 
 using sequences::Easing;
 constexpr Easing kEasings[] = {Easing::smooth, Easing::linear, Easing::in, Easing::out, Easing::hold};
@@ -86,7 +85,7 @@ void KeyBox::makeTop() {
 }
 
 void KeyBox::makeTable() {
-  table_ = new QTableWidget(0, kColumns, this);
+  table_ = new QTableWidget(0, kKeyColumns, this);
   table_->setObjectName(QStringLiteral("keyTable"));
   table_->setHorizontalHeaderLabels({tr("time (s)"), tr("easing")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -98,7 +97,7 @@ void KeyBox::makeTable() {
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   layout()->addWidget(table_);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    if (!filling_ && item->column() == kTime)
+    if (!filling_ && item->column() == kKeyTime)
       onTimeEdited(item->row());
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &KeyBox::syncButtons);
@@ -163,7 +162,7 @@ document::KeyId KeyBox::selectedKey() const {
 }
 
 void KeyBox::onTimeEdited(int row) {
-  const std::optional<double> seconds = numberIn(table_->item(row, kTime)->text());
+  const std::optional<double> seconds = numberIn(table_->item(row, kKeyTime)->text());
   const auto& keys = workspace_.document().keySequence().keys;
   if (!seconds || row >= static_cast<int>(keys.size()) ||
       !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, *seconds)))
@@ -174,11 +173,11 @@ void KeyBox::fillRow(int row) {
   const document::SequenceKey& key = workspace_.document().keySequence().keys[static_cast<std::size_t>(row)];
   auto* time = new QTableWidgetItem(formatNumber(key.seconds, 2));
   time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  table_->setItem(row, kTime, time);
+  table_->setItem(row, kKeyTime, time);
   auto* easing = new QComboBox(table_);
   fillEasings(easing);
   easing->setCurrentIndex(easing->findData(static_cast<int>(key.easing)));
-  table_->setCellWidget(row, kEasing, easing);
+  table_->setCellWidget(row, kKeyEasing, easing);
   // Queued: the table is filled anew, and this box goes.
   connect(
       easing, QOverload<int>::of(&QComboBox::activated), this,
@@ -198,7 +197,7 @@ void KeyBox::sync() {
     fillRow(row);
   if (selected >= 0 && selected < table_->rowCount())
     table_->selectRow(selected);
-  const int rows = std::min(std::max(1, table_->rowCount()), kShownRows);
+  const int rows = std::min(std::max(1, table_->rowCount()), kShownKeys);
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                          rows * table_->verticalHeader()->defaultSectionSize() + 4);
   table_->setVisible(table_->rowCount() > 0);
@@ -218,17 +217,18 @@ void KeyBox::syncButtons() {
 }
 
 QString KeyBox::fileName(bool saving) const {
-  const QString folder = settings_.value(kFolderKey).toString();
+  const QString folder = settings_.value(kSequencesFolderKey).toString();
   auto* window = const_cast<KeyBox*>(this)->window();
-  const QString filter = tr("Sequences (*%1)").arg(QLatin1String(kEnding));
+  const QString filter = tr("Sequences (*%1)").arg(QLatin1String(kSequenceEnding));
   QString file = saving ? QFileDialog::getSaveFileName(
                               window, tr("Save the sequence"),
-                              folder + QStringLiteral("/recorded") + QLatin1String(kEnding), filter)
+                              folder + QStringLiteral("/recorded") + QLatin1String(kSequenceEnding), filter)
                         : QFileDialog::getOpenFileName(window, tr("Open a sequence"), folder, filter);
   if (file.isEmpty())
     return file;
-  settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
-  return saving && !file.endsWith(QLatin1String(kEnding)) ? file + QLatin1String(kEnding) : file;
+  settings_.setValue(kSequencesFolderKey, QFileInfo(file).absolutePath());
+  return saving && !file.endsWith(QLatin1String(kSequenceEnding)) ? file + QLatin1String(kSequenceEnding)
+                                                                  : file;
 }
 
 } // namespace viscera::app

@@ -11,7 +11,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr double kKeyStep = 0.5; ///< s
+constexpr double kSecondsBetweenKeys = 0.5; ///< s
 
 /// Whether any key moves a handle that there is: another rig leaves nothing of a recording.
 bool movesAny(const document::KeySequence& keySequence, const document::Rig& rig) {
@@ -53,14 +53,14 @@ void KeySequencePlayback::sync(bool choose) {
 
 double KeySequencePlayback::nextSeconds() const {
   const auto& keys = workspace_.document().keySequence().keys;
-  return keys.empty() ? 0 : keys.back().seconds + kKeyStep;
+  return keys.empty() ? 0 : keys.back().seconds + kSecondsBetweenKeys;
 }
 
 bool KeySequencePlayback::addKey(double seconds, sequences::Easing easing) {
   std::vector<document::Command> commands;
   if (seconds >= workspace_.document().keySequence().periodSeconds) {
     document::KeySequenceEdit longer;
-    longer.periodSeconds = seconds + kKeyStep;
+    longer.periodSeconds = seconds + kSecondsBetweenKeys;
     commands.push_back(document::editKeySequence(longer));
   }
   commands.push_back(document::recordKey(seconds, easing));

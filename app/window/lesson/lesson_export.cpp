@@ -13,11 +13,6 @@
 #include "window/workspace.h"
 
 namespace viscera::app {
-namespace {
-
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
-
-} // namespace
 
 LessonExport::LessonExport(Window window, QWidget* parent)
     : QObject(parent), window_(window), parent_(parent) {}

@@ -20,13 +20,13 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kName, kNow, kRest, kColumns };
-constexpr int kIdRole = Qt::UserRole;
-constexpr int kRowsShown = 6;
+enum MeasurementColumn { kMeasurementName, kMeasurementNow, kMeasurementRest, kMeasurementColumns };
+constexpr int kMeasurementIdRole = Qt::UserRole;
+constexpr int kMeasurementRowsShown = 6;
 constexpr int kValueInterval = 100; ///< ms
 
 document::MeasurementId idOf(const QTreeWidgetItem* item) {
-  return {item->data(kName, kIdRole).toLongLong()};
+  return {item->data(kMeasurementName, kMeasurementIdRole).toLongLong()};
 }
 
 } // namespace
@@ -76,13 +76,13 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
 void MeasureBox::makeList() {
   list_->setObjectName(QStringLiteral("measureList"));
   list_->setAccessibleName(tr("Measurements"));
-  list_->setColumnCount(kColumns);
+  list_->setColumnCount(kMeasurementColumns);
   list_->setHeaderLabels({tr("Name"), tr("Now"), tr("Reference shape")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  for (const int column : {kNow, kRest}) {
+  list_->header()->setSectionResizeMode(kMeasurementName, QHeaderView::Stretch);
+  for (const int column : {kMeasurementNow, kMeasurementRest}) {
     list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -91,7 +91,7 @@ void MeasureBox::makeList() {
   list_->installEventFilter(this);
   connect(list_, &QTreeWidget::itemChanged, this, &MeasureBox::rename);
   connect(list_, &QTreeWidget::itemDoubleClicked, this,
-          [this](QTreeWidgetItem* item) { list_->editItem(item, kName); });
+          [this](QTreeWidgetItem* item) { list_->editItem(item, kMeasurementName); });
   connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (updating_)
       return;
@@ -113,7 +113,7 @@ bool MeasureBox::eventFilter(QObject* watched, QEvent* event) {
   else if (key->key() == Qt::Key_Delete)
     removeChosen();
   else
-    list_->editItem(chosen.front(), kName);
+    list_->editItem(chosen.front(), kMeasurementName);
   return true;
 }
 
@@ -129,14 +129,14 @@ void MeasureBox::rebuild() {
     const document::Measurement& measurement = measurements[static_cast<std::size_t>(row)];
     QTreeWidgetItem* item = list_->topLevelItem(row);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setText(kName, text(measurement.name));
-    item->setToolTip(kName, text(measurement.name));
-    item->setData(kName, kIdRole, static_cast<qlonglong>(measurement.id.value));
-    for (const int column : {kNow, kRest})
+    item->setText(kMeasurementName, text(measurement.name));
+    item->setToolTip(kMeasurementName, text(measurement.name));
+    item->setData(kMeasurementName, kMeasurementIdRole, static_cast<qlonglong>(measurement.id.value));
+    for (const int column : {kMeasurementNow, kMeasurementRest})
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
   syncValues();
-  const int shown = std::min(rows, kRowsShown);
+  const int shown = std::min(rows, kMeasurementRowsShown);
   const int rowHeight = rows > 0 ? list_->sizeHintForRow(0) : 0;
   list_->setFixedHeight(list_->header()->sizeHint().height() + shown * rowHeight + 2 * list_->frameWidth() +
                         2);
@@ -159,16 +159,17 @@ void MeasureBox::syncValues() {
     const document::MeasurementKind kind = measurements[row].kind;
     const std::string unit = document::unitOf(measurements[row], workspace_.state());
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
-    item->setText(kNow, text(presentation::formatMeasured(kind, values.now, unit, mark)));
+    item->setText(kMeasurementNow, text(presentation::formatMeasured(kind, values.now, unit, mark)));
     // The scan's values are the same in every pose: their deviation says more than the mean once again.
     const bool region = document::isRegion(kind);
     const bool known = region && values.region && values.region->count > 0;
-    item->setText(kRest, !region ? text(presentation::formatMeasured(kind, values.rest, {}, mark))
-                         : known ? QStringLiteral("\u00b1 %1").arg(formatNumber(values.region->deviation, 1))
-                                 : QStringLiteral("-"));
+    item->setText(kMeasurementRest,
+                  !region ? text(presentation::formatMeasured(kind, values.rest, {}, mark))
+                  : known ? QStringLiteral("\u00b1 %1").arg(formatNumber(values.region->deviation, 1))
+                          : QStringLiteral("-"));
     const QString spread =
         text(presentation::describeSpread(measurements[row], values, unit, translated, mark));
-    for (const int column : {kNow, kRest})
+    for (const int column : {kMeasurementNow, kMeasurementRest})
       item->setToolTip(column, spread);
   }
 }
@@ -207,11 +208,12 @@ void MeasureBox::removeChosen() {
 }
 
 void MeasureBox::rename(QTreeWidgetItem* item, int column) {
-  if (updating_ || column != kName)
+  if (updating_ || column != kMeasurementName)
     return;
   const document::MeasurementId id = idOf(item);
-  const std::string name = item->text(kName).trimmed().toStdString();
-  if (!workspace_.perform(document::renameMeasurement(id, name)) || item->text(kName) != text(name))
+  const std::string name = item->text(kMeasurementName).trimmed().toStdString();
+  if (!workspace_.perform(document::renameMeasurement(id, name)) ||
+      item->text(kMeasurementName) != text(name))
     rebuild();
 }
 

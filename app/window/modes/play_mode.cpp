@@ -18,11 +18,10 @@
 namespace viscera::app {
 namespace {
 
-constexpr double kWallOpacity = 0.28;
+constexpr double kPlayedWallOpacity = 0.28;
 /// An organ without cavities hides nothing of its own, only its neighbours.
 constexpr double kPlainOpacity = 0.45;
 constexpr double kOpaque = 0.99;
-constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
 
 bool hasInside(const document::OrganList& organs, document::OrganId id) {
   return std::any_of(organs.begin(), organs.end(), [id](const auto& other) { return other->parent == id; });
@@ -313,7 +312,7 @@ void PlayMode::setSeeThrough(bool on) {
   std::vector<document::Command> commands;
   for (const auto& organ : wallsOf(organs)) {
     document::OrganLook look = organ->look;
-    look.opacity = !on ? 1 : hasInside(organs, organ->id) ? kWallOpacity : kPlainOpacity;
+    look.opacity = !on ? 1 : hasInside(organs, organ->id) ? kPlayedWallOpacity : kPlainOpacity;
     commands.push_back(document::setOrganLook(organ->id, look));
   }
   for (const auto& organ : organs) {
@@ -330,9 +329,9 @@ void PlayMode::setSeeThrough(bool on) {
 
 void PlayMode::slower() {
   const double speed = parts_.playback.player().speed();
-  const auto* next = std::find_if(std::begin(kSpeeds), std::end(kSpeeds),
+  const auto* next = std::find_if(std::begin(kPlaybackSpeeds), std::end(kPlaybackSpeeds),
                                   [speed](double other) { return other < speed - 1e-9; });
-  parts_.playback.setSpeed(next == std::end(kSpeeds) ? 1 : *next);
+  parts_.playback.setSpeed(next == std::end(kPlaybackSpeeds) ? 1 : *next);
 }
 
 void PlayMode::addKey() {

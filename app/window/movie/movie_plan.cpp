@@ -6,7 +6,7 @@
 namespace viscera::app {
 namespace {
 
-QString translated(const char* text) {
+QString movieText(const char* text) {
   return QCoreApplication::translate("viscera::app::MoviePlan", text);
 }
 
@@ -14,11 +14,11 @@ QString translated(const char* text) {
 
 std::vector<MovieFormatInfo> movieFormats() {
   using Format = MovieFormat;
-  return {{Format::ogg, translated("Ogg movie (.ogv)"), QStringLiteral(".ogv"), false, true},
-          {Format::mp4, translated("MP4 movie (.mp4)"), QStringLiteral(".mp4"), true, true},
-          {Format::gif, translated("Animated GIF (.gif)"), QStringLiteral(".gif"), true, true},
-          {Format::pictures, translated("PNG pictures (folder)"), QString(), false, true},
-          {Format::table, translated("Table of volumes (.csv)"), QStringLiteral(".csv"), false, false}};
+  return {{Format::ogg, movieText("Ogg movie (.ogv)"), QStringLiteral(".ogv"), false, true},
+          {Format::mp4, movieText("MP4 movie (.mp4)"), QStringLiteral(".mp4"), true, true},
+          {Format::gif, movieText("Animated GIF (.gif)"), QStringLiteral(".gif"), true, true},
+          {Format::pictures, movieText("PNG pictures (folder)"), QString(), false, true},
+          {Format::table, movieText("Table of volumes (.csv)"), QStringLiteral(".csv"), false, false}};
 }
 
 MovieFormatInfo infoOf(MovieFormat format) {

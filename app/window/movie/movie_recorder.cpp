@@ -12,7 +12,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kSlot = "record";
+constexpr const char* kRecordSlot = "record";
 constexpr double kDrawingShare = 0.95; ///< Of the progress; the rest is closing the movie.
 /// What is recorded of organs that do not move, s.
 constexpr double kStillSeconds = 2;
@@ -117,7 +117,7 @@ bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::S
     return false;
   running_ = true;
   jobs_.submit<int>(
-      tr("Recording %1").arg(QFileInfo(plan.file).fileName()).toStdString(), kSlot,
+      tr("Recording %1").arg(QFileInfo(plan.file).fileName()).toStdString(), kRecordSlot,
       [take](Progress& progress) { return record(std::move(*take), progress); },
       [this, plan](const JobResult<int>& result) { end(result, plan); });
   Q_EMIT stateChanged();
@@ -125,7 +125,7 @@ bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::S
 }
 
 void MovieRecorder::cancel() {
-  jobs_.cancelSlot(kSlot);
+  jobs_.cancelSlot(kRecordSlot);
 }
 
 void MovieRecorder::end(const JobResult<int>& result, const MoviePlan& plan) {

@@ -35,7 +35,7 @@ constexpr TissueColor kTissues[] = {
     {QT_TRANSLATE_NOOP("Tissue", "Fat"), "#e8cf7a"},
     {QT_TRANSLATE_NOOP("Tissue", "Gall"), "#6f8f4e"},
 };
-constexpr int kColumns = 6;
+constexpr int kPaletteColumns = 6;
 
 /// Words in the names of files and segments, English and Latin; the first that fits counts.
 constexpr std::pair<const char*, const char*> kWords[] = {
@@ -112,7 +112,7 @@ void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& prese
     button->setIconSize(QSize(20, 20));
     button->setToolTip(QCoreApplication::translate("Tissue", tissue.name));
     button->setAccessibleName(button->toolTip());
-    grid->addWidget(button, index / kColumns, index % kColumns);
+    grid->addWidget(button, index / kPaletteColumns, index % kPaletteColumns);
     QObject::connect(button, &QToolButton::clicked, parent, [=] {
       menu->close();
       chosen(color);

@@ -14,9 +14,6 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
-namespace {
-constexpr const char* kFolderKey = "files/sequences";
-}
 
 CurveBox::CurveBox(Workspace& workspace, Playback& playback, Settings& settings, QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), settings_(settings),
@@ -43,12 +40,12 @@ CurveBox::CurveBox(Workspace& workspace, Playback& playback, Settings& settings,
 }
 
 void CurveBox::choose() {
-  const QString file =
-      QFileDialog::getOpenFileName(window(), tr("Prescribe a volume"), settings_.value(kFolderKey).toString(),
-                                   tr("Volume curves (*.csv *.txt *.tsv)"));
+  const QString file = QFileDialog::getOpenFileName(window(), tr("Prescribe a volume"),
+                                                    settings_.value(kSequencesFolderKey).toString(),
+                                                    tr("Volume curves (*.csv *.txt *.tsv)"));
   if (file.isEmpty())
     return;
-  settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+  settings_.setValue(kSequencesFolderKey, QFileInfo(file).absolutePath());
   load(file);
 }
 

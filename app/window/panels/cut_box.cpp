@@ -8,13 +8,11 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
-namespace {
-constexpr double kPercent = 100;
-} // namespace
 
 CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWidget* parent)
     : QWidget(parent), view_(view), widget_(widget) {

@@ -24,14 +24,14 @@ namespace {
 
 using By = document::GroupingChoice::By;
 
-constexpr int kIdRole = Qt::UserRole;
-constexpr int kRowsShown = 5;
+constexpr int kGroupIdRole = Qt::UserRole;
+constexpr int kGroupRowsShown = 5;
 constexpr int kMostGroups = 12;
 /// Fewer span no region.
-constexpr std::size_t kFewestHandles = 4;
+constexpr std::size_t kFewestGrouped = 4;
 
 document::GroupId groupOf(const QTreeWidgetItem* item) {
-  return {item->data(0, kIdRole).toLongLong()};
+  return {item->data(0, kGroupIdRole).toLongLong()};
 }
 
 /// The first system that looks at groups, or null.
@@ -231,18 +231,18 @@ void GroupPanel::rebuild() {
   for (const document::Group& group : groups) {
     auto* item = new QTreeWidgetItem(list_);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setData(0, kIdRole, static_cast<qlonglong>(group.id.value));
+    item->setData(0, kGroupIdRole, static_cast<qlonglong>(group.id.value));
     item->setText(0, inWords(group.name));
     item->setIcon(0, swatch(asColor(group.color)));
     item->setText(1, QString::number(group.handles.size()));
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     item->setToolTip(0, tr("F2 renames"));
-    if (group.handles.size() < kFewestHandles) {
+    if (group.handles.size() < kFewestGrouped) {
       item->setIcon(1, icon("warning"));
       item->setToolTip(1, tr("A region needs at least four handles"));
     }
   }
-  const int rows = std::clamp(static_cast<int>(groups.size()), 2, kRowsShown);
+  const int rows = std::clamp(static_cast<int>(groups.size()), 2, kGroupRowsShown);
   list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), 20) + 2 * list_->frameWidth() + 2);
   list_->setVisible(!groups.empty());
   empty_->setVisible(groups.empty());

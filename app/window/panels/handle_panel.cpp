@@ -21,11 +21,11 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
+constexpr int kHandleIdRole = Qt::UserRole;
 const QColor kUngrouped(242, 158, 51);
 
 document::HandleId handleOf(const QTreeWidgetItem* item) {
-  return {item->data(0, kIdRole).toLongLong()};
+  return {item->data(0, kHandleIdRole).toLongLong()};
 }
 
 } // namespace
@@ -134,7 +134,7 @@ void HandlePanel::addGroup(const QString& name, const QColor& color,
   for (const document::Handle* handle : handles) {
     auto* item = new QTreeWidgetItem(parent);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setData(0, kIdRole, static_cast<qlonglong>(handle->id.value));
+    item->setData(0, kHandleIdRole, static_cast<qlonglong>(handle->id.value));
     item->setText(0, text(handle->label));
     if (handle->locked)
       item->setIcon(0, icon("lock"));

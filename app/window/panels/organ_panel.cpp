@@ -25,22 +25,22 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kEye, kName, kVolume, kChange, kLock, kColumns };
+enum OrganColumn { kOrganEye, kOrganName, kOrganVolume, kOrganChange, kOrganLock, kOrganColumns };
 constexpr int kSwatchWidth = 24;
 /// A change above this is shown in the accent's colour, relative.
 constexpr double kNoticed = 5e-4;
 constexpr double kSmall = 0.85;
 constexpr int kRowMargin = 2;
-constexpr int kIconSize = 16;
+constexpr int kOrganIconSize = 16;
 /// More organs than that stand under the systems of the body, and can be searched.
 constexpr std::size_t kFew = 12;
 
 QTreeWidget* makeList(QWidget* parent) {
   auto* list = new QTreeWidget(parent);
   list->setObjectName(QStringLiteral("organList"));
-  list->setColumnCount(kColumns);
+  list->setColumnCount(kOrganColumns);
   list->setHeaderHidden(true);
-  list->setTreePosition(kName);
+  list->setTreePosition(kOrganName);
   list->setIndentation(14);
   list->setRootIsDecorated(false);
   list->setExpandsOnDoubleClick(false);
@@ -51,13 +51,13 @@ QTreeWidget* makeList(QWidget* parent) {
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->header()->setStretchLastSection(false);
   list->header()->setMinimumSectionSize(24);
-  list->header()->setSectionResizeMode(kEye, QHeaderView::Fixed);
-  list->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  list->header()->setSectionResizeMode(kVolume, QHeaderView::ResizeToContents);
-  list->header()->setSectionResizeMode(kChange, QHeaderView::ResizeToContents);
-  list->header()->setSectionResizeMode(kLock, QHeaderView::Fixed);
-  list->setColumnWidth(kEye, 32);
-  list->setColumnWidth(kLock, 30);
+  list->header()->setSectionResizeMode(kOrganEye, QHeaderView::Fixed);
+  list->header()->setSectionResizeMode(kOrganName, QHeaderView::Stretch);
+  list->header()->setSectionResizeMode(kOrganVolume, QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(kOrganChange, QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(kOrganLock, QHeaderView::Fixed);
+  list->setColumnWidth(kOrganEye, 32);
+  list->setColumnWidth(kOrganLock, 30);
   list->setMinimumHeight(84);
   return list;
 }
@@ -89,8 +89,8 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int clicked) {
     if (!organOf(item))
       item->setExpanded(!item->isExpanded());
-    else if (clicked == kName)
-      list_->editItem(item, kName);
+    else if (clicked == kOrganName)
+      list_->editItem(item, kOrganName);
   });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (!updating_ && item && organOf(item))
@@ -167,11 +167,11 @@ void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
 void OrganPanel::editName() {
   const auto organ = workspace_.currentOrgan();
   if (organ && items_.count(organ->id))
-    list_->editItem(items_[organ->id], kName);
+    list_->editItem(items_[organ->id], kOrganName);
 }
 
 document::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
-  return {item->data(kName, Qt::UserRole).toLongLong()};
+  return {item->data(kOrganName, Qt::UserRole).toLongLong()};
 }
 
 std::vector<document::OrganId> OrganPanel::chosen() const {
@@ -207,13 +207,13 @@ bool OrganPanel::sameRows() const {
 
 QTreeWidgetItem* OrganPanel::rowUnder(QTreeWidgetItem* parent) {
   auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(list_);
-  item->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
-  item->setTextAlignment(kChange, Qt::AlignRight | Qt::AlignVCenter);
+  item->setTextAlignment(kOrganVolume, Qt::AlignRight | Qt::AlignVCenter);
+  item->setTextAlignment(kOrganChange, Qt::AlignRight | Qt::AlignVCenter);
   QFont small = list_->font();
   small.setPointSizeF(kSmall * small.pointSizeF());
-  item->setFont(kChange, small);
+  item->setFont(kOrganChange, small);
   // All rows are as high as the first: two small lines have to fit also where there is none yet.
-  item->setSizeHint(kEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
+  item->setSizeHint(kOrganEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
   return item;
 }
 
@@ -223,7 +223,7 @@ QTreeWidgetItem* OrganPanel::systemRow(const std::string& system) {
     row = rowUnder(nullptr);
     QFont bold = list_->font();
     bold.setBold(true);
-    row->setFont(kName, bold);
+    row->setFont(kOrganName, bold);
   }
   return row;
 }
@@ -236,8 +236,8 @@ void OrganPanel::makeRows() {
   systems_.clear();
   list_->clear();
   list_->setRootIsDecorated(grouped);
-  list_->setColumnHidden(kChange, grouped); // Among many organs the room goes to their names.
-  if (grouped)                              // In the order of the body's systems, not in that of a file.
+  list_->setColumnHidden(kOrganChange, grouped); // Among many organs the room goes to their names.
+  if (grouped)                                   // In the order of the body's systems, not in that of a file.
     for (const std::string& system : document::organSystems())
       if (std::any_of(organs.begin(), organs.end(), [&system](const auto& organ) {
             return !organ->parent && document::organSystem(organ->name) == system;
@@ -249,7 +249,7 @@ void OrganPanel::makeRows() {
                           : grouped              ? systemRow(document::organSystem(organ->name))
                                                  : nullptr);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setData(kName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
+    item->setData(kOrganName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
     items_[organ->id] = item;
   }
   list_->expandAll();
@@ -282,12 +282,14 @@ void OrganPanel::giveNamesRoom() {
   int numbers = 0;
   for (const auto& [id, item] : items_) {
     const int steps = item->parent() && item->parent()->parent() ? 3 : item->parent() ? 2 : 1;
-    widest = std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kName)));
-    numbers = std::max(numbers, metrics.horizontalAdvance(item->text(kVolume)));
+    widest =
+        std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kOrganName)));
+    numbers = std::max(numbers, metrics.horizontalAdvance(item->text(kOrganVolume)));
   }
-  const int room = list_->viewport()->width() - list_->columnWidth(kEye) - list_->columnWidth(kLock);
+  const int room =
+      list_->viewport()->width() - list_->columnWidth(kOrganEye) - list_->columnWidth(kOrganLock);
   const bool cut = !systems_.empty() && widest + kSwatchWidth + 2 * kPadding + numbers > room;
-  list_->setColumnHidden(kVolume, cut);
+  list_->setColumnHidden(kOrganVolume, cut);
 }
 
 void OrganPanel::resizeEvent(QResizeEvent* event) {
@@ -304,9 +306,9 @@ void OrganPanel::updateSystems() {
     for (int child = 0; child < row->childCount(); ++child)
       if (const auto organ = workspace_.document().organ(organOf(row->child(child))))
         seen += organ->look.visible;
-    row->setText(kName, QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
-    row->setIcon(kEye, icon(seen > 0 ? "eye" : "eye_off"));
-    row->setToolTip(kEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
+    row->setText(kOrganName, QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
+    row->setIcon(kOrganEye, icon(seen > 0 ? "eye" : "eye_off"));
+    row->setToolTip(kOrganEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
   }
 }
 
@@ -329,24 +331,26 @@ void OrganPanel::filter() {
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  item->setText(kName, inWords(presentation::labelOf(organ)));
-  item->setIcon(kName, swatch(asColor(presentation::shownColor(organ.look.color))));
-  item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
-  item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
+  item->setText(kOrganName, inWords(presentation::labelOf(organ)));
+  item->setIcon(kOrganName, swatch(asColor(presentation::shownColor(organ.look.color))));
+  item->setIcon(kOrganEye, icon(organ.look.visible ? "eye" : "eye_off"));
+  item->setToolTip(kOrganEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
   QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
                     .arg(text(organ.name));
   for (const std::string& warning : organ.warnings)
     tip += QStringLiteral("\n") + messageInWords(warning);
   updateLock(organ, item);
-  item->setToolTip(kName, tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
+  item->setToolTip(kOrganName,
+                   tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
 }
 
 void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item) {
   // Only what is locked is to catch the eye.
-  const QPixmap open = icon("unlock").pixmap(kIconSize, QIcon::Disabled);
-  item->setIcon(kLock, organ.volumeLocked ? icon("lock") : QIcon(open));
+  const QPixmap open = icon("unlock").pixmap(kOrganIconSize, QIcon::Disabled);
+  item->setIcon(kOrganLock, organ.volumeLocked ? icon("lock") : QIcon(open));
   if (!organ.closed())
-    return item->setToolTip(kLock, tr("An open surface has no volume to lock; click to close its holes"));
+    return item->setToolTip(kOrganLock,
+                            tr("An open surface has no volume to lock; click to close its holes"));
   QString tip = organ.volumeLocked ? tr("The volume is locked: Deform mode keeps it (click or K to unlock)")
                                    : tr("Lock the volume (click or K)");
   const document::OrganList& all = workspace_.document().organs();
@@ -354,7 +358,7 @@ void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item)
     tip += tr("\nThis is the volume within the outer surface; cavities have locks of their own");
   else if (organ.parent)
     tip += tr("\nThis is the volume of the cavity; the wall around it has a lock of its own");
-  item->setToolTip(kLock, tip);
+  item->setToolTip(kOrganLock, tip);
 }
 
 void OrganPanel::updateVolumes() {
@@ -365,20 +369,21 @@ void OrganPanel::updateVolumes() {
       continue;
     const live::OrganVolume volume = workspace_.live().volume(organ->id);
     QTreeWidgetItem* item = found->second;
-    item->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
+    item->setText(kOrganVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
     const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
-    item->setText(kChange, changed ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
-                                   : QString());
+    item->setText(kOrganChange, changed
+                                    ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
+                                    : QString());
     const QPalette& colors = list_->palette();
     // Where the change has no column, the tip tells it.
-    item->setForeground(kVolume, changed && !systems_.empty() ? colors.link() : colors.text());
-    item->setForeground(kChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
+    item->setForeground(kOrganVolume, changed && !systems_.empty() ? colors.link() : colors.text());
+    item->setForeground(kOrganChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
                                        : tr("%1 in the reference shape, %2 (%3) now")
                                              .arg(formatMilliliters(volume.restMl), formatChange(volume),
                                                   formatRelativeChange(volume));
-    item->setToolTip(kVolume, tip);
-    item->setToolTip(kChange, tip);
+    item->setToolTip(kOrganVolume, tip);
+    item->setToolTip(kOrganChange, tip);
   }
 }
 
@@ -388,42 +393,43 @@ void OrganPanel::syncSelection() {
   // Several rows may be chosen beside the current one: they stay when it is the one that it was.
   QTreeWidgetItem* wanted = selected != items_.end() ? selected->second : nullptr;
   if (list_->currentItem() != wanted)
-    list_->setCurrentItem(wanted, kName, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    list_->setCurrentItem(wanted, kOrganName,
+                          QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (const auto organ = workspace_.currentOrgan())
     opacity_->setValue(100 * organ->look.opacity);
 }
 
 void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
   const document::OrganId organ = organOf(item);
-  if (column == kEye && !organ)
+  if (column == kOrganEye && !organ)
     return toggleSystem(item);
-  if (column == kEye) {
+  if (column == kOrganEye) {
     changeLook(organ, [](document::OrganLook& look) { look.visible = !look.visible; });
     workspace_.undo().seal();
     return;
   }
   if (!organ)
     return;
-  if (column == kLock) {
+  if (column == kOrganLock) {
     if (const auto present = workspace_.document().organ(organ))
       poses_.setLocked(organ, !present->volumeLocked);
     return;
   }
   const QRect row = list_->visualItemRect(item);
-  const int left =
-      list_->visualRect(list_->model()->index(0, kName)).left() + (item->parent() ? list_->indentation() : 0);
+  const int left = list_->visualRect(list_->model()->index(0, kOrganName)).left() +
+                   (item->parent() ? list_->indentation() : 0);
   const QPoint place = list_->viewport()->mapFromGlobal(QCursor::pos());
-  if (column == kName && place.x() < left + kSwatchWidth && row.contains(place))
+  if (column == kOrganName && place.x() < left + kSwatchWidth && row.contains(place))
     chooseColorOf(organ, list_->viewport()->mapToGlobal(QPoint(left, row.bottom())));
 }
 
 void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
-  if (updating_ || column != kName)
+  if (updating_ || column != kOrganName)
     return;
   const document::OrganId id = organOf(item);
-  const std::string name = item->text(kName).trimmed().toStdString();
+  const std::string name = item->text(kOrganName).trimmed().toStdString();
   const auto present = workspace_.document().organ(id);
-  if (present && item->text(kName) == inWords(presentation::labelOf(*present)))
+  if (present && item->text(kOrganName) == inWords(presentation::labelOf(*present)))
     return; // What is written for its name.
   // A name that is refused goes back to what it was.
   if (!workspace_.perform(document::renameOrgan(id, name)))

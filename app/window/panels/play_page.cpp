@@ -22,8 +22,14 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kName, kLargest, kSmallest, kStroke, kFraction, kColumns };
-constexpr double kPercent = 100;
+enum CavityColumn {
+  kCavityName,
+  kCavityLargest,
+  kCavitySmallest,
+  kCavityStroke,
+  kCavityFraction,
+  kCavityColumns
+};
 
 QString nothing() {
   return QStringLiteral("-");
@@ -92,10 +98,10 @@ void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
 
 void PlayPage::makeTable() {
   addSection(tr("During one cycle"));
-  table_ = new QTableWidget(0, kColumns, this);
+  table_ = new QTableWidget(0, kCavityColumns, this);
   table_->setHorizontalHeaderLabels({QString(), tr("max"), tr("min"), tr("SV"), tr("EF")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kCavityName, QHeaderView::Stretch);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->verticalHeader()->hide();
@@ -210,9 +216,9 @@ void PlayPage::fillRow(std::size_t line) {
                              number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
                              indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0))
                                      : nothing()};
-  for (int column = 0; column < kColumns; ++column) {
+  for (int column = 0; column < kCavityColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
-    item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    item->setTextAlignment((column == kCavityName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     table_->setItem(static_cast<int>(line), column, item);
   }
 }
@@ -226,7 +232,7 @@ void PlayPage::syncTable() {
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
   const bool cavities = std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.cavity; });
-  for (const int column : {kStroke, kFraction})
+  for (const int column : {kCavityStroke, kCavityFraction})
     table_->setColumnHidden(column, !cavities);
   syncIndices();
   syncWalls();

@@ -14,7 +14,7 @@ namespace viscera::app {
 namespace {
 
 constexpr QSize kPicture(76, 57);
-constexpr int kColumns = 3;
+constexpr int kPictureColumns = 3;
 
 /// The picture for a light or a dark panel; sequences of the user have a sign.
 QIcon pictureOf(const QString& id, bool dark) {
@@ -109,13 +109,13 @@ void SequenceList::syncCurrent() {
 }
 
 QSize SequenceList::sizeHint() const {
-  const int lines = (count() + kColumns - 1) / kColumns;
-  return {kColumns * kPicture.width(), lines * gridSize().height() + 4};
+  const int lines = (count() + kPictureColumns - 1) / kPictureColumns;
+  return {kPictureColumns * kPicture.width(), lines * gridSize().height() + 4};
 }
 
 void SequenceList::resizeEvent(QResizeEvent* event) {
   const int line = kPicture.height() + 2 * fontMetrics().height() + 16;
-  const QSize grid((viewport()->width() - 1) / kColumns, line);
+  const QSize grid((viewport()->width() - 1) / kPictureColumns, line);
   if (grid != gridSize()) {
     setGridSize(grid);
     setFixedHeight(sizeHint().height());

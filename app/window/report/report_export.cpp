@@ -14,8 +14,6 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
-
 /// What a worker needs, and keeps as long as it works.
 struct Material {
   explicit Material(Workspace& workspace) : organs(workspace.live().copy()), systems(workspace.registry()) {}

@@ -13,11 +13,10 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder";
-constexpr const char* kEnding = ".viscera";
+constexpr const char* kSessionEnding = ".viscera";
 constexpr int kLookMilliseconds = 1000;
 constexpr int kSavedSeconds = 4;
-constexpr std::size_t kShownWarnings = 4;
+constexpr std::size_t kShownSessionWarnings = 4;
 
 JobQueue::Post postTo(QObject* receiver) {
   return [receiver](std::function<void()> work) {
@@ -94,19 +93,19 @@ void SessionFiles::save(std::function<void()> then) {
 }
 
 void SessionFiles::chooseAndSave(std::function<void()> then) {
-  const QString pattern = QStringLiteral(" (*%1)").arg(QLatin1String(kEnding));
+  const QString pattern = QStringLiteral(" (*%1)").arg(QLatin1String(kSessionEnding));
   const QString linked = tr("Session that names its organs' files") + pattern;
   const QString embedded = tr("Session with all surfaces and the scan inside") + pattern;
   QString chosen = embed_ ? embedded : linked;
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString start =
-      file_.isEmpty() ? folder + QLatin1Char('/') + tr("session") + QLatin1String(kEnding) : file_;
+      file_.isEmpty() ? folder + QLatin1Char('/') + tr("session") + QLatin1String(kSessionEnding) : file_;
   QString file = QFileDialog::getSaveFileName(window_, tr("Save the session as"), start,
                                               linked + QStringLiteral(";;") + embedded, &chosen);
   if (file.isEmpty())
     return;
   if (!document::isSessionFile(file.toStdString()))
-    file += QLatin1String(kEnding);
+    file += QLatin1String(kSessionEnding);
   saveTo(file, chosen == embedded, std::move(then));
 }
 
@@ -225,10 +224,10 @@ void SessionFiles::sayWarnings(const std::vector<std::string>& warnings) {
   if (warnings.empty())
     return;
   QStringList lines;
-  for (std::size_t i = 0; i < std::min(warnings.size(), kShownWarnings); ++i)
+  for (std::size_t i = 0; i < std::min(warnings.size(), kShownSessionWarnings); ++i)
     lines.push_back(asSentence(warnings[i]));
-  if (warnings.size() > kShownWarnings)
-    lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - kShownWarnings)));
+  if (warnings.size() > kShownSessionWarnings)
+    lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - kShownSessionWarnings)));
   workspace_.say({Message::Severity::warning, lines.join(QLatin1Char('\n')), {}, 0});
 }
 

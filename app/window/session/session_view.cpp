@@ -15,7 +15,7 @@ namespace {
 /// A motion computed anew differs by rounding alone.
 constexpr double kSameMotionMm = 0.01;
 /// The field of a view with the numbers of a measured motion.
-constexpr const char* kMeasured = "measured";
+constexpr const char* kMeasuredField = "measured";
 } // namespace
 
 /// The motions that a view asks for, and what is to be seen of the present one.
@@ -45,14 +45,14 @@ std::string SessionView::gather() const {
   if (measured.empty())
     return view;
   auto with = nlohmann::ordered_json::parse(view);
-  with[kMeasured] = nlohmann::ordered_json::parse(measured);
+  with[kMeasuredField] = nlohmann::ordered_json::parse(measured);
   return with.dump();
 }
 
 /// Before its sequence is shown, which draws it.
 void SessionView::recallMeasured(const std::string& text) {
   const auto view = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (const auto measured = view.find(kMeasured); view.is_object() && measured != view.end())
+  if (const auto measured = view.find(kMeasuredField); view.is_object() && measured != view.end())
     window_.workspace.guarded([&] { window_.measured.recall(measured->dump()); });
 }
 

@@ -17,7 +17,6 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
 /// Of the whole job: until the space is bound, and until the scan is written.
 constexpr double kBound = 0.1, kScanWritten = 0.7;
 

@@ -19,7 +19,7 @@ bool cameFromLabels(const document::Organ& organ) {
   return !organ.file.empty() && medical_io::isLabelMap(organ.file);
 }
 
-QString nameOf(const std::filesystem::path& file) {
+QString fileNameOf(const std::filesystem::path& file) {
   return text(file.filename().string());
 }
 
@@ -58,7 +58,7 @@ void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents 
     return;
   // What goes wrong here is no news to anybody: nothing is offered then.
   workspace_.jobs().submit<std::optional<std::filesystem::path>>(
-      tr("Searching beside %1").arg(nameOf(image)).toStdString(), "beside",
+      tr("Searching beside %1").arg(fileNameOf(image)).toStdString(), "beside",
       [image, wanted](Progress& progress) { return medical_io::imageBeside(image, wanted, progress); },
       [this, image, wanted](const JobResult<std::optional<std::filesystem::path>>& result) {
         if (result.value && *result.value && misses(wanted) && !importing_())
@@ -70,8 +70,9 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
                          ImageContents contents) {
   const bool scan = contents == ImageContents::values;
   const QString place = text(found.string());
-  const QString said = scan ? tr("Beside %1 lies the scan %2.").arg(nameOf(image), nameOf(found))
-                            : tr("Beside %1 lies the label map %2.").arg(nameOf(image), nameOf(found));
+  const QString said = scan
+                           ? tr("Beside %1 lies the scan %2.").arg(fileNameOf(image), fileNameOf(found))
+                           : tr("Beside %1 lies the label map %2.").arg(fileNameOf(image), fileNameOf(found));
   workspace_.say({Message::Severity::info,
                   said,
                   {{scan ? tr("Open the scan") : tr("Open its organs"),

@@ -16,7 +16,6 @@ namespace {
 using presentation::ScanLook;
 using presentation::ViewState;
 
-constexpr const char* kFolderKey = "files/folder";
 constexpr std::size_t kShownFindings = 3;
 
 /// Level and width for what is to be seen in a CT, in Hounsfield units.

@@ -14,12 +14,11 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include "window/language.h"
+#include "window/widgets/click_distance.h"
 
 namespace viscera::app {
 namespace {
 
-/// Logical pixels: a press and a release that are nearer to each other are a click.
-constexpr double kClickDistance = 4;
 /// A press that is nearer to a line of the crosshair takes hold of it.
 constexpr double kCrossReach = 6;
 constexpr double kZoomPerPixel = 1.01;

@@ -11,7 +11,7 @@
 namespace viscera::app {
 namespace {
 constexpr int kBars = 48;
-constexpr int kHeight = 92;
+constexpr int kHistogramHeight = 92;
 constexpr int kLabelGap = 3;
 constexpr int kMostTicks = 5;
 } // namespace
@@ -19,7 +19,7 @@ constexpr int kMostTicks = 5;
 Histogram::Histogram(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("stressHistogram"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setMinimumHeight(kHeight);
+  setMinimumHeight(kHistogramHeight);
   setAccessibleName(tr("Histogram of the map"));
   setToolTip(tr("Number of witness points with each value; the lines mark the mean and the 95th percentile"));
 }

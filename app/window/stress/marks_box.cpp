@@ -20,9 +20,9 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kNumber, kPlace, kValue, kOrgan, kColumns };
-constexpr int kIdRole = Qt::UserRole;
-constexpr int kRowsShown = 6;
+enum MarkColumn { kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan, kMarkColumns };
+constexpr int kMarkIdRole = Qt::UserRole;
+constexpr int kMarkRowsShown = 6;
 constexpr int kDecimals = 1; ///< Of places, mm.
 
 QString placeInWords(const Vec3& place) {
@@ -32,7 +32,7 @@ QString placeInWords(const Vec3& place) {
 }
 
 qlonglong idOf(const QTreeWidgetItem& item) {
-  return item.data(kNumber, kIdRole).toLongLong();
+  return item.data(kMarkNumber, kMarkIdRole).toLongLong();
 }
 
 } // namespace
@@ -70,19 +70,19 @@ MarksBox::MarksBox(Workspace& workspace, StressModel& model, const Actions& acti
 void MarksBox::makeList() {
   list_->setObjectName(QStringLiteral("stressMarks"));
   list_->setAccessibleName(tr("Probes and profiles"));
-  list_->setColumnCount(kColumns);
+  list_->setColumnCount(kMarkColumns);
   list_->setHeaderLabels({tr("No."), tr("Place (mm)"), tr("Value"), tr("Organ")});
   list_->headerItem()->setToolTip(
-      kPlace, tr("In the pose, in the patient's axes; left, posterior and superior count up"));
+      kMarkPlace, tr("In the pose, in the patient's axes; left, posterior and superior count up"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->header()->setStretchLastSection(false);
   list_->header()->setMinimumSectionSize(24);
-  for (const int column : {kNumber, kValue, kOrgan})
+  for (const int column : {kMarkNumber, kMarkValue, kMarkOrgan})
     list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-  list_->header()->setSectionResizeMode(kPlace, QHeaderView::Stretch);
-  list_->headerItem()->setTextAlignment(kValue, Qt::AlignRight | Qt::AlignVCenter);
+  list_->header()->setSectionResizeMode(kMarkPlace, QHeaderView::Stretch);
+  list_->headerItem()->setTextAlignment(kMarkValue, Qt::AlignRight | Qt::AlignVCenter);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->installEventFilter(this);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &MarksBox::syncButtons);
@@ -112,8 +112,8 @@ void MarksBox::rebuild() {
   std::set<document::OrganId> organs;
   const auto add = [this](std::int64_t id) {
     auto* item = new QTreeWidgetItem(list_);
-    item->setData(kNumber, kIdRole, static_cast<qlonglong>(id));
-    item->setTextAlignment(kValue, Qt::AlignRight | Qt::AlignVCenter);
+    item->setData(kMarkNumber, kMarkIdRole, static_cast<qlonglong>(id));
+    item->setTextAlignment(kMarkValue, Qt::AlignRight | Qt::AlignVCenter);
   };
   for (const document::StressProbe& probe : marks.probes)
     if (workspace_.document().organ(probe.organ)) {
@@ -123,13 +123,13 @@ void MarksBox::rebuild() {
   for (const document::StressLine& line : marks.lines)
     if (const auto* from = marks.probe(line.from); from && workspace_.document().organ(from->organ))
       add(line.id.value);
-  list_->setColumnHidden(kOrgan, organs.size() < 2);
+  list_->setColumnHidden(kMarkOrgan, organs.size() < 2);
   const int rows = list_->topLevelItemCount();
   for (QWidget* widget : forAll_)
     widget->setVisible(rows > 0);
   syncValues();
   const int rowHeight = rows > 0 ? list_->sizeHintForRow(0) : 0;
-  list_->setFixedHeight(list_->header()->sizeHint().height() + std::min(rows, kRowsShown) * rowHeight +
+  list_->setFixedHeight(list_->header()->sizeHint().height() + std::min(rows, kMarkRowsShown) * rowHeight +
                         2 * list_->frameWidth() + 2);
   syncButtons();
 }
@@ -140,38 +140,38 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressProbe& probe) c
                                   [&](const live::ReadProbe& one) { return one.probe.id == probe.id; });
   const auto organ = workspace_.document().organ(probe.organ);
   const QString name = organ ? text(organ->name) : QString();
-  item.setText(kNumber, QString::number(probe.number));
-  item.setText(kOrgan, name);
+  item.setText(kMarkNumber, QString::number(probe.number));
+  item.setText(kMarkOrgan, name);
   const QString rest = tr("%1: at rest %2 mm").arg(name, placeInWords(probe.rest));
-  for (const int column : {kNumber, kPlace, kValue, kOrgan})
+  for (const int column : {kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan})
     item.setToolTip(column, rest);
   if (found == read.end()) {
-    item.setText(kPlace, placeInWords(probe.rest));
-    return item.setText(kValue, QStringLiteral("-"));
+    item.setText(kMarkPlace, placeInWords(probe.rest));
+    return item.setText(kMarkValue, QStringLiteral("-"));
   }
   const live::StressReading& reading = found->reading;
   const double value = live::valueOf(reading, model_.look().quantity);
-  item.setText(kPlace, placeInWords(reading.inTissue ? reading.now : probe.rest));
-  item.setText(kValue, !reading.inTissue       ? tr("no tissue")
-                       : !std::isfinite(value) ? tr("folded")
-                                               : model_.format(value));
+  item.setText(kMarkPlace, placeInWords(reading.inTissue ? reading.now : probe.rest));
+  item.setText(kMarkValue, !reading.inTissue       ? tr("no tissue")
+                           : !std::isfinite(value) ? tr("folded")
+                                                   : model_.format(value));
 }
 
 void MarksBox::fill(QTreeWidgetItem& item, const document::StressLine& line) const {
   const document::StressMarks& marks = workspace_.document().stressMarks();
   const document::StressProbe *from = marks.probe(line.from), *to = marks.probe(line.to);
-  item.setText(kNumber, text(marks.nameOf(line)));
-  item.setText(kPlace, tr("%1 mm long").arg(formatNumber((to->rest - from->rest).norm(), kDecimals)));
+  item.setText(kMarkNumber, text(marks.nameOf(line)));
+  item.setText(kMarkPlace, tr("%1 mm long").arg(formatNumber((to->rest - from->rest).norm(), kDecimals)));
   const auto organ = workspace_.document().organ(from->organ);
-  item.setText(kOrgan, organ ? text(organ->name) : QString());
+  item.setText(kMarkOrgan, organ ? text(organ->name) : QString());
   double largest = -1;
   for (const live::ReadProfile& read : model_.marks().profiles)
     if (read.line.id == line.id)
       for (const live::StressReading& reading : read.profile.readings)
         if (const double value = live::valueOf(reading, model_.look().quantity); std::isfinite(value))
           largest = std::max(largest, value);
-  item.setText(kValue, largest < 0 ? QStringLiteral("-") : model_.format(largest));
-  for (const int column : {kNumber, kPlace, kValue, kOrgan})
+  item.setText(kMarkValue, largest < 0 ? QStringLiteral("-") : model_.format(largest));
+  for (const int column : {kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan})
     item.setToolTip(column, tr("Profile along the line between two probes; the value is the largest"));
 }
 

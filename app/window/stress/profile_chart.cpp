@@ -16,7 +16,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kHeight = 170;
+constexpr int kProfileHeight = 170;
 constexpr int kMostXTicks = 4, kMostYTicks = 4;
 /// Pixels for the labels of the axes.
 constexpr double kLeft = 52, kBottom = 40, kRight = 10, kTop = 10;
@@ -48,7 +48,7 @@ ProfileChart::ProfileChart(StressModel& model, QWidget* parent)
       widget_(new QVTKOpenGLNativeWidget(this)) {
   setObjectName(QStringLiteral("profileChart"));
   setAccessibleName(tr("Profile along the line"));
-  setFixedHeight(kHeight);
+  setFixedHeight(kProfileHeight);
   panels_->setDecimalMark(QLocale().decimalPoint().toLatin1());
   makeLayout<QVBoxLayout>(this, 0)->addWidget(widget_);
   vtkNew<vtkGenericOpenGLRenderWindow> window;

@@ -15,7 +15,7 @@
 
 namespace viscera::app {
 namespace {
-constexpr double kShownSeconds = 5; ///< Or a cycle and a half, which of a stomach's waves are longer.
+constexpr double kShownStressSeconds = 5; ///< Or a cycle and a half, which of a stomach's waves are longer.
 constexpr double kShownCycles = 1.5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 const Vec3 kMeanColor(0.31, 0.70, 0.75);
@@ -43,7 +43,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   widget_->setRenderWindow(window);
   chart_->setWindow(window);
   chart_->setAxes(tr("Time").toStdString(), "s", tr("Rotational stress").toStdString(), "deg");
-  chart_->setTimeSpan(kShownSeconds);
+  chart_->setTimeSpan(kShownStressSeconds);
   chart_->setLines({{tr("largest").toStdString(), kMaxColor},
                     {tr("95th percentile").toStdString(), kPercentileColor},
                     {tr("mean").toStdString(), kMeanColor}});
@@ -69,7 +69,7 @@ void StressChart::showEvent(QShowEvent* event) {
 void StressChart::refresh() {
   if (!isVisible())
     return;
-  chart_->setTimeSpan(std::max(kShownSeconds, kShownCycles * model_.periodSeconds()));
+  chart_->setTimeSpan(std::max(kShownStressSeconds, kShownCycles * model_.periodSeconds()));
   const auto& samples = model_.record().samples();
   stack_->setCurrentIndex(samples.size() < 2 ? 0 : 1);
   if (samples.empty() || samples.size() < charted_ || samples.back().seconds < chartedUntil_) {

@@ -6,11 +6,11 @@
 #include "viscera/live/stress_files.h"
 #include "viscera/live/stress_mark_files.h"
 #include "window/actions.h"
+#include "window/settings.h"
 
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
 constexpr const char* kMapActions[] = {"stress.exportMap", "stress.exportPoints", "stress.exportHistogram"};
 
 } // namespace

@@ -9,9 +9,9 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kUpdateMilliseconds = 100;
+constexpr int kStressUpdateMilliseconds = 100;
 /// Samples kept: two minutes at 60 frames a second.
-constexpr std::size_t kSamples = 7200;
+constexpr std::size_t kKeptSamples = 7200;
 /// Before every value that a quantity can have.
 constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
@@ -30,9 +30,9 @@ StressLook habit(StressLook look) {
 StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
                          const Picture& picture, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback), settings_(settings), view_(view),
-      picture_(picture), live_(workspace.stress()), record_(kSamples) {
+      picture_(picture), live_(workspace.stress()), record_(kKeptSamples) {
   throttle_.setSingleShot(true);
-  throttle_.setInterval(kUpdateMilliseconds);
+  throttle_.setInterval(kStressUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &StressModel::updated);
   connect(&playback, &Playback::advanced, this, &StressModel::sample);
   connect(&playback, &Playback::stateChanged, this, [this] {

@@ -6,17 +6,16 @@
 #include <algorithm>
 
 #include "viscera/circulation/signs.h"
+#include "window/timeline/phase_scrubber.h"
 
 namespace viscera::app {
 namespace {
 
-/// As the strip of the phases, so that instants stand below each other.
-constexpr double kMargin = 8;
 constexpr double kTracingHeight = 34;
-constexpr double kRowHeight = 14;
+constexpr double kStripRowHeight = 14;
 constexpr double kBarHeight = 10;
 constexpr double kLamp = 4; ///< Radius.
-constexpr int kSamples = 400;
+constexpr int kTracingSamples = 400;
 constexpr double kLowestMv = -0.4, kHighestMv = 1.2;
 
 /// The electrocardiogram of a circulation at that rate whose atria contract when the textbook's do.
@@ -25,8 +24,8 @@ std::vector<double> tracingOf(const sequences::CardiacBeat& beat) {
   parameters.rate = 60 / beat.times().cycle;
   parameters.conduction = beat.times().atrialSystole;
   std::vector<double> tracing;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double seconds = beat.times().cycle * i / kSamples - beat.left().inletShuts;
+  for (int i = 0; i <= kTracingSamples; ++i) {
+    const double seconds = beat.times().cycle * i / kTracingSamples - beat.left().inletShuts;
     tracing.push_back(circulation::electrocardiogram(parameters, seconds));
   }
   return tracing;
@@ -79,11 +78,11 @@ QStringList BeatStrip::openValves() const {
 }
 
 QSize BeatStrip::sizeHint() const {
-  return {400, static_cast<int>(kTracingHeight + 4 * kRowHeight + 6)};
+  return {400, static_cast<int>(kTracingHeight + 4 * kStripRowHeight + 6)};
 }
 
 QRectF BeatStrip::tracing() const {
-  return {kMargin, 2, width() - 2 * kMargin, kTracingHeight};
+  return {kPhaseMargin, 2, width() - 2 * kPhaseMargin, kTracingHeight};
 }
 
 double BeatStrip::xAt(double fraction) const {
@@ -106,7 +105,7 @@ void BeatStrip::paintTracing(QPainter& painter) const {
   QPolygonF line;
   for (std::size_t i = 0; i < tracing_.size(); ++i) {
     const double high = (tracing_[i] - kLowestMv) / (kHighestMv - kLowestMv);
-    line << QPointF(xAt(static_cast<double>(i) / kSamples), area.bottom() - high * area.height());
+    line << QPointF(xAt(static_cast<double>(i) / kTracingSamples), area.bottom() - high * area.height());
   }
   const QColor muted = palette().color(QPalette::PlaceholderText);
   painter.setPen(muted);
@@ -141,7 +140,7 @@ void BeatStrip::paintValves(QPainter& painter) const {
     painter.setBrush(valve.isOpen(fraction_) ? QBrush(open) : QBrush(palette().color(QPalette::Base)));
     painter.drawEllipse(QPointF(row.left() + kLamp + 2, row.center().y()), kLamp, kLamp);
     painter.drawText(row.adjusted(3 * kLamp + 4, -2, 0, 2), Qt::AlignLeft | Qt::AlignVCenter, valve.name);
-    top += kRowHeight;
+    top += kStripRowHeight;
   }
 }
 

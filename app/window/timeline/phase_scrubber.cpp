@@ -16,13 +16,12 @@
 
 namespace viscera::app {
 namespace {
-constexpr double kMargin = 8;
 constexpr double kStripHeight = 18;
 constexpr double kBelow = 4; ///< Between the strip and the names.
 constexpr double kBetweenNames = 10;
 constexpr std::size_t kMostDistinct = 12; ///< More phases than that are numbered keys.
 constexpr double kMarkRadius = 3;         ///< Of the faintest mark; the strongest is as much larger again.
-constexpr double kKeyStep = 0.01;
+constexpr double kPartAKeyPress = 0.01;
 } // namespace
 
 PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
@@ -283,9 +282,9 @@ void PhaseScrubber::mouseMoveEvent(QMouseEvent* event) {
 void PhaseScrubber::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
   case Qt::Key_Left:
-    return scrubTo(fraction_ - kKeyStep);
+    return scrubTo(fraction_ - kPartAKeyPress);
   case Qt::Key_Right:
-    return scrubTo(fraction_ + kKeyStep);
+    return scrubTo(fraction_ + kPartAKeyPress);
   case Qt::Key_Home:
     return scrubTo(0);
   case Qt::Key_End:
@@ -296,7 +295,7 @@ void PhaseScrubber::keyPressEvent(QKeyEvent* event) {
 }
 
 QRectF PhaseScrubber::strip() const {
-  return {kMargin, 5, width() - 2 * kMargin, kStripHeight};
+  return {kPhaseMargin, 5, width() - 2 * kPhaseMargin, kStripHeight};
 }
 
 double PhaseScrubber::fractionAt(double x) const {

@@ -8,6 +8,10 @@
 
 namespace viscera::app {
 
+/// Left and right of a strip that shows a cycle; the same of all strips, so that instants stand below each
+/// other.
+inline constexpr double kPhaseMargin = 8;
+
 /// A strip that shows one cycle with its phases and the present instant, which mouse and arrow keys move.
 /// Under the strip stand the names of the phases, or what travels through the organ: its way with the names
 /// of places and a mark for each wave.

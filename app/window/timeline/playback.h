@@ -13,6 +13,9 @@
 
 namespace viscera::app {
 
+/// How fast time may pass: as it does, or in slow motion.
+inline constexpr double kPlaybackSpeeds[] = {1, 0.5, 0.25, 0.1};
+
 /// Plays the motions of a document's organs in a view: a transport's player with the frame timer, the signals
 /// and the messages of a window. It knows the motions of several organs: undo brings an organ back with its
 /// motion. What the document does to a motion is shown after everybody has heard of it, not from within the

@@ -17,10 +17,6 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
-namespace {
-constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
-}
-
 TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
     : QWidget(parent), playback_(playback) {
   setObjectName(QStringLiteral("panel"));
@@ -102,7 +98,7 @@ void TimelineBar::addRate() {
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Slow motion: how fast time passes (S)"));
-  for (const double speed : kSpeeds)
+  for (const double speed : kPlaybackSpeeds)
     speed_->addItem(speed == 1 ? tr("1x") : tr("1/%1x").arg(formatNumber(1 / speed, 0)), speed);
   for (QWidget* widget : std::initializer_list<QWidget*>{rateSlider_, rate_, speed_})
     layout()->addWidget(widget);

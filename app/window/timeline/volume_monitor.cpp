@@ -10,18 +10,18 @@
 
 namespace viscera::app {
 namespace {
-constexpr int kUpdateMilliseconds = 100;
+constexpr int kVolumeUpdateMilliseconds = 100;
 /// Rows kept: two minutes at 60 frames a second.
 constexpr std::size_t kRows = 7200;
 /// The last minute of drags.
 constexpr std::size_t kDragRows = 600;
 constexpr double kMillisecond = 1e-3;
-const char* const kSlot = "cycle";
+const char* const kCycleSlot = "cycle";
 } // namespace
 
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent) : QObject(parent) {
   throttle_.setSingleShot(true);
-  throttle_.setInterval(kUpdateMilliseconds);
+  throttle_.setInterval(kVolumeUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &VolumeMonitor::update);
   measureSoon_.setSingleShot(true);
   connect(&measureSoon_, &QTimer::timeout, this, &VolumeMonitor::measureCycles);
@@ -138,7 +138,7 @@ void VolumeMonitor::measure(int index) {
   Workspace& workspace = *side.workspace;
   const motion::MotionRunner& runner = side.playback->player().runner();
   if (!side.playback->player().movable() || workspace.live().busy()) {
-    workspace.jobs().cancelSlot(kSlot);
+    workspace.jobs().cancelSlot(kCycleSlot);
     side.cause.reset();
     side.curves.reset();
     return;
@@ -166,7 +166,7 @@ void VolumeMonitor::measure(int index) {
       self->sides_[index].workspace->report(*result.error);
     Q_EMIT self->updated();
   };
-  workspace.jobs().submit<motion::CycleCurves>(tr("Volumes over the cycle").toStdString(), kSlot,
+  workspace.jobs().submit<motion::CycleCurves>(tr("Volumes over the cycle").toStdString(), kCycleSlot,
                                                std::move(work), std::move(done));
 }
 
@@ -192,9 +192,9 @@ void VolumeMonitor::sample() {
 void VolumeMonitor::sampleDrag(bool goesOn) {
   const bool begins = goesOn && !std::exchange(dragging_, goesOn);
   dragging_ = goesOn;
-  if (goesOn && !begins && sinceDragged_.elapsed() < kUpdateMilliseconds)
+  if (goesOn && !begins && sinceDragged_.elapsed() < kVolumeUpdateMilliseconds)
     return;
-  const double step = kMillisecond * kUpdateMilliseconds;
+  const double step = kMillisecond * kVolumeUpdateMilliseconds;
   const double passed =
       begins || !sinceDragged_.isValid() ? step : kMillisecond * static_cast<double>(sinceDragged_.elapsed());
   const double last = drags_.rows() > 0 ? drags_.seconds(drags_.rows() - 1) : 0.0;

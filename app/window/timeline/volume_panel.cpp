@@ -26,12 +26,11 @@
 namespace viscera::app {
 namespace {
 
-constexpr double kShownSeconds = 5;
+constexpr double kShownVolumeSeconds = 5;
 constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
 constexpr int kSwatch = 10;
-constexpr int kChartHeight = 160; ///< Above a table.
-constexpr double kPercent = 100;
+constexpr int kVolumeChartHeight = 160; ///< Above a table.
 
 using Quantity = motion::NormalRange::Quantity;
 
@@ -262,7 +261,7 @@ void VolumePanel::syncMeasured() {
 std::optional<int> VolumePanel::wantedHeight() const {
   if (!table_ || table_->isHidden())
     return std::nullopt;
-  return kChartHeight + table_->sizeHint().height();
+  return kVolumeChartHeight + table_->sizeHint().height();
 }
 
 /// Measured volumes stand at their phases; those of the series before at the same part of the cycle.
@@ -425,7 +424,7 @@ void VolumePanel::drawRecord() {
   chart_->setAxes((drags ? tr("Time while dragging") : tr("Time")).toStdString(), "s",
                   tr("Volume").toStdString(), "ml");
   chart_->setTimeSpan(drags ? kShownDragSeconds
-                            : std::max(kShownSeconds, 1.5 * playback_.player().periodSeconds()));
+                            : std::max(kShownVolumeSeconds, 1.5 * playback_.player().periodSeconds()));
   const std::size_t rows = record.rows();
   if (rows == 0 || rows < charted_ || record.seconds(rows - 1) < chartedUntil_) {
     chart_->clear();

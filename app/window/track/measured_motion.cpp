@@ -11,17 +11,17 @@
 #include "viscera/motion/measured_record.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/scene/color_map.h"
+#include "window/heart_look.h"
 #include "window/language.h"
 
 namespace viscera::app {
 namespace {
 
-constexpr const char* kSlot = "track";
+constexpr const char* kTrackSlot = "track";
 constexpr const char* kPhaseSlot = "measuredPhase";
 constexpr std::size_t kKnown = 2; ///< One to compare with.
-constexpr double kWallOpacity = 0.3, kGhostOpacity = 0.4;
+constexpr double kGhostOpacity = 0.4;
 const Vec3 kGhost(0.97, 0.83, 0.42);
-const Vec3 kArterialBlood(0.84, 0.16, 0.14), kVenousBlood(0.20, 0.36, 0.80);
 constexpr double kLeastReach = 0.5; ///< Of the colours, mm.
 constexpr int kSaidSeconds = 12;
 
@@ -84,12 +84,12 @@ MeasuredMotion::MeasuredMotion(Workspace& workspace, Playback& playback, Picture
 }
 
 MeasuredMotion::~MeasuredMotion() {
-  workspace_.jobs().cancelSlot(kSlot);
+  workspace_.jobs().cancelSlot(kTrackSlot);
   workspace_.jobs().cancelSlot(kPhaseSlot);
 }
 
 void MeasuredMotion::cancel() {
-  workspace_.jobs().cancelSlot(kSlot);
+  workspace_.jobs().cancelSlot(kTrackSlot);
 }
 
 void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::TrackOptions& options) {
@@ -120,7 +120,7 @@ void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::Tr
     take(result.value->found, result.value->organs);
     Q_EMIT ended({});
   };
-  workspace_.jobs().submit<Result>(tr("Motion from a series").toStdString(), kSlot, std::move(work),
+  workspace_.jobs().submit<Result>(tr("Motion from a series").toStdString(), kTrackSlot, std::move(work),
                                    std::move(done));
 }
 

@@ -30,15 +30,14 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
 constexpr const char* kLookSlot = "lookIntoSeries";
-constexpr int kName = 0, kPart = 1, kItemColumns = 2;
+constexpr int kItemName = 0, kItemPart = 1, kItemColumns = 2;
 constexpr int kItemHeight = 32, kShownItems = 6;
-constexpr double kMsPerSecond = 1000, kSecondsPerMinute = 60;
+constexpr double kSecondsPerMinute = 60;
 constexpr double kLongestMs = 60'000, kPeriodStep = 10;
-constexpr int kFewestHandles = 12, kMostHandles = 1000;
+constexpr int kFewestTrackedHandles = 12, kMostTrackedHandles = 1000;
 constexpr double kMostRobustMm = 20;
-constexpr int kWidth = 500;
+constexpr int kDialogWidth = 500;
 
 QString partName(motion::SeriesPart part, bool labels) {
   switch (part) {
@@ -58,7 +57,7 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
     : QDialog(parent), workspace_(workspace), measured_(measured), settings_(settings) {
   setObjectName(QStringLiteral("motionDialog"));
   setWindowTitle(tr("Motion from a series"));
-  setFixedWidth(kWidth);
+  setFixedWidth(kDialogWidth);
   auto* column = new QVBoxLayout(this);
   makeFiles(*column);
   makeItems(*column);
@@ -127,7 +126,7 @@ void MotionDialog::makeItems(QVBoxLayout& column) {
   items_->setShowGrid(false);
   items_->setSelectionMode(QAbstractItemView::NoSelection);
   connect(items_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
-    if (item->column() == kName && contents_.labels && !item->text().trimmed().isEmpty())
+    if (item->column() == kItemName && contents_.labels && !item->text().trimmed().isEmpty())
       contents_.items[static_cast<std::size_t>(item->row())].name = item->text().trimmed().toStdString();
   });
   column.addWidget(items_);
@@ -161,7 +160,7 @@ QWidget* MotionDialog::makeMore() {
   auto* form = new QFormLayout(box);
   handles_ = new QSpinBox(box);
   handles_->setObjectName(QStringLiteral("seriesHandles"));
-  handles_->setRange(kFewestHandles - 1, kMostHandles);
+  handles_->setRange(kFewestTrackedHandles - 1, kMostTrackedHandles);
   handles_->setSpecialValueText(tr("60 or 120"));
   handles_->setToolTip(tr("60 for one surface, 120 for several. More follow the surfaces more closely"));
   form->addRow(tr("Handles"), handles_);
@@ -249,7 +248,7 @@ void MotionDialog::fillItems() {
     name->setToolTip(contents_.labels ? tr("Label %1; a double click gives the surface another name")
                                             .arg(text(item.label).toHtmlEscaped())
                                       : text(item.name).toHtmlEscaped());
-    items_->setItem(row, kName, name);
+    items_->setItem(row, kItemName, name);
     auto* part = new QComboBox(items_);
     if (contents_.labels)
       part->addItem(partName(motion::SeriesPart::cavity, true), int(motion::SeriesPart::cavity));
@@ -261,7 +260,7 @@ void MotionDialog::fillItems() {
       contents_.items[static_cast<std::size_t>(row)].part =
           static_cast<motion::SeriesPart>(part->currentData().toInt());
     });
-    items_->setCellWidget(row, kPart, part);
+    items_->setCellWidget(row, kItemPart, part);
   }
   const int rows = std::min(items_->rowCount(), kShownItems);
   items_->setFixedHeight(items_->horizontalHeader()->sizeHint().height() + rows * kItemHeight + 4);
@@ -315,7 +314,7 @@ motion::SeriesRequest MotionDialog::request() const {
 
 motion::TrackOptions MotionDialog::options() const {
   motion::TrackOptions options;
-  options.rig.handles = handles_->value() < kFewestHandles ? 0 : handles_->value();
+  options.rig.handles = handles_->value() < kFewestTrackedHandles ? 0 : handles_->value();
   options.keepVolumes = keepVolumes_->isChecked();
   options.robustMm = robust_->value();
   return options;

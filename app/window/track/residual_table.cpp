@@ -18,27 +18,26 @@
 namespace viscera::app {
 namespace {
 
-enum Column {
+enum ResidualColumn {
   kPhase,
-  kTime,
-  kMean,
-  kP95,
-  kMax,
-  kMeasured,
-  kFree,
-  kFitted,
+  kPhaseTime,
+  kMeanDistance,
+  kP95Distance,
+  kLargestDistance,
+  kMeasuredVolume,
+  kFreeVolume,
+  kFittedVolume,
   kDice,
-  kFlipped,
-  kFolded,
-  kSteps,
-  kColumns
+  kFlippedTriangles,
+  kFoldedTriangles,
+  kFitSteps,
+  kResidualColumns
 };
-constexpr int kRowHeight = 20;
-constexpr int kShownRows = 4;
-constexpr double kMsPerSecond = 1000, kPercent = 100;
+constexpr int kPhaseRowHeight = 20;
+constexpr int kShownPhases = 4;
 constexpr int kAll = -1, kCompared = -2;
 
-enum DifferenceColumn { kWhat, kBefore, kNow, kDifference, kDifferenceColumns };
+enum DifferenceColumn { kComparedWhat, kComparedBefore, kComparedNow, kDifference, kDifferenceColumns };
 
 /// One number of a cavity that two series are compared by.
 struct Compared {
@@ -64,19 +63,20 @@ void makePlain(QTableWidget& table) {
   table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table.horizontalHeader()->setHighlightSections(false);
-  table.horizontalHeader()->setMinimumSectionSize(kRowHeight);
+  table.horizontalHeader()->setMinimumSectionSize(kPhaseRowHeight);
   table.verticalHeader()->hide();
-  table.verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table.verticalHeader()->setDefaultSectionSize(kPhaseRowHeight);
   table.setShowGrid(false);
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table.setMinimumHeight(3 * kRowHeight);
+  table.setMinimumHeight(3 * kPhaseRowHeight);
 }
 
 } // namespace
 
 ResidualTable::ResidualTable(MeasuredMotion& measured, Playback& playback, QWidget* parent)
     : QWidget(parent), measured_(measured), playback_(playback), surfaces_(new QComboBox(this)),
-      summary_(new QLabel(this)), stack_(new QStackedLayout), table_(new QTableWidget(0, kColumns, this)),
+      summary_(new QLabel(this)), stack_(new QStackedLayout),
+      table_(new QTableWidget(0, kResidualColumns, this)),
       differences_(new QTableWidget(0, kDifferenceColumns, this)), theme_(themeOf(ThemeKind::dark)) {
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 0});
   column->addWidget(makeHead());
@@ -92,7 +92,7 @@ ResidualTable::ResidualTable(MeasuredMotion& measured, Playback& playback, QWidg
 }
 
 QSize ResidualTable::sizeHint() const {
-  return {QWidget::sizeHint().width(), (kShownRows + 3) * kRowHeight};
+  return {QWidget::sizeHint().width(), (kShownPhases + 3) * kPhaseRowHeight};
 }
 
 QWidget* ResidualTable::makeHead() {
@@ -146,7 +146,7 @@ void ResidualTable::makeTable() {
                             tr("Triangles that face the wrong way"),
                             tr("Places in the tissue that are folded"),
                             tr("Steps that the fit took")};
-  for (int i = 0; i < kColumns; ++i)
+  for (int i = 0; i < kResidualColumns; ++i)
     table_->horizontalHeaderItem(i)->setToolTip(tips[i]);
   makePlain(*table_);
   makePlain(*differences_);
@@ -196,7 +196,7 @@ void ResidualTable::fill() {
   fillDifferences();
   stack_->setCurrentWidget(surface() == kCompared ? differences_ : table_);
   const bool one = surface() >= 0;
-  for (const int column : {kMeasured, kFree, kFitted, kFlipped})
+  for (const int column : {kMeasuredVolume, kFreeVolume, kFittedVolume, kFlippedTriangles})
     table_->setColumnHidden(column, !one);
   table_->setColumnHidden(kDice, !motion.phases.front().quality.dice);
   for (int row = 0; row < table_->rowCount(); ++row)
@@ -257,7 +257,7 @@ void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
   QStringList reasons;
   for (const std::string& reason : phase.verdict.reasons)
     reasons.push_back(asSentence(reason));
-  for (int column = 0; column < kColumns; ++column) {
+  for (int column = 0; column < kResidualColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     item->setForeground(good ? theme_.text : red ? theme_.error : theme_.warning);
@@ -291,7 +291,7 @@ void ResidualTable::fillDifferences() {
       differences_->insertRow(row);
       for (int column = 0; column < kDifferenceColumns; ++column) {
         auto* item = new QTableWidgetItem(cells[column]);
-        item->setTextAlignment((column == kWhat ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        item->setTextAlignment((column == kComparedWhat ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         item->setForeground(theme_.text);
         differences_->setItem(row, column, item);
       }

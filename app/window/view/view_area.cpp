@@ -8,7 +8,7 @@
 
 namespace viscera::app {
 namespace {
-constexpr int kMargin = 12;
+constexpr int kViewMargin = 12;
 constexpr int kBetweenViews = 4;
 constexpr int kBetweenSlices = 2;
 constexpr int kBadgeMilliseconds = 4000;
@@ -23,8 +23,8 @@ ViewArea::ViewArea(QWidget* parent)
   grid_->setSpacing(0);
   // The view fills all nine cells; the inner ones hold what lies over it, away from the edges.
   for (const int edge : {0, 2}) {
-    grid_->setRowMinimumHeight(edge, kMargin);
-    grid_->setColumnMinimumWidth(edge, kMargin);
+    grid_->setRowMinimumHeight(edge, kViewMargin);
+    grid_->setColumnMinimumWidth(edge, kViewMargin);
   }
   grid_->setRowStretch(1, 1);
   grid_->setColumnStretch(1, 1);
@@ -73,7 +73,7 @@ void ViewArea::splitView(QWidget* header, QWidget* second) {
   static_cast<QVBoxLayout*>(row->itemAt(0)->layout())->insertWidget(0, header_);
   row->addWidget(second_, 1);
   // What lies over the view begins below the header.
-  grid_->setRowMinimumHeight(0, header_->sizeHint().height() + kMargin);
+  grid_->setRowMinimumHeight(0, header_->sizeHint().height() + kViewMargin);
   header_->show();
   second_->show();
 }
@@ -83,7 +83,7 @@ void ViewArea::joinViews() {
   delete second_;
   header_ = nullptr;
   second_ = nullptr;
-  grid_->setRowMinimumHeight(0, kMargin);
+  grid_->setRowMinimumHeight(0, kViewMargin);
 }
 
 void ViewArea::frameSoon() {

@@ -14,12 +14,11 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include "window/language.h"
+#include "window/widgets/click_distance.h"
 
 namespace viscera::app {
 namespace {
 
-/// Logical pixels: a press and a release that are nearer to each other are a click.
-constexpr double kClickDistance = 4;
 /// Logical pixels around the cursor in which a surface is looked for.
 constexpr double kNearDistances[] = {0, 6, 12};
 /// ms without a new frame, until the quick one is replaced by a smooth one.

@@ -10,7 +10,7 @@
 
 namespace viscera::app {
 namespace {
-constexpr int kIconSize = 24;
+constexpr int kModeIconSize = 24;
 } // namespace
 
 ModeRail::ModeRail(ModeController& modes, QWidget* parent) : QWidget(parent) {
@@ -24,13 +24,13 @@ ModeRail::ModeRail(ModeController& modes, QWidget* parent) : QWidget(parent) {
     button->setObjectName(QStringLiteral("modeButton"));
     button->setProperty("mode", QString::fromLatin1(description.id));
     button->setIcon(icon(description.icon));
-    button->setIconSize(QSize(kIconSize, kIconSize));
+    button->setIconSize(QSize(kModeIconSize, kModeIconSize));
     button->setText(description.name);
     button->setToolTip(tr("%1 (%2)\n%3").arg(description.name).arg(description.key).arg(description.hint));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setCheckable(true);
     button->setFixedSize(std::max(60, button->fontMetrics().horizontalAdvance(description.name) + 12),
-                         kIconSize + button->fontMetrics().height() + 20);
+                         kModeIconSize + button->fontMetrics().height() + 20);
     buttons->addButton(button);
     connect(button, &QToolButton::clicked, &modes, [&modes, id = description.id] { modes.choose(id); });
     const auto sync = [&modes, button, shown = mode.get()] { button->setChecked(&modes.present() == shown); };

@@ -6,7 +6,7 @@
 
 namespace viscera::app {
 namespace {
-constexpr int kWidth = 3; ///< Logical pixels.
+constexpr int kFrameWidth = 3; ///< Logical pixels.
 } // namespace
 
 PointingFrame::PointingFrame(QWidget& target) : QWidget(target.window()), target_(&target) {
@@ -43,7 +43,7 @@ void PointingFrame::follow() {
   const QRect around(target_->mapTo(parentWidget(), QPoint(0, 0)), target_->size());
   setGeometry(around.intersected(parentWidget()->rect()));
   // What it frames stays in sight and is drawn as before.
-  setMask(QRegion(rect()) - QRegion(rect().adjusted(kWidth, kWidth, -kWidth, -kWidth)));
+  setMask(QRegion(rect()) - QRegion(rect().adjusted(kFrameWidth, kFrameWidth, -kFrameWidth, -kFrameWidth)));
   show();
   raise();
 }

@@ -9,14 +9,14 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kHeight = 5;
+constexpr int kMarkHeight = 5;
 constexpr int kThickness = 3;
-constexpr double kNarrowest = 3;
+constexpr double kNarrowestMark = 3;
 
 } // namespace
 
 RangeMark::RangeMark(const QSlider& slider, QWidget* parent) : QWidget(parent), slider_(slider) {
-  setFixedHeight(kHeight);
+  setFixedHeight(kMarkHeight);
 }
 
 void RangeMark::setPart(double from, double to) {
@@ -30,7 +30,7 @@ void RangeMark::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const double inset = 0.5 * style()->pixelMetric(QStyle::PM_SliderLength, nullptr, &slider_);
   const double length = width() - 2 * inset;
-  const QRectF part(inset + from_ * length, 0, std::max(kNarrowest, (to_ - from_) * length), kThickness);
+  const QRectF part(inset + from_ * length, 0, std::max(kNarrowestMark, (to_ - from_) * length), kThickness);
   painter.fillRect(part, palette().color(QPalette::Highlight));
 }
 

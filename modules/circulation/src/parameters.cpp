@@ -137,7 +137,7 @@ const std::vector<Entry>& entries() {
 #undef VISCERA_AT
 
 /// Letters that have to be changed, added or removed to make `b` of `a`.
-std::size_t distance(const std::string& a, const std::string& b) {
+std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j)
     row[j] = j;
@@ -159,7 +159,7 @@ const Entry& entry(const std::string& name) {
   if (found != table.end())
     return *found;
   const auto nearest = std::min_element(table.begin(), table.end(), [&](const Entry& a, const Entry& b) {
-    return distance(a.info.name, name) < distance(b.info.name, name);
+    return editDistance(a.info.name, name) < editDistance(b.info.name, name);
   });
   throw UsageError("the circulation has no parameter of that name", name,
                    "the nearest is " + nearest->info.name + "; docs/circulation.md lists all");

@@ -11,7 +11,7 @@ namespace viscera::coordinates {
 namespace {
 
 /// Of the handles' size: nearer is the same place, thinner is flat.
-constexpr double kRelativeTolerance = 1e-9;
+constexpr double kHandleTolerance = 1e-9;
 
 template <int Dim>
 void requireDistinct(const PointsOf<Dim>& handles, double tolerance) {
@@ -36,11 +36,11 @@ void requireUsableHandles(const PointsOf<Dim>& handles) {
 
   const PointsOf<Dim> centred = handles.rowwise() - handles.colwise().mean();
   const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
-  requireDistinct<Dim>(handles, kRelativeTolerance * size);
+  requireDistinct<Dim>(handles, kHandleTolerance * size);
   // The last diagonal entry is about the thickness; unlike a covariance it is not squared, so 1e-9 can be
   // told.
   const Eigen::ColPivHouseholderQR<PointsOf<Dim>> decomposition(centred);
-  if (std::abs(decomposition.matrixQR()(Dim - 1, Dim - 1)) <= kRelativeTolerance * size)
+  if (std::abs(decomposition.matrixQR()(Dim - 1, Dim - 1)) <= kHandleTolerance * size)
     throw DataError(Dim == 3 ? "all handles lie in one plane" : "all handles lie on one line", "handles",
                     Dim == 3 ? "move some off the plane, or add enclosing handles"
                              : "move some off the line");

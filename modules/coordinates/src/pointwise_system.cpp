@@ -15,7 +15,7 @@ namespace viscera::coordinates {
 namespace {
 
 /// Points that a thread takes at once: whole tiles, so that no two threads write into the same one.
-constexpr Eigen::Index kGrain = 4 * TiledWeights::kTile;
+constexpr Eigen::Index kPointsAtOnce = 4 * TiledWeights::kTile;
 
 /// Calls `solve(point)` for every point, on several threads; the points for which it is false, ascending.
 std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progress,
@@ -23,7 +23,7 @@ std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progr
   std::vector<char> failed(static_cast<std::size_t>(count));
   std::atomic<Eigen::Index> done{0};
   progress.throwIfCancelled();
-  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(count, kPointsAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index point = begin; point < end; ++point) {
       progress.throwIfCancelled(); // Some systems take seconds a point.
       failed[static_cast<std::size_t>(point)] = solve(point) ? 0 : 1;

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "simd/usable_kernels.h"
+#include "tile.h"
 
 namespace viscera::coordinates {
 namespace {
 
-constexpr int kTile = TiledWeights::kTile;
-constexpr Eigen::Index kTilesPerRange = 64;
+constexpr Eigen::Index kTilesPerSum = 64;
 
 /// Calls `body(tile, rows)` with `rows` pointing to the tile's 16 rows of `points` inside a range of tiles.
 /// The last, incomplete tile gets a copy, zero where there are no points, which is written back when `Rows`
@@ -50,7 +50,7 @@ TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
 void TiledWeights::multiply(const Points& pose, Points& points, Threads threads) const {
   assert(pose.rows() == handles_);
   points.resize(points_, 3);
-  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
     forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
       simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
     });
@@ -59,7 +59,7 @@ void TiledWeights::multiply(const Points& pose, Points& points, Threads threads)
 
 void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const {
   assert(points.rows() == points_ && handle >= 0 && handle < handles_);
-  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
     forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
       simd::tileKernels().addColumn(tile(index) + handle * kTile, delta.data(), rows);
     });
@@ -69,14 +69,14 @@ void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& poi
 void TiledWeights::multiplyTransposed(const Points& rows, Points& out, Threads threads) const {
   assert(rows.rows() == points_);
   const std::size_t numbers = static_cast<std::size_t>(handles_) * 3;
-  const std::size_t ranges = static_cast<std::size_t>((tiles() + kTilesPerRange - 1) / kTilesPerRange);
+  const std::size_t ranges = static_cast<std::size_t>((tiles() + kTilesPerSum - 1) / kTilesPerSum);
   std::vector<double> partial(ranges * numbers);
-  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
     std::vector<double> lanes(numbers * simd::kSumLanes);
     forTiles(begin, end, rows, [&](Eigen::Index index, const double* tileRows) {
       simd::tileKernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
     });
-    double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesPerRange) * numbers;
+    double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesPerSum) * numbers;
     for (std::size_t number = 0; number < numbers; ++number)
       for (int lane = 0; lane < simd::kSumLanes; ++lane)
         sums[number] += lanes[number * simd::kSumLanes + lane];

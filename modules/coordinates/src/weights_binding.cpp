@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "simd/usable_kernels.h"
+#include "tile.h"
 
 namespace viscera::coordinates {
 namespace {
 
-constexpr int kTile = TiledWeights::kTile;
-constexpr Eigen::Index kTilesPerRange = 64;
+constexpr Eigen::Index kTilesPerCheck = 64;
 
 struct Extremes {
   double identity = 0;
@@ -79,12 +79,12 @@ WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, 
   }
   const std::vector<std::uint16_t> failed = failedLanes(failures, weights_.tiles());
   std::vector<Extremes> ranges(
-      static_cast<std::size_t>((weights_.tiles() + kTilesPerRange - 1) / kTilesPerRange));
-  parallelRanges(weights_.tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+      static_cast<std::size_t>((weights_.tiles() + kTilesPerCheck - 1) / kTilesPerCheck));
+  parallelRanges(weights_.tiles(), kTilesPerCheck, threads, [&](Eigen::Index begin, Eigen::Index end) {
     Extremes extremes; // Not in the shared array: the threads would take its cache lines from each other.
     for (Eigen::Index tile = begin; tile < end; ++tile)
       measureTile(weights_, restHandles, restPoints, tile, failed[static_cast<std::size_t>(tile)], extremes);
-    ranges[static_cast<std::size_t>(begin / kTilesPerRange)] = extremes;
+    ranges[static_cast<std::size_t>(begin / kTilesPerCheck)] = extremes;
   });
   Extremes all;
   for (const Extremes& range : ranges)

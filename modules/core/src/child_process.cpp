@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "internal_error.h"
 #include "viscera/core/error.h"
 
 extern char** environ;
@@ -24,7 +25,6 @@ namespace viscera {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kInternalError = 70;
 constexpr int kLookMs = 20; ///< How often somebody looks whether the job was cancelled.
 constexpr rlim_t kMostMessages = 1 << 20;
 constexpr std::size_t kMessagesKept = 2000;

@@ -7,11 +7,10 @@
 #include <mutex>
 #include <thread>
 
+#include "internal_error.h"
+
 namespace viscera {
 namespace {
-
-/// sysexits.h: an internal error.
-constexpr int kInternalError = 70;
 
 std::shared_ptr<const Error> asError(const std::exception& exception) {
   if (const auto* known = dynamic_cast<const Error*>(&exception))

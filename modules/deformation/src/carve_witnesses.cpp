@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tetrahedron_faces.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/winding_number.h"
@@ -21,7 +22,7 @@ using Corner = std::int32_t;
 using Polygon = std::vector<Corner>;
 using Tetrahedron = std::array<Corner, 4>;
 
-constexpr Eigen::Index kGrain = 1024;
+constexpr Eigen::Index kCarvedAtOnce = 1024;
 constexpr Eigen::Index kWallGrain = 128;
 /// A corner that is nearer to the wall than this part of an edge that goes through it counts as on the wall:
 /// slivers are kept out.
@@ -29,17 +30,14 @@ constexpr double kSnap = 0.06;
 /// What is left of a tetrahedron in pieces smaller than this part of it is flat.
 constexpr double kFlatPart = 1e-6;
 /// Steps by the false position from the first guess of a point on the wall.
-constexpr int kSteps = 2;
-
-/// The corners of the four faces, outward in a positive tetrahedron.
-constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr int kWallSteps = 2;
 
 /// Which of the points are inside a cavity.
 std::vector<char> insideOf(const Points& points, const geometry::TriangleMesh& cavity, Threads threads) {
   std::vector<char> inside(static_cast<std::size_t>(points.rows()), 0);
   const geometry::WindingNumber winding(cavity);
   const Bounds box = boundsOf(cavity.points);
-  parallelRanges(points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(points.rows(), kCarvedAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i) {
       const Vec3 at = points.row(i).transpose();
       const bool near = (at.array() >= box.low.array()).all() && (at.array() <= box.high.array()).all();
@@ -191,7 +189,7 @@ private:
     double lowDistance = distance_[std::size_t(edge.first)],
            highDistance = distance_[std::size_t(edge.second)];
     double part = firstGuess(edge);
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kWallSteps; ++step) {
       const double distance = wall_(a + part * (b - a));
       const bool before = (distance > 0) == (lowDistance > 0); // Of the same side as the edge's beginning.
       (before ? low : high) = part;

@@ -14,8 +14,8 @@ namespace viscera::deformation {
 namespace {
 
 constexpr double kCountTolerance = 0.05;
-constexpr double kFlat = 1e-9; ///< Shortest side of the box by the longest.
-constexpr int kMostRounds = 6;
+constexpr double kFlatBox = 1e-9; ///< Shortest side of the box by the longest.
+constexpr int kMostGridRounds = 6;
 /// Nodes along the longest side of the grids by which the volume is estimated, one after the other until one
 /// finds some inside.
 constexpr std::array<int, 3> kEstimates = {24, 50, 100};
@@ -124,15 +124,15 @@ WitnessMesh gridWitnesses(const geometry::TriangleMesh& surface, int wanted, Pro
   geometry::requireValid(surface, "surface");
   const Bounds box = boundsOf(surface.points);
   const Vec3 extent = box.high - box.low;
-  if (surface.triangles.rows() == 0 || !(extent.minCoeff() > kFlat * extent.maxCoeff()))
+  if (surface.triangles.rows() == 0 || !(extent.minCoeff() > kFlatBox * extent.maxCoeff()))
     throw DataError("the surface has no triangles or is flat, so it encloses nothing", "surface");
   const geometry::WindingNumber winding(surface);
   const double mostNodes = std::max(kManyNodes, kMostNodesPerWitness * wanted);
   const double finest = std::cbrt(extent.prod() / mostNodes);
   double spacing = std::cbrt(estimatedVolume(winding, box, progress, threads) / wanted);
   WitnessMesh best;
-  for (int round = 0; round < kMostRounds; ++round) {
-    progress.report(static_cast<double>(round) / kMostRounds, "witness points on a grid");
+  for (int round = 0; round < kMostGridRounds; ++round) {
+    progress.report(static_cast<double>(round) / kMostGridRounds, "witness points on a grid");
     spacing = std::max(spacing, finest);
     const InsideGrid grid(winding, box, spacing, progress, threads);
     const auto count = grid.count();

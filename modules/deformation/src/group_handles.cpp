@@ -17,7 +17,7 @@ namespace {
 
 /// A part's hull must clear its vertices by this part of its size: coordinates at the very boundary are
 /// limits.
-constexpr double kClearance = 0.01;
+constexpr double kLimitClearance = 0.01;
 constexpr double kBoxMargin = 0.08;
 /// How far a part's face may move to find a gap between handles, and how far behind a handle it is then, as
 /// parts of the part's length.
@@ -41,7 +41,7 @@ void requireInput(const Points& organPoints, int count) {
 bool holds(const Points& handles, const Points& part) {
   try {
     const geometry::ConvexHull hull(handles);
-    return hull.outside(part, -kClearance * boundsOf(part).diagonal()).empty();
+    return hull.outside(part, -kLimitClearance * boundsOf(part).diagonal()).empty();
   } catch (const DataError&) {
     return false; // Fewer than four handles, or flat.
   }
@@ -173,7 +173,7 @@ Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int c
   const Bounds box = boundsOf(organ);
   const double margin = kBoxMargin / 2 * box.diagonal();
   const double low = box.low[kAlong], length = (box.high[kAlong] - low) / count;
-  const double shared = std::max(overlap / 2 * length, kClearance * box.diagonal());
+  const double shared = std::max(overlap / 2 * length, kLimitClearance * box.diagonal());
 
   Grouping grouping;
   grouping.added.resize(0, 3);

@@ -8,14 +8,14 @@
 #include "broyden_search.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "within_hull.h"
 
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kChunk = 20'000; ///< Points bound at a time: weights take memory.
-constexpr int kMostRounds = 40;
-constexpr double kAccuracy = 1e-3;   ///< Of the spacing.
-constexpr double kWithinHull = 1e-6; ///< Of the hull's diagonal, from its facets.
+constexpr Eigen::Index kBoundAtOnce = 20'000; ///< Points bound at a time: weights take memory.
+constexpr int kMostInverseRounds = 40;
+constexpr double kAccuracy = 1e-3; ///< Of the spacing.
 
 /// The displacement of any point of the rest space.
 class Motion {
@@ -77,7 +77,7 @@ void solve(std::vector<BroydenSearch> searches, const Motion& motion, Displaceme
     if (std::isfinite(search.bestError)) // Else it stays zero.
       grid.vectors.row(search.row) = (search.best - search.target).transpose();
   };
-  for (int round = 0; round < kMostRounds && !searches.empty(); ++round) {
+  for (int round = 0; round < kMostInverseRounds && !searches.empty(); ++round) {
     std::vector<Vec3> places;
     for (const BroydenSearch& search : searches)
       places.push_back(search.at);
@@ -128,11 +128,11 @@ DisplacementGrid inverseDisplacements(const coordinates::CoordinateSystem& syste
                                       Progress& progress) {
   DisplacementGrid grid = emptyGrid(gridOptions);
   const Motion motion(system, handles, pose, options);
-  for (Eigen::Index begin = 0; begin < grid.vectors.rows(); begin += kChunk) {
+  for (Eigen::Index begin = 0; begin < grid.vectors.rows(); begin += kBoundAtOnce) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(begin) / static_cast<double>(grid.vectors.rows()),
                     "Tracing the displacement field");
-    const Eigen::Index end = std::min(begin + kChunk, grid.vectors.rows());
+    const Eigen::Index end = std::min(begin + kBoundAtOnce, grid.vectors.rows());
     std::vector<BroydenSearch> searches(static_cast<std::size_t>(end - begin));
     for (Eigen::Index row = begin; row < end; ++row) {
       BroydenSearch& search = searches[static_cast<std::size_t>(row - begin)];

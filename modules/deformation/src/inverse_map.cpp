@@ -14,7 +14,8 @@
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kChunk = 1024; ///< Points that one thread solves, each from the last one's answer.
+/// Points that one thread solves, each from the last one's answer.
+constexpr Eigen::Index kSolvedAtOnce = 1024;
 constexpr int kMostSteps = 24;
 constexpr double kSolved = 0.01; ///< Of the accuracy.
 /// Of the accuracy: what is found so nearly is found. Where cells meet, Newton's method may go to and fro.
@@ -251,7 +252,7 @@ void InverseMap::setPose(const Points& pose) {
 
 Points InverseMap::posedPoints(const Points& rest) const {
   Points posed(rest.rows(), 3);
-  parallelRanges(rest.rows(), kChunk, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(rest.rows(), kSolvedAtOnce, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i) {
       const Vec3 point = rest.row(i).transpose();
       posed.row(i) = (point + field_->displacementAt(point)).transpose();
@@ -263,7 +264,7 @@ Points InverseMap::posedPoints(const Points& rest) const {
 RestPoints InverseMap::restPoints(const Points& posed) const {
   RestPoints result{Points(posed.rows(), 3), std::vector<RestState>(static_cast<std::size_t>(posed.rows()))};
   const Solver solver(*field_, wanted_.accuracyMm);
-  parallelRanges(posed.rows(), kChunk, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(posed.rows(), kSolvedAtOnce, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
     Vec3 offset = Vec3::Zero();
     bool warm = false;
     for (Eigen::Index i = begin; i < end; ++i) {

@@ -16,7 +16,7 @@ namespace {
 /// Of the mean diagonal of Q: what a millimetre of any handle costs.
 constexpr double kDisplacementShare = 1e-3;
 /// Witnesses whose contributions are summed together; the sums are added in a fixed order.
-constexpr Eigen::Index kPortion = 64;
+constexpr Eigen::Index kSummedWitnesses = 64;
 constexpr int kMostHalvings = 6;
 /// A collapsed witness has no scale of its own.
 constexpr double kSmallestScale = 1e-3;
@@ -80,13 +80,14 @@ LeastStress::LeastStress(std::shared_ptr<const WitnessGradients> gradients, Eige
 
 LeastStress::Quadratic LeastStress::quadratic(const Points& pose, const std::vector<int>& free) const {
   const auto size = 3 * static_cast<Eigen::Index>(free.size());
-  const Eigen::Index portions = (witnesses_ + kPortion - 1) / kPortion;
+  const Eigen::Index portions = (witnesses_ + kSummedWitnesses - 1) / kSummedWitnesses;
   std::vector<Quadratic> sums(static_cast<std::size_t>(portions),
                               {Eigen::MatrixXd::Zero(size, size), Values::Zero(size)});
   parallelRanges(portions, 1, threads_, [&](Eigen::Index portion, Eigen::Index) {
     Quadratic& sum = sums[static_cast<std::size_t>(portion)];
     Eigen::Matrix<double, 6, Eigen::Dynamic> a(6, size);
-    for (Eigen::Index w = portion * kPortion; w < std::min(witnesses_, (portion + 1) * kPortion); ++w) {
+    for (Eigen::Index w = portion * kSummedWitnesses;
+         w < std::min(witnesses_, (portion + 1) * kSummedWitnesses); ++w) {
       if (gradients_->failed(w))
         continue;
       const Mat3 m = gradients_->deformationGradient(w, pose);
@@ -136,10 +137,11 @@ Points LeastStress::relaxation(const Points& pose, const Points& gradient,
 }
 
 double LeastStress::cost(const Points& pose) const {
-  const Eigen::Index portions = (witnesses_ + kPortion - 1) / kPortion;
+  const Eigen::Index portions = (witnesses_ + kSummedWitnesses - 1) / kSummedWitnesses;
   Values sums = Values::Zero(portions);
   parallelRanges(portions, 1, threads_, [&](Eigen::Index portion, Eigen::Index) {
-    for (Eigen::Index w = portion * kPortion; w < std::min(witnesses_, (portion + 1) * kPortion); ++w) {
+    for (Eigen::Index w = portion * kSummedWitnesses;
+         w < std::min(witnesses_, (portion + 1) * kSummedWitnesses); ++w) {
       if (gradients_->failed(w))
         continue;
       const Mat3 m = gradients_->deformationGradient(w, pose);

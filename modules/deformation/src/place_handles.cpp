@@ -19,7 +19,7 @@ constexpr int kLeastWithoutBox = 4;
 
 /// Of the wanted offset: what must remain to every part of the surface, and between two handles. A vertex in
 /// a groove can be so deep that its handle would come out on the other side.
-constexpr double kClearance = 0.5;
+constexpr double kSurfaceClearance = 0.5;
 
 /// Of the nearest distance: triangles that share the nearest edge or vertex differ by rounding only.
 constexpr double kTie = 1e-9;
@@ -196,12 +196,12 @@ Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placem
                       "ask for fewer, or put them nearer to the surface");
     const Vec3 outward = normals.row(*vertex).cast<double>().transpose();
     const Vec3 handle = organ.points.row(*vertex).transpose() + offset * outward;
-    if (outward.squaredNorm() > 0 && nearestRow(handles, placed, handle) >= kClearance * offset &&
-        distance(handle) >= kClearance * offset) {
+    if (outward.squaredNorm() > 0 && nearestRow(handles, placed, handle) >= kSurfaceClearance * offset &&
+        distance(handle) >= kSurfaceClearance * offset) {
       handles.row(placed++) = handle.transpose();
       vertices.accept(*vertex);
     } else {
-      vertices.exclude(*vertex, kClearance * offset);
+      vertices.exclude(*vertex, kSurfaceClearance * offset);
     }
   }
   return handles;

@@ -11,9 +11,9 @@
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kPiece = 65'536; ///< Samples bound at a time: weights take memory.
-constexpr Eigen::Index kGrain = 4096;   ///< Samples that a thread takes at a time.
-constexpr int kMostRounds = 6;
+constexpr Eigen::Index kSamplesBoundAtOnce = 65'536; ///< Samples bound at a time: weights take memory.
+constexpr Eigen::Index kSamplesAtOnce = 4096;        ///< Samples that a thread takes at a time.
+constexpr int kMostRefinements = 6;
 constexpr double kRough = 0.5; ///< Of the tolerance: what the grid may be off without being asked again.
 
 using Searches = std::vector<BroydenSearch>;
@@ -23,7 +23,7 @@ std::vector<Eigen::Index> roughSamples(const RestField& field, const Refinement&
                                        const RestPoints& rest, Threads threads) {
   const Eigen::Index count = rest.points.rows();
   std::vector<float> roughness(static_cast<std::size_t>(count), 0);
-  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(count, kSamplesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i)
       if (rest.states[static_cast<std::size_t>(i)] == RestState::moved)
         roughness[static_cast<std::size_t>(i)] =
@@ -54,7 +54,7 @@ Points exactDisplacements(const RestField& field, const coordinates::CoordinateS
   const auto count = static_cast<Eigen::Index>(searches.size());
   const Threads threads = field.options().threads;
   Points entries(count, 3);
-  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(count, kSamplesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i)
       entries.row(i) = field.pulledIn(searches[static_cast<std::size_t>(i)].at).transpose();
   });
@@ -62,7 +62,7 @@ Points exactDisplacements(const RestField& field, const coordinates::CoordinateS
   const auto binding = system.bind(field.handles(), entries, field.options(), quiet);
   Points moved;
   binding->deform(field.pose(), moved, threads);
-  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(count, kSamplesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i) {
       const Vec3 at = searches[static_cast<std::size_t>(i)].at, entry = entries.row(i).transpose();
       const Vec3 off = moved.row(i).transpose() - entry - field.displacementAt(entry);
@@ -77,7 +77,7 @@ Points exactDisplacements(const RestField& field, const coordinates::CoordinateS
 Searches begin(const RestField& field, const SamplePlane& plane, const RestPoints& rest,
                const Eigen::Index* rows, Eigen::Index count) {
   Searches searches(static_cast<std::size_t>(count));
-  parallelRanges(count, kGrain, field.options().threads, [&](Eigen::Index first, Eigen::Index last) {
+  parallelRanges(count, kSamplesAtOnce, field.options().threads, [&](Eigen::Index first, Eigen::Index last) {
     for (Eigen::Index i = first; i < last; ++i) {
       BroydenSearch& search = searches[static_cast<std::size_t>(i)];
       search.row = rows[i];
@@ -93,7 +93,7 @@ Searches begin(const RestField& field, const SamplePlane& plane, const RestPoint
 Searches advanced(Searches searches, const Points& moved, double toleranceMm, Threads threads,
                   const std::function<void(const BroydenSearch&)>& finish) {
   std::vector<std::uint8_t> going(searches.size(), 0);
-  parallelRanges(static_cast<Eigen::Index>(searches.size()), kGrain, threads,
+  parallelRanges(static_cast<Eigen::Index>(searches.size()), kSamplesAtOnce, threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    for (Eigen::Index i = begin; i < end; ++i) {
                      BroydenSearch& search = searches[static_cast<std::size_t>(i)];
@@ -121,10 +121,10 @@ void refineRest(const RestField& field, const coordinates::CoordinateSystem& sys
       rest.points.row(search.row) = search.best.transpose();
   };
   const auto count = static_cast<Eigen::Index>(rough.size());
-  for (Eigen::Index first = 0; first < count; first += kPiece) {
-    Searches searches =
-        begin(field, plane, rest, rough.data() + first, std::min<Eigen::Index>(kPiece, count - first));
-    for (int round = 0; round < kMostRounds && !searches.empty(); ++round) {
+  for (Eigen::Index first = 0; first < count; first += kSamplesBoundAtOnce) {
+    Searches searches = begin(field, plane, rest, rough.data() + first,
+                              std::min<Eigen::Index>(kSamplesBoundAtOnce, count - first));
+    for (int round = 0; round < kMostRefinements && !searches.empty(); ++round) {
       progress.throwIfCancelled();
       const Points moved = exactDisplacements(field, system, searches);
       searches =

@@ -6,17 +6,19 @@
 
 #include <Eigen/LU>
 
+#include "within_hull.h"
+
 namespace viscera::deformation {
 namespace {
 
-constexpr Eigen::Index kPiece = 20'000; ///< Points bound at a time, between two looks at the progress.
-constexpr Eigen::Index kGrain = 4096;   ///< Nodes or cells that a thread takes at a time.
-constexpr double kWithinHull = 1e-6;    ///< Of the hull's diagonal, from its facets.
-constexpr double kSlack = 1e-3;         ///< Of a cell, for nodes that are only just needed.
-constexpr int kCoarser = 4;             ///< Cells of the inner grid along one of the outer.
-constexpr double kReach = 3;            ///< Times what the hull's border moves: so far out the motion fades.
-constexpr double kLeastReach = 0.02;    ///< Of the hull's diagonal, where anything moves at all.
-constexpr double kRoomToGrow = 1.5;     ///< Times the reach: how far the outer grid goes, for poses to come.
+/// Points bound at a time, between two looks at the progress.
+constexpr Eigen::Index kPointsBoundAtOnce = 20'000;
+constexpr Eigen::Index kNodesAtOnce = 4096; ///< Nodes or cells that a thread takes at a time.
+constexpr double kSlack = 1e-3;             ///< Of a cell, for nodes that are only just needed.
+constexpr int kCoarser = 4;                 ///< Cells of the inner grid along one of the outer.
+constexpr double kReach = 3;         ///< Times what the hull's border moves: so far out the motion fades.
+constexpr double kLeastReach = 0.02; ///< Of the hull's diagonal, where anything moves at all.
+constexpr double kRoomToGrow = 1.5;  ///< Times the reach: how far the outer grid goes, for poses to come.
 constexpr Eigen::Index kMostChecks = 2000;
 constexpr double kExactCells = 2; ///< Outside of the hull, until the exact motion is the grid's.
 constexpr double kCounted = 0.99; ///< Of the checks; next to a handle the motion has a kink at any spacing.
@@ -180,13 +182,14 @@ void RestField::bindAll(const coordinates::CoordinateSystem& system, const std::
                         Progress& progress) {
   bound_ = pointsOf(points);
   failed_.assign(points.size(), 0);
-  for (Eigen::Index begin = 0; begin < bound_.rows(); begin += kPiece) {
+  for (Eigen::Index begin = 0; begin < bound_.rows(); begin += kPointsBoundAtOnce) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(begin) / static_cast<double>(bound_.rows()),
                     "Binding the space between the handles");
     Progress quiet; // The caller's listens between pieces.
-    bindings_.push_back(system.bind(
-        handles_, bound_.middleRows(begin, std::min(kPiece, bound_.rows() - begin)), options_, quiet));
+    bindings_.push_back(
+        system.bind(handles_, bound_.middleRows(begin, std::min(kPointsBoundAtOnce, bound_.rows() - begin)),
+                    options_, quiet));
     for (const int failure : bindings_.back()->report().failures)
       failed_[static_cast<std::size_t>(begin + failure)] = 1;
   }
@@ -268,7 +271,7 @@ Points RestField::boundDisplacements() const {
   Points piece;
   for (std::size_t b = 0; b < bindings_.size(); ++b) {
     bindings_[b]->deform(pose_, piece, options_.threads);
-    const Eigen::Index begin = static_cast<Eigen::Index>(b) * kPiece;
+    const Eigen::Index begin = static_cast<Eigen::Index>(b) * kPointsBoundAtOnce;
     moved.middleRows(begin, piece.rows()) = piece - bound_.middleRows(begin, piece.rows());
   }
   for (std::size_t i = 0; i < failed_.size(); ++i)
@@ -299,7 +302,7 @@ double RestField::setBoundNodes(const Points& moved) {
 
 /// One at the hull, zero from `reach_` on, smooth between.
 void RestField::fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const {
-  parallelRanges(static_cast<Eigen::Index>(nodes.size()), kGrain, options_.threads,
+  parallelRanges(static_cast<Eigen::Index>(nodes.size()), kNodesAtOnce, options_.threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    for (Eigen::Index n = begin; n < end; ++n) {
                      const FadedNode& node = nodes[static_cast<std::size_t>(n)];
@@ -376,7 +379,7 @@ void RestField::measureRoughness() {
   roughness_.assign(static_cast<std::size_t>(inner_.count()), 0);
   const std::array<Eigen::Index, 3> strides = {1, inner_.size[0],
                                                Eigen::Index(inner_.size[0]) * inner_.size[1]};
-  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kGrain, options_.threads,
+  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kNodesAtOnce, options_.threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    for (Eigen::Index n = begin; n < end; ++n) {
                      const BoundNode& bound = boundNodes_[static_cast<std::size_t>(n)];
@@ -429,7 +432,7 @@ double RestField::foldedMm3() const {
 std::vector<Eigen::Index> RestField::findFoldedCells() const {
   std::vector<Eigen::Index> folded;
   std::mutex mutex;
-  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kGrain, options_.threads,
+  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kNodesAtOnce, options_.threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    std::vector<Eigen::Index> own;
                    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {

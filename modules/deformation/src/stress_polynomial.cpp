@@ -16,7 +16,7 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kDegree = 6;
 constexpr Eigen::Index kTerms = (kDegree + 1) * (kDegree + 2) / 2;
-constexpr int kSteps = 60;
+constexpr int kPolynomialSteps = 60;
 constexpr int kRounds = 60;
 constexpr int kDirections = 400; ///< From pole to pole and around, for the search.
 
@@ -36,13 +36,14 @@ Eigen::RowVectorXd monomials(double s1, double s3, double lowest) {
 
 StressPolynomial::StressPolynomial(double lowest)
     : lowest_(lowest), largestError_(std::numeric_limits<double>::infinity()) {
-  constexpr Eigen::Index kCount = (kSteps + 1) * (kSteps + 2) / 2;
+  constexpr Eigen::Index kCount = (kPolynomialSteps + 1) * (kPolynomialSteps + 2) / 2;
   Eigen::MatrixXd rows(kCount, kTerms);
   Eigen::VectorXd values(kCount);
   Eigen::Index next = 0;
-  for (int a = 0; a <= kSteps; ++a)
+  for (int a = 0; a <= kPolynomialSteps; ++a)
     for (int b = 0; b <= a; ++b, ++next) {
-      const double s1 = lowest + (1 - lowest) * a / kSteps, s3 = lowest + (1 - lowest) * b / kSteps;
+      const double s1 = lowest + (1 - lowest) * a / kPolynomialSteps,
+                   s3 = lowest + (1 - lowest) * b / kPolynomialSteps;
       rows.row(next) = monomials(s1, s3, lowest);
       values[next] = stressDegrees(s1, (s1 + s3) / 2, s3);
     }

@@ -17,7 +17,7 @@ constexpr Eigen::Index kTilesATime = 16;
 /// Enough points to keep all threads busy, few enough that the portion's own copy does not matter. Systems
 /// that fill the handles with tetrahedra first get all points at once: they take longer to prepare than to
 /// answer.
-constexpr Eigen::Index kPortion = 8192;
+constexpr Eigen::Index kWitnessPortion = 8192;
 
 } // namespace
 
@@ -114,7 +114,7 @@ std::shared_ptr<const WitnessGradients>
 bindWitnesses(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
               const Points& points, const coordinates::BindOptions& options, Progress& progress) {
   const coordinates::BindOptions own = withTetgen(options);
-  const Eigen::Index portion = system.traits().needsTetrahedra ? points.rows() : kPortion;
+  const Eigen::Index portion = system.traits().needsTetrahedra ? points.rows() : kWitnessPortion;
   std::shared_ptr<WitnessGradients> result;
   for (Eigen::Index begin = 0; begin < points.rows(); begin += portion) {
     progress.throwIfCancelled();

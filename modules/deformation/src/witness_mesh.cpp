@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "tetrahedron_faces.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -16,10 +17,7 @@ namespace viscera::deformation {
 namespace {
 
 /// A tetrahedron below this part of the box's volume is flat: its sign is a matter of rounding.
-constexpr double kFlat = 1e-15;
-
-/// The corners of the four faces, outward in a positive tetrahedron.
-constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr double kFlatTetrahedron = 1e-15;
 
 struct Face {
   std::array<std::int32_t, 3> sorted;
@@ -103,7 +101,7 @@ void requireUsable(const WitnessMesh& mesh, const std::string& where) {
     if (!mesh.points.row(i).allFinite())
       throw DataError(phrase("witness point %1 has a coordinate that is not finite", i), where);
   const Bounds box = boundsOf(mesh.points);
-  const double smallest = kFlat * (box.high - box.low).prod();
+  const double smallest = kFlatTetrahedron * (box.high - box.low).prod();
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
     if (mesh.tetrahedra.row(t).minCoeff() < 0 || mesh.tetrahedra.row(t).maxCoeff() >= mesh.points.rows())
       throw DataError(phrase("tetrahedron %1 has a corner that does not exist", t), where);

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "viscera/core/atomic_file.h"
+#include "viscera/document/session_file.h"
 
 namespace viscera::document {
 
@@ -69,7 +70,6 @@ namespace {
 
 constexpr const char* kSlot = "autosave";
 constexpr const char* kPrefix = "recovery-";
-constexpr const char* kEnding = ".viscera";
 constexpr const char* kLockEnding = ".lock";
 
 fs::path withEnding(fs::path file, const char* ending) {
@@ -100,7 +100,7 @@ std::vector<Recovery> findRecoveries(const fs::path& folder) {
     auto lock = FileLock::take(lockFile);
     if (!lock)
       continue; // Its program is running.
-    const fs::path file = withEnding(lockFile, kEnding);
+    const fs::path file = withEnding(lockFile, kSessionEnding);
     removeAbandonedWrites(file);
     std::error_code error;
     const auto written = fs::last_write_time(file, error);
@@ -140,7 +140,7 @@ struct Autosave::Target {
     if (!lock)
       throw CannotCreateError("unsaved work cannot be kept safe: the folder cannot be written to",
                               folder.string(), "save often, or make room there");
-    file = withEnding(lock->file(), kEnding);
+    file = withEnding(lock->file(), kSessionEnding);
   }
 };
 

@@ -13,7 +13,7 @@
 namespace viscera::document {
 namespace {
 
-constexpr const char* kKind = "group";
+constexpr const char* kGroupKind = "group";
 
 using By = GroupingChoice::By;
 
@@ -123,7 +123,7 @@ Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles) {
 
 Command removeGroup(GroupId group) {
   return edit::onPart("Remove group", &DocumentState::rig,
-                      [group](Rig& rig) { edit::remove(rig.groups, std::vector{group}, kKind); });
+                      [group](Rig& rig) { edit::remove(rig.groups, std::vector{group}, kGroupKind); });
 }
 
 Command editGroup(GroupId group, GroupEdit change) {
@@ -134,7 +134,7 @@ Command editGroup(GroupId group, GroupEdit change) {
                   : "Change group",
       &DocumentState::rig,
       [group, change](Rig& rig) {
-        Group& changed = edit::require(rig.groups, group, kKind);
+        Group& changed = edit::require(rig.groups, group, kGroupKind);
         changed.name = change.name.value_or(changed.name);
         changed.color = change.color.value_or(changed.color);
         if (change.handles)
@@ -145,7 +145,7 @@ Command editGroup(GroupId group, GroupEdit change) {
 
 Command addToGroup(GroupId group, std::vector<HandleId> handles) {
   return edit::onPart("Add to group", &DocumentState::rig, [group, handles = std::move(handles)](Rig& rig) {
-    std::vector<HandleId>& members = edit::require(rig.groups, group, kKind).handles;
+    std::vector<HandleId>& members = edit::require(rig.groups, group, kGroupKind).handles;
     members.insert(members.end(), handles.begin(), handles.end());
     members = inOrder(rig, members);
   });
@@ -154,7 +154,7 @@ Command addToGroup(GroupId group, std::vector<HandleId> handles) {
 Command removeFromGroup(GroupId group, std::vector<HandleId> handles) {
   return edit::onPart("Remove from group", &DocumentState::rig,
                       [group, handles = std::move(handles)](Rig& rig) {
-                        std::erase_if(edit::require(rig.groups, group, kKind).handles, [&](HandleId id) {
+                        std::erase_if(edit::require(rig.groups, group, kGroupKind).handles, [&](HandleId id) {
                           return std::find(handles.begin(), handles.end(), id) != handles.end();
                         });
                       });

@@ -40,7 +40,7 @@ bool isIncluded(const ImportDraft& draft, std::size_t organ) {
   return draft.organs[organ].included && (parent < 0 || isIncluded(draft, static_cast<std::size_t>(parent)));
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words)
     list += (list.empty() ? "" : ", ") + word;
@@ -114,7 +114,7 @@ Organ finished(const Organ& read, const DraftOrgan& organ) {
   result.parent = read.parent;
   result.file = read.file;
   if (!organ.repairs.empty())
-    result.warnings.push_back(phrase("repaired on import: %1", listed(organ.repairs)));
+    result.warnings.push_back(phrase("repaired on import: %1", joined(organ.repairs)));
   if (organ.change)
     result.warnings.push_back(inWords(*organ.change));
   return result;

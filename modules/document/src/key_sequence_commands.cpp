@@ -13,7 +13,7 @@ namespace {
 
 using sequences::kShortestSpan;
 
-constexpr const char* kKind = "key";
+constexpr const char* kKeyKind = "key";
 
 /// The key at that time, or null.
 SequenceKey* keyAt(KeySequence& keySequence, double seconds) {
@@ -71,7 +71,7 @@ Command moveKey(KeyId key, double seconds) {
   return edit::onPart(
       "Move key", &DocumentState::keySequence,
       [=](KeySequence& keySequence) {
-        edit::require(keySequence.keys, key, kKind).seconds = seconds;
+        edit::require(keySequence.keys, key, kKeyKind).seconds = seconds;
         sortByTime(keySequence);
       },
       "key/" + std::to_string(key.value));
@@ -80,7 +80,7 @@ Command moveKey(KeyId key, double seconds) {
 Command replaceKey(KeyId key) {
   return edit::onPart("Replace pose of key", &DocumentState::keySequence,
                       [=](KeySequence& keySequence, const DocumentState& state, IdSource&) {
-                        edit::require(keySequence.keys, key, kKind).displacements =
+                        edit::require(keySequence.keys, key, kKeyKind).displacements =
                             presentDisplacements(state);
                       });
 }
@@ -88,7 +88,7 @@ Command replaceKey(KeyId key) {
 Command removeKeys(std::vector<KeyId> keys) {
   const std::string name = phrase("Remove {key|%n keys}", keys.size());
   return edit::onPart(name, &DocumentState::keySequence, [keys = std::move(keys)](KeySequence& keySequence) {
-    edit::remove(keySequence.keys, keys, kKind);
+    edit::remove(keySequence.keys, keys, kKeyKind);
   });
 }
 
@@ -96,7 +96,7 @@ Command setEasing(std::vector<KeyId> keys, sequences::Easing easing) {
   return edit::onPart(phrase("Easing %1", nameOf(easing)), &DocumentState::keySequence,
                       [keys = std::move(keys), easing](KeySequence& keySequence) {
                         for (const KeyId key : keys)
-                          edit::require(keySequence.keys, key, kKind).easing = easing;
+                          edit::require(keySequence.keys, key, kKeyKind).easing = easing;
                       });
 }
 

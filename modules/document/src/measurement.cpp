@@ -13,9 +13,9 @@
 namespace viscera::document {
 namespace {
 
-constexpr const char* kNames[] = {"distance", "angle", "rectangle", "sphere"};
+constexpr const char* kMeasurementNames[] = {"distance", "angle", "rectangle", "sphere"};
 /// How far weights may be from a place in the triangle before they are taken for wrong.
-constexpr double kWeightTolerance = 1e-6;
+constexpr double kPlaceTolerance = 1e-6;
 
 using Corners = Eigen::Matrix3d; ///< One a column.
 
@@ -71,12 +71,12 @@ bool isRegion(MeasurementKind kind) {
 }
 
 std::string nameOf(MeasurementKind kind) {
-  return kNames[static_cast<std::size_t>(kind)];
+  return kMeasurementNames[static_cast<std::size_t>(kind)];
 }
 
 std::optional<MeasurementKind> measurementKindFromName(const std::string& name) {
-  for (std::size_t i = 0; i < std::size(kNames); ++i)
-    if (name == kNames[i])
+  for (std::size_t i = 0; i < std::size(kMeasurementNames); ++i)
+    if (name == kMeasurementNames[i])
       return static_cast<MeasurementKind>(i);
   return std::nullopt;
 }
@@ -85,7 +85,7 @@ MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights
   if (triangle < 0 || triangle >= organ.mesh->triangles.rows())
     throw DataError(phrase("there is no triangle %1", triangle), organ.name,
                     "pick the point on the surface again");
-  if (!(weights.minCoeff() >= -kWeightTolerance && std::abs(weights.sum() - 1) <= kWeightTolerance))
+  if (!(weights.minCoeff() >= -kPlaceTolerance && std::abs(weights.sum() - 1) <= kPlaceTolerance))
     throw DataError("the weights of a measured point are no place in its triangle", organ.name,
                     "pick the point on the surface again");
   MeasuredPoint point;

@@ -11,7 +11,7 @@
 namespace viscera::document {
 namespace {
 
-constexpr const char* kKind = "measurement";
+constexpr const char* kMeasurementKind = "measurement";
 
 /// The point as the organ's surface has it.
 MeasuredPoint sound(const DocumentState& state, const MeasuredPoint& point) {
@@ -81,7 +81,7 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
   return edit::onPart(
       "Move measured point", &DocumentState::measurements,
       [=](MeasurementList& measurements, const DocumentState& state, IdSource&) {
-        Measurement& changed = edit::require(measurements, measurement, kKind);
+        Measurement& changed = edit::require(measurements, measurement, kMeasurementKind);
         if (index >= changed.points.size())
           throw UsageError("There is no such point", changed.name);
         const Vec3 by = point.rest - changed.points[index].rest;
@@ -98,15 +98,16 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
 Command renameMeasurement(MeasurementId measurement, std::string name) {
   return edit::onPart("Rename measurement", &DocumentState::measurements,
                       [measurement, name = std::move(name)](MeasurementList& measurements) {
-                        edit::require(measurements, measurement, kKind).name = name;
+                        edit::require(measurements, measurement, kMeasurementKind).name = name;
                       });
 }
 
 Command removeMeasurements(std::vector<MeasurementId> ids) {
   const std::string name = phrase("Remove {measurement|%n measurements}", ids.size());
-  return edit::onPart(
-      name, &DocumentState::measurements,
-      [ids = std::move(ids)](MeasurementList& measurements) { edit::remove(measurements, ids, kKind); });
+  return edit::onPart(name, &DocumentState::measurements,
+                      [ids = std::move(ids)](MeasurementList& measurements) {
+                        edit::remove(measurements, ids, kMeasurementKind);
+                      });
 }
 
 Command removeAllMeasurements() {

@@ -13,6 +13,7 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/document/session_file.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
@@ -20,8 +21,6 @@
 
 namespace viscera::document {
 namespace {
-
-constexpr const char* kSessionEnding = ".viscera";
 
 constexpr std::size_t kFewestHandles = 4; ///< Fewer have no inside.
 
@@ -98,10 +97,10 @@ std::string displayName(std::string name) {
 bool saysNothing(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   name.erase(name.find_last_not_of("0123456789 ._-#") + 1);
-  static constexpr std::array kNames = {"mesh",     "default", "object", "obj",     "model",    "group",
-                                        "surface",  "solid",   "shape",  "unnamed", "untitled", "node",
-                                        "geometry", "scene",   "root",   "noname",  "polydata"};
-  return name.empty() || std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+  static constexpr std::array kPlainNames = {"mesh",     "default", "object", "obj",     "model",    "group",
+                                             "surface",  "solid",   "shape",  "unnamed", "untitled", "node",
+                                             "geometry", "scene",   "root",   "noname",  "polydata"};
+  return name.empty() || std::find(kPlainNames.begin(), kPlainNames.end(), name) != kPlainNames.end();
 }
 
 /// As an organ, and as it is in the file, which has no other surface when it is `alone`.

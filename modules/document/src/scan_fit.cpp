@@ -88,7 +88,7 @@ bool isOutside(const Organ& organ, const Bounds& scan) {
 }
 
 /// "liver, spleen and 4 more".
-std::string listed(const std::vector<std::string>& names) {
+std::string shortList(const std::vector<std::string>& names) {
   std::string list;
   for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
     list += (i > 0 ? ", " : "") + names[i];
@@ -117,11 +117,11 @@ std::vector<std::string> scanFit(const DocumentState& state) {
   if (!otherGrid.empty())
     sentences.push_back(phrase("The label map of %1 has another grid (%2) than the scan (%3); each lies "
                                "where its file says, and nothing is resampled",
-                               listed(otherGrid), grid, described(scan.size, scan.indexToLps)));
+                               shortList(otherGrid), grid, described(scan.size, scan.indexToLps)));
   if (!outside.empty())
     sentences.push_back(phrase("%2 {lies|lie} outside of the scan; look whether both are of one patient and "
                                "their files agree on the axes (RAS or LPS)",
-                               outside.size(), listed(outside)));
+                               outside.size(), shortList(outside)));
   return sentences;
 }
 

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using State = SurfaceFinding::State;
 
-constexpr std::string_view kEnding = ".viscera";
 constexpr const char* kEmbedded = "embedded";
 constexpr const char* kLinked = "linked";
 
@@ -435,15 +434,15 @@ private:
 } // namespace
 
 std::string nameOf(SurfaceFinding::State state) {
-  constexpr const char* kNames[] = {"embedded", "found", "moved", "changed", "missing"};
-  return kNames[static_cast<std::size_t>(state)];
+  constexpr const char* kStateNames[] = {"embedded", "found", "moved", "changed", "missing"};
+  return kStateNames[static_cast<std::size_t>(state)];
 }
 
 bool isSessionFile(const fs::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return ending == kEnding;
+  return ending == kSessionEnding;
 }
 
 OpenedSession readSession(const fs::path& file, const sample_organs::SampleLibrary& samples,
@@ -454,7 +453,7 @@ OpenedSession readSession(const fs::path& file, const sample_organs::SampleLibra
 void writeSession(const fs::path& file, const SessionContents& contents, Progress& progress) {
   if (!isSessionFile(file))
     throw CannotCreateError("the name of a session file ends in .viscera", file.string(),
-                            phrase("name it %1", file.filename().string() + std::string(kEnding)));
+                            phrase("name it %1", file.filename().string() + kSessionEnding));
   const fs::path folder = fs::absolute(file).parent_path();
   const DocumentState& state = contents.state;
   validate(state);

@@ -19,7 +19,7 @@ constexpr JsonReader::Format kFormat = {
     kSessionFormat, kSessionVersion, "session", "choose a file that Viscera has saved as .viscera",
     "take a backup of the file, or begin a new session with the organs' own files"};
 
-bool sameBits(const Vec3& a, const Vec3& b) {
+bool sameNumbers(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 
@@ -51,7 +51,7 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
     const Handle& handle = rig.handles[i];
     const Vec3 posed = pose.row(static_cast<Eigen::Index>(i)).transpose();
     ordered_json item{{"id", handle.id.value}, {"label", handle.label}, {"rest", listOf(handle.rest)}};
-    if (!sameBits(posed, handle.rest))
+    if (!sameNumbers(posed, handle.rest))
       item["pose"] = listOf(posed);
     item["locked"] = handle.locked;
     item["visible"] = handle.visible;

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t kMostAtOnce = std::numeric_limits<int>::max() / 2; ///< To hash: Qt counts in int.
 
 template <class Array>
-std::string_view bytesOf(const Array& array) {
+std::string_view rawBytes(const Array& array) {
   return {reinterpret_cast<const char*>(array.data()),
           static_cast<std::size_t>(array.size()) * sizeof(*array.data())};
 }
@@ -43,7 +43,7 @@ void unpackRows(const JsonReader& reader, const ordered_json& stored, const char
 
 std::string surfaceHash(const geometry::TriangleMesh& mesh) {
   QCryptographicHash hash(QCryptographicHash::Sha256);
-  for (std::string_view bytes : {bytesOf(mesh.points), bytesOf(mesh.triangles), bytesOf(mesh.colors)})
+  for (std::string_view bytes : {rawBytes(mesh.points), rawBytes(mesh.triangles), rawBytes(mesh.colors)})
     for (; !bytes.empty(); bytes.remove_prefix(std::min(kMostAtOnce, bytes.size())))
       hash.addData(bytes.data(), static_cast<int>(std::min(kMostAtOnce, bytes.size())));
   return hash.result().toHex().toStdString();
@@ -52,10 +52,10 @@ std::string surfaceHash(const geometry::TriangleMesh& mesh) {
 ordered_json storedSurface(const geometry::TriangleMesh& mesh) {
   ordered_json stored{{"vertices", mesh.points.rows()},
                       {"triangles", mesh.triangles.rows()},
-                      {"points", packedArray(bytesOf(mesh.points))},
-                      {"indices", packedArray(bytesOf(mesh.triangles))}};
+                      {"points", packedArray(rawBytes(mesh.points))},
+                      {"indices", packedArray(rawBytes(mesh.triangles))}};
   if (mesh.colors.rows() > 0)
-    stored["colors"] = packedArray(bytesOf(mesh.colors));
+    stored["colors"] = packedArray(rawBytes(mesh.colors));
   return stored;
 }
 

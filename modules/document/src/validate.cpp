@@ -15,7 +15,7 @@ namespace viscera::document {
 namespace {
 
 /// How far the sum of weights may be from 1.
-constexpr double kWeightTolerance = 1e-6;
+constexpr double kWeightSumTolerance = 1e-6;
 /// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
 constexpr double kSamePlace = 1e-9;
 
@@ -199,7 +199,7 @@ void validateMeasurements(const DocumentState& state) {
       require(point.triangle >= 0 && (!organ || point.triangle < organ->mesh->triangles.rows()),
               "the surface has no such triangle", where, "pick the point on the surface again");
       require(point.weights.allFinite() && point.weights.minCoeff() >= 0 &&
-                  std::abs(point.weights.sum() - 1) <= kWeightTolerance,
+                  std::abs(point.weights.sum() - 1) <= kWeightSumTolerance,
               "its weights are no place in a triangle: they have to be 0 at least, and 1 together", where,
               "pick the point on the surface again");
     }

@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "edge_uses.h"
+#include "smallest_area.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
 namespace {
-
-constexpr double kSmallestRelativeArea = 1e-12;
 
 /// A new number for every point, the same for those that go together, ascending by the first of them; -1 for
 /// none.

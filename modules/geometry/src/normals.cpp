@@ -5,7 +5,7 @@
 namespace viscera::geometry {
 namespace {
 
-constexpr Eigen::Index kGrain = 4096;
+constexpr Eigen::Index kNormalsAtOnce = 4096;
 
 /// Twice the area times the unit normal, in single precision: normals only feed the screen.
 inline Eigen::Vector3f scaledNormal(const Points& points, const std::int32_t* t) {
@@ -24,12 +24,12 @@ void vertexNormals(const Points& points, const Triangles& triangles, const Verte
   assert(around.first.size() == static_cast<std::size_t>(points.rows()) + 1);
   // Two passes: a triangle's normal serves three vertices, and gathering keeps the order of the sums fixed.
   Normals faces(triangles.rows(), 3);
-  parallelRanges(triangles.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(triangles.rows(), kNormalsAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index t = begin; t < end; ++t)
       faces.row(t) = scaledNormal(points, triangles.data() + 3 * t).transpose();
   });
   normals.resize(points.rows(), 3);
-  parallelRanges(points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(points.rows(), kNormalsAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index v = begin; v < end; ++v) {
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       for (auto i = around.first[std::size_t(v)]; i < around.first[std::size_t(v) + 1]; ++i)

@@ -17,13 +17,13 @@ namespace viscera::geometry {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-using Corners = std::array<Vec3, 3>;
+using CornerPoints = std::array<Vec3, 3>;
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2;
 /// Of the permanent of the determinant, with the rounding of the bound itself.
 constexpr double kBound3 = 8 * kRounding;
 constexpr double kBound2 = 4 * kRounding;
-constexpr Eigen::Index kGrain = 256;
+constexpr Eigen::Index kTrianglesAtOnce = 256;
 
 int sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -75,7 +75,7 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 /// The same in the plane that is left when an axis is dropped.
 class Flat {
 public:
-  explicit Flat(const Corners& triangle) {
+  explicit Flat(const CornerPoints& triangle) {
     const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).cwiseAbs();
     Eigen::Index dropped = 0;
     normal.maxCoeff(&dropped);
@@ -90,7 +90,7 @@ public:
     return std::abs(value) > kBound2 * (std::abs(left) + std::abs(right)) ? sign(value) : exactSide(a, b, c);
   }
 
-  bool inside(const Vec3& p, const Corners& t) const {
+  bool inside(const Vec3& p, const CornerPoints& t) const {
     const std::array<int, 3> sides = {side(t[0], t[1], p), side(t[1], t[2], p), side(t[2], t[0], p)};
     const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
     return *low >= 0 || *high <= 0;
@@ -103,7 +103,7 @@ public:
     return pa * pb <= 0 && ap * aq <= 0;
   }
 
-  bool meets(const Vec3& p, const Vec3& q, const Corners& t) const {
+  bool meets(const Vec3& p, const Vec3& q, const CornerPoints& t) const {
     return inside(p, t) || inside(q, t) || cross(p, q, t[0], t[1]) || cross(p, q, t[1], t[2]) ||
            cross(p, q, t[2], t[0]);
   }
@@ -121,7 +121,7 @@ private:
   Eigen::Index u_ = 0, v_ = 1;
 };
 
-bool segmentMeets(const Vec3& p, const Vec3& q, const Corners& t) {
+bool segmentMeets(const Vec3& p, const Vec3& q, const CornerPoints& t) {
   const int atP = side(t[0], t[1], t[2], p), atQ = side(t[0], t[1], t[2], q);
   if (atP * atQ > 0)
     return false;
@@ -137,7 +137,7 @@ public:
   explicit Pairs(const TriangleMesh& mesh) : mesh_(mesh) {
     const double smallest = std::pow(kRounding * boundsOf(mesh.points).diagonal(), 2);
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangles.rows()); ++t) {
-      const Corners c = corners(t);
+      const CornerPoints c = corners(t);
       if ((c[1] - c[0]).cross(c[2] - c[0]).norm() <= smallest)
         continue;
       numbers_.push_back(t);
@@ -170,10 +170,10 @@ private:
     }
   };
 
-  Corners corners(std::int32_t t) const { return cornersOf(mesh_.points, mesh_.triangles, t); }
+  CornerPoints corners(std::int32_t t) const { return cornersOf(mesh_.points, mesh_.triangles, t); }
 
   bool meet(std::int32_t s, std::int32_t t) const {
-    const Corners a = corners(s), b = corners(t);
+    const CornerPoints a = corners(s), b = corners(t);
     std::array<int, 3> partner = {-1, -1, -1}; // The corner of t that a corner of s is.
     int shared = 0;
     for (int i = 0; i < 3; ++i)
@@ -189,18 +189,19 @@ private:
     return shared > 2 || foldedOver(a, b, partner);
   }
 
-  static bool edgesMeet(const Corners& a, const Corners& b) {
+  static bool edgesMeet(const CornerPoints& a, const CornerPoints& b) {
     return segmentMeets(a[0], a[1], b) || segmentMeets(a[1], a[2], b) || segmentMeets(a[2], a[0], b);
   }
 
-  static bool meetBesideVertex(const Corners& a, const Corners& b, const std::array<int, 3>& partner) {
+  static bool meetBesideVertex(const CornerPoints& a, const CornerPoints& b,
+                               const std::array<int, 3>& partner) {
     const auto i =
         static_cast<std::size_t>(std::max_element(partner.begin(), partner.end()) - partner.begin());
     const auto k = static_cast<std::size_t>(partner[i]);
     return segmentMeets(a[(i + 1) % 3], a[(i + 2) % 3], b) || segmentMeets(b[(k + 1) % 3], b[(k + 2) % 3], a);
   }
 
-  static bool foldedOver(const Corners& a, const Corners& b, const std::array<int, 3>& partner) {
+  static bool foldedOver(const CornerPoints& a, const CornerPoints& b, const std::array<int, 3>& partner) {
     const auto i =
         static_cast<std::size_t>(std::min_element(partner.begin(), partner.end()) - partner.begin());
     const Vec3 &from = a[(i + 1) % 3], &to = a[(i + 2) % 3];
@@ -222,7 +223,7 @@ int countSelfIntersections(const TriangleMesh& mesh, Progress& progress, Threads
     return 0;
   const Pairs pairs(mesh);
   std::atomic<int> total = 0;
-  parallelRanges(pairs.count(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(pairs.count(), kTrianglesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     progress.throwIfCancelled();
     int found = 0;
     for (Eigen::Index place = begin; place < end; ++place)

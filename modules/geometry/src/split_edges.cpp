@@ -9,7 +9,7 @@
 namespace viscera::geometry {
 namespace {
 
-using Corners = std::array<std::int32_t, 3>;
+using CornerIndices = std::array<std::int32_t, 3>;
 
 /// One round: halves every edge that is too long.
 class Round {
@@ -18,9 +18,9 @@ public:
 
   bool halvedAny() const { return !middles_.empty(); }
 
-  std::vector<Corners> split(const std::vector<Corners>& triangles) {
-    std::vector<Corners> result;
-    for (const Corners& t : triangles)
+  std::vector<CornerIndices> split(const std::vector<CornerIndices>& triangles) {
+    std::vector<CornerIndices> result;
+    for (const CornerIndices& t : triangles)
       split(t, result);
     return result;
   }
@@ -40,7 +40,7 @@ private:
     return entry->second;
   }
 
-  void split(const Corners& t, std::vector<Corners>& result) {
+  void split(const CornerIndices& t, std::vector<CornerIndices>& result) {
     std::array<std::int32_t, 3> m;
     for (std::size_t k = 0; k < 3; ++k)
       m[k] = middle(t[k], t[(k + 1) % 3]);
@@ -48,18 +48,19 @@ private:
     if (halved == 0) {
       result.push_back(t);
     } else if (halved == 3) {
-      result.insert(result.end(), {Corners{t[0], m[0], m[2]}, Corners{m[0], t[1], m[1]},
-                                   Corners{m[2], m[1], t[2]}, Corners{m[0], m[1], m[2]}});
+      result.insert(result.end(), {CornerIndices{t[0], m[0], m[2]}, CornerIndices{m[0], t[1], m[1]},
+                                   CornerIndices{m[2], m[1], t[2]}, CornerIndices{m[0], m[1], m[2]}});
     } else if (halved == 1) {
       const auto k = static_cast<std::size_t>(std::max_element(m.begin(), m.end()) - m.begin());
       const std::int32_t far = t[(k + 2) % 3];
-      result.insert(result.end(), {Corners{t[k], m[k], far}, Corners{m[k], t[(k + 1) % 3], far}});
+      result.insert(result.end(), {CornerIndices{t[k], m[k], far}, CornerIndices{m[k], t[(k + 1) % 3], far}});
     } else {
       // The corner between the two halved edges is cut off; the rest is a quadrilateral.
       const auto whole = static_cast<std::size_t>(std::min_element(m.begin(), m.end()) - m.begin());
       const std::size_t next = (whole + 1) % 3, last = (whole + 2) % 3;
-      result.insert(result.end(), {Corners{m[next], t[last], m[last]}, Corners{t[whole], t[next], m[next]},
-                                   Corners{t[whole], m[next], m[last]}});
+      result.insert(result.end(),
+                    {CornerIndices{m[next], t[last], m[last]}, CornerIndices{t[whole], t[next], m[next]},
+                     CornerIndices{t[whole], m[next], m[last]}});
     }
   }
 
@@ -74,7 +75,7 @@ TriangleMesh splitLongEdges(const TriangleMesh& mesh, double longest, int mostTr
   std::vector<Vec3> points;
   for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
     points.push_back(mesh.points.row(i).transpose());
-  std::vector<Corners> triangles;
+  std::vector<CornerIndices> triangles;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     triangles.push_back({mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)});
   // A round makes at most four triangles of one.

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "edge_uses.h"
+#include "smallest_area.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
 namespace {
-
-constexpr double kSmallestRelativeArea = 1e-12;
 
 void countEdges(const Triangles& triangles, SurfaceReport& report) {
   forEachEdge(triangles, [&](std::span<const EdgeUse> uses) {

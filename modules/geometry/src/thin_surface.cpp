@@ -14,11 +14,11 @@
 namespace viscera::geometry {
 namespace {
 
-using Index = EditableSurface::Index;
+using VertexIndex = EditableSurface::Index;
 
 /// Where planes meet at less than this, relative to the largest of the three directions, no best place is
 /// computed: any along them is as good.
-constexpr double kFlat = 1e-3;
+constexpr double kFlatSquare = 1e-3;
 /// What an edge's own length adds to its cost, so that even flat parts are thinned evenly.
 constexpr double kEvenness = 1e-4;
 constexpr int kStepsBetweenLooks = 1000; ///< At whether somebody has cancelled.
@@ -50,7 +50,7 @@ struct Quadric {
 /// An edge on its way out. `stamps` tell whether an end has changed since.
 struct Candidate {
   double cost = 0;
-  Index a = 0, b = 0;
+  VertexIndex a = 0, b = 0;
   std::array<int, 2> stamps = {};
   Vec3 place = Vec3::Zero();
 
@@ -65,7 +65,7 @@ public:
   explicit Thinner(const TriangleMesh& mesh)
       : middle_(boundsOf(mesh.points).center()), surface_(mesh),
         quadrics_(static_cast<std::size_t>(mesh.points.rows())), stamps_(quadrics_.size(), 0) {
-    for (Index t = 0; t < static_cast<Index>(mesh.triangles.rows()); ++t)
+    for (VertexIndex t = 0; t < static_cast<VertexIndex>(mesh.triangles.rows()); ++t)
       addTriangle(t);
     for (const EditableSurface::Edge& edge : surface_.edges())
       propose(edge.a, edge.b);
@@ -83,26 +83,26 @@ public:
       quadric(next.a) += quadric(next.b);
       ++stamps_[static_cast<std::size_t>(next.a)];
       ++stamps_[static_cast<std::size_t>(next.b)];
-      for (const Index neighbour : surface_.neighbours(next.a))
+      for (const VertexIndex neighbour : surface_.neighbours(next.a))
         propose(std::min(next.a, neighbour), std::max(next.a, neighbour));
     }
     return surface_.mesh();
   }
 
 private:
-  Quadric& quadric(Index vertex) { return quadrics_[static_cast<std::size_t>(vertex)]; }
-  int stamp(Index vertex) const { return stamps_[static_cast<std::size_t>(vertex)]; }
+  Quadric& quadric(VertexIndex vertex) { return quadrics_[static_cast<std::size_t>(vertex)]; }
+  int stamp(VertexIndex vertex) const { return stamps_[static_cast<std::size_t>(vertex)]; }
 
-  void addTriangle(Index triangle) {
+  void addTriangle(VertexIndex triangle) {
     const Vec3 twice = surface_.doubleArea(triangle);
     const double size = twice.norm();
     if (!(size > 0))
       return;
-    for (const Index corner : surface_.corners(triangle))
+    for (const VertexIndex corner : surface_.corners(triangle))
       quadric(corner).addPlane(twice / size, surface_.point(corner) - middle_, size / 2);
   }
 
-  void propose(Index a, Index b) {
+  void propose(VertexIndex a, VertexIndex b) {
     Quadric sum = quadric(a);
     sum += quadric(b);
     Candidate candidate{.a = a, .b = b, .stamps = {stamp(a), stamp(b)}};
@@ -116,7 +116,7 @@ private:
   static Vec3 bestPlace(const Quadric& quadric, const Vec3& a, const Vec3& b) {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions;
     directions.computeDirect(quadric.a, Eigen::EigenvaluesOnly);
-    if (directions.eigenvalues()[0] > kFlat * directions.eigenvalues()[2]) {
+    if (directions.eigenvalues()[0] > kFlatSquare * directions.eigenvalues()[2]) {
       const Vec3 best = -quadric.a.ldlt().solve(quadric.b);
       if ((best - 0.5 * (a + b)).squaredNorm() <= 4 * (a - b).squaredNorm())
         return best;

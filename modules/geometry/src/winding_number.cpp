@@ -16,7 +16,7 @@ constexpr double kFar = 2.5;
 /// Halving 2^31 triangles down to one takes fewer levels, and each level leaves one node on the stack.
 constexpr int kDeepest = 64;
 
-struct Corners {
+struct TriangleCorners {
   Vec3 a, b, c;
   Vec3 areaNormal() const { return 0.5 * (b - a).cross(c - a); }
   Vec3 center() const { return (a + b + c) / 3; }
@@ -24,7 +24,7 @@ struct Corners {
 
 /// The solid angle of a triangle seen from `p`, divided by 4 pi (Van Oosterom and Strackee 1983,
 /// doi:10.1109/TBME.1983.325207). Positive from behind, that is from inside.
-double solidAnglePart(const Corners& triangle, const Vec3& p) {
+double solidAnglePart(const TriangleCorners& triangle, const Vec3& p) {
   const Vec3 a = triangle.a - p, b = triangle.b - p, c = triangle.c - p;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   const double above = a.dot(b.cross(c));
@@ -42,7 +42,7 @@ struct WindingNumber::Tree {
     std::int32_t begin = 0, end = 0; ///< Its triangles.
     std::int32_t second = -1;        ///< The second child; the first follows its parent. -1: a leaf.
   };
-  std::vector<Corners> triangles;
+  std::vector<TriangleCorners> triangles;
   std::vector<Node> nodes;
 
   explicit Tree(const TriangleMesh& mesh) {
@@ -65,7 +65,7 @@ struct WindingNumber::Tree {
     (box.high - box.low).maxCoeff(&axis);
     const std::int32_t middle = begin + (end - begin) / 2;
     std::nth_element(triangles.begin() + begin, triangles.begin() + middle, triangles.begin() + end,
-                     [axis](const Corners& x, const Corners& y) {
+                     [axis](const TriangleCorners& x, const TriangleCorners& y) {
                        return x.a[axis] + x.b[axis] + x.c[axis] < y.a[axis] + y.b[axis] + y.c[axis];
                      });
     build(begin, middle);
@@ -81,7 +81,7 @@ struct WindingNumber::Tree {
     double area = 0;
     Bounds box{triangles[std::size_t(begin)].center(), triangles[std::size_t(begin)].center()};
     for (std::int32_t t = begin; t < end; ++t) {
-      const Corners& triangle = triangles[static_cast<std::size_t>(t)];
+      const TriangleCorners& triangle = triangles[static_cast<std::size_t>(t)];
       const Vec3 normal = triangle.areaNormal(), center = triangle.center();
       node.normal += normal;
       node.center += normal.norm() * center;

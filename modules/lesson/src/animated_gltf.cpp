@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 /// What a vertex may be off by, tried one after the other until the file is small enough.
 constexpr double kTriedMm[] = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5};
-constexpr double kBetweenMm = 0.02; ///< The same between keys.
+constexpr double kBetweenKeysMm = 0.02; ///< The same between keys.
 constexpr Eigen::Index kFewestKeys = 96;
 constexpr Eigen::Index kMostKeys = 768;
 constexpr double kRoughness = 0.55;
@@ -189,12 +189,12 @@ WrittenGltf writeAnimatedGltf(const std::filesystem::path& file, const LessonPla
     bytes = Scene(plan, source.state, carried.in(*source.state.pose), {}, {}).file();
   else {
     const MotionSamples samples =
-        sampleMotion({plan.rate}, carried.weights(), carried.carriersAt(), kBetweenMm, progress);
+        sampleMotion({plan.rate}, carried.weights(), carried.carriersAt(), kBetweenKeysMm, progress);
     for (const double tried : kTriedMm) {
       const SampledMotion motion = motionOf(samples, carried.weights(), tried, progress, threads);
       Eigen::Index count = kFewestKeys;
       Keys keys = keysOf(motion, count);
-      while (keys.offMm > kBetweenMm && count < kMostKeys)
+      while (keys.offMm > kBetweenKeysMm && count < kMostKeys)
         keys = keysOf(motion, count *= 2);
       bytes = Scene(plan, source.state, carried.rest(), motion, keys).file();
       written = {0, motion.modes.size(), static_cast<std::size_t>(count),

@@ -212,7 +212,7 @@ void addSlides(LessonPlan& plan, const document::DocumentState& state, const Les
 }
 
 /// A number with one digit that does not vanish, or 1.5, 2.5, 7.5 of them.
-double rounded(double rate) {
+double roundRate(double rate) {
   const double ten = std::pow(10, std::floor(std::log10(rate)));
   const double step = rate / ten < 5 ? 0.1 : 0.5;
   return std::round(rate / ten / step) * step * ten;
@@ -237,7 +237,7 @@ std::vector<double> offeredRates(const sequences::Sequence& sequence) {
   std::set<double> rates = {own};
   constexpr int kSteps = static_cast<int>(kMostRates) - 2;
   for (int i = 0; i <= kSteps; ++i) {
-    const double rate = rounded(low * std::pow(high / low, static_cast<double>(i) / kSteps));
+    const double rate = roundRate(low * std::pow(high / low, static_cast<double>(i) / kSteps));
     const bool crowded = std::any_of(rates.begin(), rates.end(),
                                      [&](double other) { return std::abs(other - rate) < 0.05 * rate; });
     if (rate >= low && rate <= high && !crowded)

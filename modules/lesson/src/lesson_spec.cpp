@@ -14,14 +14,12 @@
 namespace viscera::lesson {
 namespace {
 
-using nlohmann::json;
-
-Vec3 placeFrom(const json& value) {
+Vec3 placeFrom(const nlohmann::json& value) {
   const auto numbers = value.get<std::array<double, 3>>();
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-PlannedSlide slideFrom(const json& item) {
+PlannedSlide slideFrom(const nlohmann::json& item) {
   PlannedSlide slide;
   slide.title = item.at("title").get<std::string>();
   slide.text = item.value("text", "");
@@ -39,7 +37,7 @@ PlannedSlide slideFrom(const json& item) {
   return slide;
 }
 
-LessonSpec specFrom(const json& tree) {
+LessonSpec specFrom(const nlohmann::json& tree) {
   LessonSpec spec;
   spec.language = tree.value("language", "");
   spec.title = tree.value("title", "");
@@ -48,17 +46,17 @@ LessonSpec specFrom(const json& tree) {
   spec.rates = tree.value("rates", std::vector<double>());
   if (tree.contains("handles"))
     spec.handles = tree.at("handles").get<int>();
-  for (const json& item : tree.value("labels", json::array()))
+  for (const nlohmann::json& item : tree.value("labels", nlohmann::json::array()))
     spec.labels.push_back({item.at("surface").get<std::string>(), item.at("text").get<std::string>(),
                            placeFrom(item.at("at"))});
-  for (const json& item : tree.value("slides", json::array()))
+  for (const nlohmann::json& item : tree.value("slides", nlohmann::json::array()))
     spec.slides.push_back(slideFrom(item));
   return spec;
 }
 
 /// What the JSON library found wrong, in words for whoever wrote the file.
-std::string problemOf(const json::exception& error, const std::string& text) {
-  if (const auto* parsing = dynamic_cast<const json::parse_error*>(&error)) {
+std::string problemOf(const nlohmann::json::exception& error, const std::string& text) {
+  if (const auto* parsing = dynamic_cast<const nlohmann::json::parse_error*>(&error)) {
     const auto read = static_cast<std::ptrdiff_t>(std::min(parsing->byte, text.size()));
     return phrase("It is not complete JSON: the mistake is in line %1",
                   1 + std::count(text.begin(), text.begin() + read, '\n'));
@@ -75,8 +73,8 @@ std::string problemOf(const json::exception& error, const std::string& text) {
 
 LessonSpec readSpec(const std::string& text, const std::string& where) {
   try {
-    return specFrom(json::parse(text));
-  } catch (const json::exception& error) {
+    return specFrom(nlohmann::json::parse(text));
+  } catch (const nlohmann::json::exception& error) {
     throw DataError(problemOf(error, text), where, "compare it with the example in docs/lessons.md");
   }
 }

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kAnchors = 40;
 constexpr std::array<double, 4> kChecked = {0.131, 0.377, 0.613, 0.871}; ///< Fractions that are no samples.
-constexpr double kBetweenMm = 0.012; ///< How far the motion may be off between samples,
-constexpr double kModesMm = 0.01;    ///< and by the modes that are left out.
-constexpr double kSampled = 0.5;     ///< Of the progress.
+constexpr double kBetweenSamplesMm = 0.012; ///< How far the motion may be off between samples,
+constexpr double kModesMm = 0.01;           ///< and by the modes that are left out.
+constexpr double kSampled = 0.5;            ///< Of the progress.
 
 /// Rounded as the page will have it.
 Points stepped(const Points& points) {
@@ -201,7 +201,7 @@ Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::Pose
   addPlaces(plan, carried.rest(), lesson);
   if (source.sequence) {
     const MotionSamples samples =
-        sampleMotion(plan.rates, carried.weights(), carried.carriersAt(), kBetweenMm, progress);
+        sampleMotion(plan.rates, carried.weights(), carried.carriersAt(), kBetweenSamplesMm, progress);
     progress.report(kSampled, "motion");
     const SampledMotion motion = motionOf(samples, carried.weights(), kModesMm, progress, threads);
     addMotion(samples, motion, source, lesson);

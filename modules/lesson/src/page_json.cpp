@@ -16,12 +16,12 @@ using nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr double kShownOfDiagonal = 0.4; ///< The radius of what the page shows.
 
-double rounded(double value) {
+double threeDecimals(double value) {
   return std::round(value * 1000) / 1000;
 }
 
 ordered_json jsonOf(const Vec3& place) {
-  return {rounded(place.x()), rounded(place.y()), rounded(place.z())};
+  return {threeDecimals(place.x()), threeDecimals(place.y()), threeDecimals(place.z())};
 }
 
 ordered_json jsonOf(const PackedArray& array) {
@@ -50,14 +50,14 @@ ordered_json surfaceJson(const PlannedSurface& planned, const LessonSurface& sur
                        {"vertexCount", surface.vertexCount},
                        {"firstTriangle", surface.firstTriangle},
                        {"triangleCount", surface.triangleCount},
-                       {"restMl", rounded(surface.restMl)},
+                       {"restMl", threeDecimals(surface.restMl)},
                        {"curves", ordered_json::array()},
                        {"anchors", surface.anchors},
                        {"labels", ordered_json::array()}};
   for (const auto& curve : surface.curves.rowwise()) {
     std::vector<double> milliliters;
     for (const double ml : curve)
-      milliliters.push_back(rounded(ml));
+      milliliters.push_back(threeDecimals(ml));
     json["curves"].push_back(std::move(milliliters));
   }
   for (std::size_t i = 0; i < planned.labels.size(); ++i)
@@ -73,7 +73,7 @@ ordered_json motionJson(const Lesson& lesson) {
   for (const auto& atRate : lesson.phases) {
     ordered_json list = ordered_json::array();
     for (const sequences::Phase& phase : atRate)
-      list.push_back({phase.name, rounded(phase.begin), rounded(phase.end)});
+      list.push_back({phase.name, threeDecimals(phase.begin), threeDecimals(phase.end)});
     phases.push_back(std::move(list));
   }
   ordered_json instants = ordered_json::array();
@@ -158,9 +158,9 @@ ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
   if (slide.rate)
     json["rate"] = rate;
   if (!slide.phase.empty())
-    json["fraction"] = rounded(middleOf(lesson, rate, slide.phase));
+    json["fraction"] = threeDecimals(middleOf(lesson, rate, slide.phase));
   if (slide.fraction)
-    json["fraction"] = rounded(*slide.fraction);
+    json["fraction"] = threeDecimals(*slide.fraction);
   return json;
 }
 
@@ -218,7 +218,7 @@ std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
                        {"strings", words.pageStrings()},
                        {"vertices", lesson.vertexCount()},
                        {"center", jsonOf(bounds.center())},
-                       {"radius", rounded(bounds.diagonal() * kShownOfDiagonal)},
+                       {"radius", threeDecimals(bounds.diagonal() * kShownOfDiagonal)},
                        {"handles", lesson.handleLabels}};
   for (const char* key : {"surfaces", "ranges", "measurements", "slides"})
     json[key] = ordered_json::array();
@@ -227,8 +227,8 @@ std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
   for (const PlannedRange& range : plan.ranges)
     json["ranges"].push_back({{"surface", range.surface},
                               {"kind", range.kind},
-                              {"low", rounded(range.low)},
-                              {"high", rounded(range.high)},
+                              {"low", threeDecimals(range.low)},
+                              {"high", threeDecimals(range.high)},
                               {"text", range.text}});
   for (const PlannedMeasurement& planned : plan.measurements)
     json["measurements"].push_back(measurementJson(lesson, planned));

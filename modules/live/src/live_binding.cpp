@@ -15,7 +15,7 @@ namespace {
 constexpr int kRevisionBits = 40; ///< Moves of one organ that are told apart.
 
 /// What binding is expected to cost before it was measured, s per (vertex x handle).
-constexpr double kExpectedSeconds = 30e-9;
+constexpr double kExpectedBindingSeconds = 30e-9;
 
 using State = BindingStatus::State;
 
@@ -142,7 +142,7 @@ double LiveBinding::Impl::expectedSeconds(const BoundOrgan& organ) const {
   if (target->system->traits().needsTetrahedra)
     return std::numeric_limits<double>::infinity(); // Seconds, whatever the size: never while a frame waits.
   const auto measured = secondsOfSystem.find(target->system->id());
-  const double each = measured == secondsOfSystem.end() ? kExpectedSeconds : measured->second;
+  const double each = measured == secondsOfSystem.end() ? kExpectedBindingSeconds : measured->second;
   return each * static_cast<double>(organ.organ->mesh->points.rows()) *
          static_cast<double>(target->ids.size());
 }

@@ -15,13 +15,13 @@
 namespace viscera::live {
 namespace {
 
-using State = StressStatus::State;
+using StressState = StressStatus::State;
 
 constexpr const char* kSampleSlot = "stress/sample";
 constexpr const char* kBindSlot = "stress/bind";
 constexpr const char* kPeakSlot = "stress/peak";
 /// What deriving is expected to cost before it was measured, s per (point x handle).
-constexpr double kExpectedSeconds = 150e-9;
+constexpr double kExpectedStressSeconds = 150e-9;
 /// The part of a binding's progress that the derivatives take; the rest is for moving the points.
 constexpr double kGradientsPart = 0.8;
 
@@ -80,7 +80,7 @@ struct LiveStress::Impl {
   bool boundToTarget = false;
   std::shared_ptr<const document::Rig> rigSeen; ///< With which `target` was last found right.
   std::shared_ptr<const document::SystemChoice> systemSeen;
-  double secondsEach = kExpectedSeconds;
+  double secondsEach = kExpectedStressSeconds;
 
   StressStatus status;
   std::shared_ptr<Points> points = std::make_shared<Points>(0, 3);
@@ -94,7 +94,7 @@ struct LiveStress::Impl {
   std::vector<Subscription> subscriptions;
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
 
-  void setState(State state, std::string message = {});
+  void setState(StressState state, std::string message = {});
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavitiesOf(document::OrganId parent) const;
   void refresh();
   void sampleLater();
@@ -115,7 +115,7 @@ struct LiveStress::Impl {
   void boundArrived(JobResult<BoundWitnesses> result);
 };
 
-void LiveStress::Impl::setState(State state, std::string message) {
+void LiveStress::Impl::setState(StressState state, std::string message) {
   status.state = state;
   status.message = std::move(message);
   pending.status = true;
@@ -137,9 +137,9 @@ bool LiveStress::Impl::failedOrCancelled(const JobResult<Value>& result) {
   if (result.value)
     return false;
   if (result.error)
-    setState(State::failed, result.error->what());
+    setState(StressState::failed, result.error->what());
   else
-    setState(State::cancelled);
+    setState(StressState::cancelled);
   return true;
 }
 
@@ -160,17 +160,17 @@ void LiveStress::Impl::refresh() {
     ++ticket; // What still runs ends unheard.
     for (const char* slot : {kSampleSlot, kBindSlot, kPeakSlot})
       jobs.cancelSlot(slot);
-    if (status.state == State::sampling || sampleMissing)
+    if (status.state == StressState::sampling || sampleMissing)
       surface.reset();
-    if (status.state == State::binding)
+    if (status.state == StressState::binding)
       target.reset();
-    if (status.state != State::off)
-      setState(State::off);
+    if (status.state != StressState::off)
+      setState(StressState::off);
     return;
   }
   if (surface != item->mesh || sampledWanted != options.witnesses.wanted || cavities != cavitiesOf(organ))
     sampleLater();
-  else if (!sampleMissing && status.state != State::sampling && status.state != State::cancelled)
+  else if (!sampleMissing && status.state != StressState::sampling && status.state != StressState::cancelled)
     refreshBinding();
 }
 
@@ -184,7 +184,7 @@ void LiveStress::Impl::sampleLater() {
   sampledWanted = options.witnesses.wanted;
   sampleMissing = false;
   jobs.cancelSlot(kBindSlot);
-  setState(State::sampling);
+  setState(StressState::sampling);
   const auto work = [mesh = item->mesh, hollow, wanted = options.witnesses](Progress& progress) {
     WitnessSample sample = sampleWitnesses(*mesh, wanted, progress);
     if (!hollow.empty())
@@ -220,11 +220,11 @@ void LiveStress::Impl::refreshBinding() {
   rigSeen = document.state().rig;
   systemSeen = document.state().system;
   if (target && sameBinding(*target, *wanted)) {
-    if (status.state == State::binding || (status.state == State::failed && !boundToTarget))
+    if (status.state == StressState::binding || (status.state == StressState::failed && !boundToTarget))
       return;
     if (boundToTarget) {
-      if (status.state != State::ready)
-        setState(State::ready);
+      if (status.state != StressState::ready)
+        setState(StressState::ready);
       return evaluate();
     }
   }
@@ -235,7 +235,7 @@ void LiveStress::Impl::refreshBinding() {
   if (const auto failure = statusWithoutBinding(*target)) {
     ++ticket;
     dropBinding();
-    return setState(State::failed,
+    return setState(StressState::failed,
                     failure->message.empty() ? "An organ needs handles around it" : failure->message);
   }
   const double expected =
@@ -248,12 +248,12 @@ void LiveStress::Impl::refreshBinding() {
     takeBound(bindTo(*target, mesh->points, options.threads, ignored));
   } catch (const Error& error) {
     dropBinding();
-    setState(State::failed, error.what());
+    setState(StressState::failed, error.what());
   }
 }
 
 void LiveStress::Impl::bindLater() {
-  setState(State::binding);
+  setState(StressState::binding);
   const auto work = [wanted = target, witnesses = mesh, threads = options.threads](Progress& progress) {
     return bindTo(*wanted, witnesses->points, threads, progress);
   };
@@ -274,7 +274,7 @@ void LiveStress::Impl::takeBound(BoundWitnesses result) {
       bound.seconds / (static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size()));
   status.closedForm = bound.gradients->closedForm();
   status.outside = static_cast<int>(bound.positions->report().failures.size());
-  setState(State::ready);
+  setState(StressState::ready);
   evaluate();
 }
 
@@ -382,12 +382,12 @@ int LiveStress::wanted() const {
 
 void LiveStress::retry() {
   Impl& impl = *impl_;
-  if (impl.status.state != State::cancelled && impl.status.state != State::failed)
+  if (impl.status.state != StressState::cancelled && impl.status.state != StressState::failed)
     return;
   if (impl.sampleMissing)
     impl.surface.reset();
   impl.target.reset();
-  impl.status.state = State::off;
+  impl.status.state = StressState::off;
   impl.refresh();
   impl.tell();
 }
@@ -421,7 +421,7 @@ std::shared_ptr<const deformation::WitnessGradients> LiveStress::gradients() con
 
 void LiveStress::findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute) {
   Impl& impl = *impl_;
-  if (impl.status.state != State::ready)
+  if (impl.status.state != StressState::ready)
     throw UsageError("There is no stress map yet", {}, "wait until the witness points are there");
   document::requireFits(impl.document.rig(), *sequence);
   const auto work = [sequence = std::move(sequence), ratePerMinute, gradients = impl.bound.gradients,

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 #include <ostream>
 
+#include "degrees.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/text.h"
 #include "viscera/medical_io/solid_file.h"
@@ -15,8 +15,7 @@
 namespace viscera::live {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kDigits = 9;
+constexpr int kStressDigits = 9;
 
 std::vector<std::uint8_t> foldedFlags(const deformation::StressMap& map) {
   std::vector<std::uint8_t> flags;
@@ -52,7 +51,7 @@ void writeStressTable(const std::filesystem::path& file, const deformation::Witn
       for (const double value :
            {rest[0], rest[1], rest[2], now[0], now[1], now[2], kDegrees * map.rotationalStress[i], ratio,
             map.stretchMax[i], map.stretchMin[i]})
-        stream << significant(value, kDigits) << ',';
+        stream << significant(value, kStressDigits) << ',';
       stream << (ratio <= 0 ? 1 : 0) << '\n';
     }
   });
@@ -91,9 +90,9 @@ void writeStressHistogram(const std::filesystem::path& file, const StressHistogr
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "from" << unit << ",to" << unit << ",points,percent\n";
     for (std::size_t bar = 0; bar < histogram.points.size(); ++bar)
-      stream << significant(histogram.edges[bar], kDigits) << ','
-             << significant(histogram.edges[bar + 1], kDigits) << ',' << histogram.points[bar] << ','
-             << significant(100 * histogram.points[bar] / all, kDigits) << '\n';
+      stream << significant(histogram.edges[bar], kStressDigits) << ','
+             << significant(histogram.edges[bar + 1], kStressDigits) << ',' << histogram.points[bar] << ','
+             << significant(100 * histogram.points[bar] / all, kStressDigits) << '\n';
     if (histogram.missing > 0)
       stream << "folded,folded," << histogram.missing << ",\n";
   });
@@ -103,10 +102,10 @@ void writeStressCurve(const std::filesystem::path& file, const std::vector<Stres
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "time_s,min_deg,mean_deg,p95_deg,max_deg,folded\n";
     for (const StressSample& sample : samples) {
-      stream << significant(sample.seconds, kDigits);
+      stream << significant(sample.seconds, kStressDigits);
       for (const double value : {sample.statistics.min, sample.statistics.mean,
                                  sample.statistics.percentile95, sample.statistics.max})
-        stream << ',' << significant(kDegrees * value, kDigits);
+        stream << ',' << significant(kDegrees * value, kStressDigits);
       stream << ',' << sample.statistics.folded << '\n';
     }
   });

@@ -8,17 +8,17 @@
 namespace viscera::live {
 namespace {
 
-constexpr int kDigits = 9;
+constexpr int kMarkDigits = 9;
 constexpr const char* kColumns = "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,"
                                  "VolumeRatio,StretchMax,StretchMin,Folded\n";
 
 void writeCells(std::ostream& stream, const StressReading& reading) {
   for (const double value : reading.rest)
-    stream << significant(value, kDigits) << ',';
+    stream << significant(value, kMarkDigits) << ',';
   const double values[] = {reading.now.x(),     reading.now.y(),    reading.now.z(),   reading.stressDegrees,
                            reading.volumeRatio, reading.stretchMax, reading.stretchMin};
   for (const double value : values)
-    stream << (reading.inTissue ? significant(value, kDigits) : std::string()) << ',';
+    stream << (reading.inTissue ? significant(value, kMarkDigits) : std::string()) << ',';
   if (reading.inTissue)
     stream << (reading.folded ? 1 : 0);
   stream << '\n';
@@ -41,7 +41,7 @@ void writeStressProfiles(const std::filesystem::path& file, const std::vector<Na
     stream << "profile,distance_mm," << kColumns;
     for (const auto& [name, profile] : profiles)
       for (std::size_t i = 0; i < profile.mm.size(); ++i) {
-        stream << csvField(name) << ',' << significant(profile.mm[i], kDigits) << ',';
+        stream << csvField(name) << ',' << significant(profile.mm[i], kMarkDigits) << ',';
         writeCells(stream, profile.readings[i]);
       }
   });

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
+#include "degrees.h"
+
 namespace viscera::live {
-namespace {
-constexpr double kDegrees = 180 / std::numbers::pi;
-} // namespace
 
 const std::vector<StressQuantityDescription>& stressQuantities() {
   static const std::vector<StressQuantityDescription> all = {

@@ -1,13 +1,13 @@
 #include "viscera/live/stress_reading.h"
 
 #include <limits>
-#include <numbers>
 #include <utility>
+
+#include "degrees.h"
 
 namespace viscera::live {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kReachPart = 0.02;
 /// A corner with less weight says nothing about a point.

@@ -13,7 +13,7 @@ namespace viscera::medical_io {
 namespace {
 
 /// A number, wherever in the data set it is.
-std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
+std::optional<double> numberAnywhere(DcmItem& item, const DcmTagKey& key) {
   OFString text; // Numbers in words and in bytes come the same way.
   if (item.findAndGetOFString(key, text, 0, OFTrue).bad())
     return std::nullopt;
@@ -31,11 +31,11 @@ DicomPhase dicomPhase(const std::filesystem::path& file) {
       format.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 4096, ERM_fileOnly).bad())
     return phase;
   DcmDataset& dataset = *format.getDataset();
-  phase.triggerMs = numberAt(dataset, DCM_TriggerTime);
+  phase.triggerMs = numberAnywhere(dataset, DCM_TriggerTime);
   if (!phase.triggerMs)
-    phase.triggerMs = numberAt(dataset, DCM_NominalCardiacTriggerDelayTime);
-  phase.nominalIntervalMs = numberAt(dataset, DCM_NominalInterval);
-  phase.percent = numberAt(dataset, DCM_NominalPercentageOfCardiacPhase);
+    phase.triggerMs = numberAnywhere(dataset, DCM_NominalCardiacTriggerDelayTime);
+  phase.nominalIntervalMs = numberAnywhere(dataset, DCM_NominalInterval);
+  phase.percent = numberAnywhere(dataset, DCM_NominalPercentageOfCardiacPhase);
   return phase;
 }
 

@@ -22,27 +22,27 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the headers say so");
 
-std::string written(const Eigen::Vector3i& size) {
+std::string axisSizes(const Eigen::Vector3i& size) {
   return std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]);
 }
 
-std::string nrrdHeader(const deformation::DisplacementGrid& grid) {
+std::string nrrdText(const deformation::DisplacementGrid& grid) {
   const std::string step = exactNumber(grid.spacing);
   return "NRRD0004\ntype: double\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 " +
-         written(grid.size) + "\nspace directions: none (" + step + ",0,0) (0," + step + ",0) (0,0," + step +
-         ")\nkinds: vector domain domain domain\nendian: little\nencoding: raw\nspace origin: (" +
+         axisSizes(grid.size) + "\nspace directions: none (" + step + ",0,0) (0," + step + ",0) (0,0," +
+         step + ")\nkinds: vector domain domain domain\nendian: little\nencoding: raw\nspace origin: (" +
          exactNumber(grid.origin.x()) + "," + exactNumber(grid.origin.y()) + "," +
          exactNumber(grid.origin.z()) + ")\n\n";
 }
 
-std::string metaImageHeader(const deformation::DisplacementGrid& grid) {
+std::string metaImageText(const deformation::DisplacementGrid& grid) {
   const std::string step = exactNumber(grid.spacing);
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
          "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " +
          exactNumber(grid.origin.x()) + " " + exactNumber(grid.origin.y()) + " " +
          exactNumber(grid.origin.z()) +
          "\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = " + step + " " + step +
-         " " + step + "\nDimSize = " + written(grid.size) +
+         " " + step + "\nDimSize = " + axisSizes(grid.size) +
          "\nElementNumberOfChannels = 3\nElementType = MET_DOUBLE\nElementDataFile = LOCAL\n";
 }
 
@@ -74,7 +74,7 @@ void writeTransform(const std::filesystem::path& file, const deformation::Displa
     throw CannotCreateError(phrase("displacement fields cannot be written as \"%1\"", ending), file.string(),
                             "let its name end in .nrrd or .mha");
   writeAtomically(file, [&](std::ostream& out) {
-    out << (ending == ".nrrd" ? nrrdHeader(grid) : metaImageHeader(grid));
+    out << (ending == ".nrrd" ? nrrdText(grid) : metaImageText(grid));
     out.write(reinterpret_cast<const char*>(grid.vectors.data()),
               static_cast<std::streamsize>(sizeof(double)) * grid.vectors.size());
   });

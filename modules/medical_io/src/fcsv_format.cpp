@@ -117,7 +117,7 @@ private:
 };
 
 /// Quoted where the table needs it; a line break would end the row.
-std::string written(std::string text) {
+std::string quotedText(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
   if (text.find_first_of(",\"") == text.npos)
@@ -132,7 +132,7 @@ void writeRow(std::ostream& out, const HandleRecord& handle, std::size_t number,
   const Vec3 place = space == Space::ras ? lpsFromRas(handle.position) : handle.position;
   out << "Viscera_" << number << ',' << exactNumber(place.x()) << ',' << exactNumber(place.y()) << ','
       << exactNumber(place.z()) << ",0,0,0,1," << (handle.visible ? 1 : 0) << ",1," << (handle.locked ? 1 : 0)
-      << ',' << written(handle.label) << ',' << written(handle.description) << ",\n";
+      << ',' << quotedText(handle.label) << ',' << quotedText(handle.description) << ",\n";
 }
 
 } // namespace

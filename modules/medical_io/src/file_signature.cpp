@@ -41,7 +41,7 @@ constexpr std::array<Kind, 20> kKinds = {{
     {Signature::picture, FileKind::unknown, "a picture", ""},
 }};
 
-constexpr std::size_t kBegin = 4096;
+constexpr std::size_t kSignatureBytes = 4096;
 
 const Kind& kindOf(Signature signature) {
   return *std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.signature == signature; });
@@ -145,7 +145,7 @@ Signature textSignature(const FileBytes& file, std::string_view begin) {
 } // namespace
 
 Signature signatureOf(const FileBytes& file) {
-  const std::string_view begin = file.view().substr(0, kBegin);
+  const std::string_view begin = file.view().substr(0, kSignatureBytes);
   const Signature binary = binarySignature(file, begin);
   return binary != Signature::unknown ? binary : textSignature(file, begin);
 }

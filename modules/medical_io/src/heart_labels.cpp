@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
+
+#include "file_bytes.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -20,12 +21,6 @@ constexpr std::array<Chamber, 4> kChambers = {{{"LV", "ventricle", "left"},
                                                {"RV", "ventricle", "right"},
                                                {"LA", "atrium", "left"},
                                                {"RA", "atrium", "right"}}};
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool has(const std::string& text, std::string_view word) {
   return text.find(word) != std::string::npos;

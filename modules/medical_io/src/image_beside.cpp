@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSameSpacing = 1e-3; ///< Of the spacing.
+constexpr double kSameVoxelSpacing = 1e-3; ///< Of the spacing.
 
 /// What two images of one patient have in common, whichever way their axes run.
 struct Voxels {
@@ -20,7 +20,7 @@ struct Voxels {
   Vec3 spacing = Vec3::Zero();
 
   bool agree(const Voxels& other) const {
-    return size == other.size && (spacing - other.spacing).norm() <= kSameSpacing * spacing.norm();
+    return size == other.size && (spacing - other.spacing).norm() <= kSameVoxelSpacing * spacing.norm();
   }
 };
 

@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little, "the headers say so");
 
 constexpr std::size_t kNiftiHeader = 352;
 constexpr int kLongestNiftiAxis = 32767;
-constexpr std::size_t kBlock = std::size_t{1} << 20U;
+constexpr std::size_t kWrittenBlock = std::size_t{1} << 20U;
 
 /// What both formats say of an image, and its values.
 struct WrittenImage {
@@ -71,7 +71,7 @@ void put(std::string& header, std::size_t offset, T value) {
 }
 
 /// The fields of nifti1.h.
-std::string niftiHeader(const WrittenImage& image) {
+std::string niftiBytes(const WrittenImage& image) {
   std::string header(kNiftiHeader, '\0');
   put<std::int32_t>(header, 0, 348);
   put<std::int16_t>(header, 40, 3);
@@ -119,7 +119,7 @@ std::string nrrdText(const WrittenImage& image) {
 /// gzip, block by block.
 class Packer {
 public:
-  explicit Packer(std::ostream& out) : out_(out), buffer_(kBlock) {
+  explicit Packer(std::ostream& out) : out_(out), buffer_(kWrittenBlock) {
     constexpr int kGzip = MAX_WBITS + 16;
     if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
       throw CannotCreateError("It cannot be packed: zlib does not start");
@@ -129,8 +129,8 @@ public:
   Packer& operator=(const Packer&) = delete;
 
   void write(const char* data, std::size_t size) {
-    for (std::size_t at = 0; at < size; at += kBlock)
-      push(data + at, std::min(kBlock, size - at), Z_NO_FLUSH);
+    for (std::size_t at = 0; at < size; at += kWrittenBlock)
+      push(data + at, std::min(kWrittenBlock, size - at), Z_NO_FLUSH);
   }
   void finish() { push(nullptr, 0, Z_FINISH); }
 
@@ -168,7 +168,7 @@ void writeImage(const std::filesystem::path& file, const WrittenImage& image) {
     throw DataError("It has more than 32767 voxels along a side, which NIfTI cannot hold", file.string(),
                     "write it as .nrrd");
   writeAtomically(file, [&](std::ostream& out) {
-    const std::string header = nrrd ? nrrdText(image) : niftiHeader(image);
+    const std::string header = nrrd ? nrrdText(image) : niftiBytes(image);
     if (extensionOf(file) == ".nii") {
       out << header;
       out.write(image.data, static_cast<std::streamsize>(image.bytes));

@@ -17,38 +17,39 @@
 namespace viscera::medical_io {
 namespace {
 
-struct Format {
+struct LabelMapFormat {
   std::string_view extension;
   Signature signature;
   RawImage (*read)(FileBytes&);
 };
 
-constexpr std::array<Format, 15> kFormats = {{{".nii", Signature::nifti, readImage<niftiHeader>},
-                                              {".nii.gz", Signature::nifti, readImage<niftiHeader>},
-                                              {".hdr", Signature::nifti, readImage<niftiHeader>},
-                                              {".hdr.gz", Signature::nifti, readImage<niftiHeader>},
-                                              {".img", Signature::nifti, readImage<niftiHeader>},
-                                              {".img.gz", Signature::nifti, readImage<niftiHeader>},
-                                              {".nrrd", Signature::nrrd, readImage<nrrdHeader>},
-                                              {".seg.nrrd", Signature::nrrd, readImage<nrrdHeader>},
-                                              {".nhdr", Signature::nrrd, readImage<nrrdHeader>},
-                                              {".seg.nhdr", Signature::nrrd, readImage<nrrdHeader>},
-                                              {".mha", Signature::metaImage, readImage<metaImageHeader>},
-                                              {".mhd", Signature::metaImage, readImage<metaImageHeader>},
-                                              {".dcm", Signature::dicom, readDicomSegmentation},
-                                              {".ima", Signature::dicom, readDicomSegmentation},
-                                              {"", Signature::dicom, readDicomSegmentation}}};
+constexpr std::array<LabelMapFormat, 15> kLabelMapFormats = {
+    {{".nii", Signature::nifti, readImage<niftiHeader>},
+     {".nii.gz", Signature::nifti, readImage<niftiHeader>},
+     {".hdr", Signature::nifti, readImage<niftiHeader>},
+     {".hdr.gz", Signature::nifti, readImage<niftiHeader>},
+     {".img", Signature::nifti, readImage<niftiHeader>},
+     {".img.gz", Signature::nifti, readImage<niftiHeader>},
+     {".nrrd", Signature::nrrd, readImage<nrrdHeader>},
+     {".seg.nrrd", Signature::nrrd, readImage<nrrdHeader>},
+     {".nhdr", Signature::nrrd, readImage<nrrdHeader>},
+     {".seg.nhdr", Signature::nrrd, readImage<nrrdHeader>},
+     {".mha", Signature::metaImage, readImage<metaImageHeader>},
+     {".mhd", Signature::metaImage, readImage<metaImageHeader>},
+     {".dcm", Signature::dicom, readDicomSegmentation},
+     {".ima", Signature::dicom, readDicomSegmentation},
+     {"", Signature::dicom, readDicomSegmentation}}};
 
 /// Which reader the name asks for, as long as the contents do not look like something else. DICOM files often
 /// have no ending, or a number for one.
-const Format& formatOf(const FileBytes& file) {
+const LabelMapFormat& formatOf(const FileBytes& file) {
   const std::string extension = extensionOf(file.file);
   const Signature found = signatureOf(file);
-  const auto format = std::find_if(kFormats.begin(), kFormats.end(),
-                                   [&](const Format& f) { return f.extension == extension; });
-  if (format == kFormats.end()) {
+  const auto format = std::find_if(kLabelMapFormats.begin(), kLabelMapFormats.end(),
+                                   [&](const LabelMapFormat& f) { return f.extension == extension; });
+  if (format == kLabelMapFormats.end()) {
     if (found == Signature::dicom)
-      return kFormats.back();
+      return kLabelMapFormats.back();
     file.fail(looksLike(phrase("the ending \"%1\" is none of a label map", extension), found),
               "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
   }
@@ -111,7 +112,7 @@ Bounds LabelMap::bounds() const {
 
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
   FileBytes bytes = readWholeFile(file);
-  const Format& format = formatOf(bytes);
+  const LabelMapFormat& format = formatOf(bytes);
   try {
     RawImage raw = format.read(bytes);
     const std::vector<StatedSegment> stated = raw.stated;
@@ -142,7 +143,7 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
 const std::vector<std::string>& labelMapExtensions() {
   static const std::vector<std::string> kExtensions = [] {
     std::vector<std::string> list;
-    for (const Format& format : kFormats)
+    for (const LabelMapFormat& format : kLabelMapFormats)
       if (!format.extension.empty())
         list.emplace_back(format.extension);
     return list;

@@ -44,7 +44,7 @@ bool plausible(double periodSeconds) {
   return periodSeconds > 1 / kFastestHz && periodSeconds < 1 / kSlowestHz;
 }
 
-double secondsOf(const std::string& unit) {
+double secondsAUnit(const std::string& unit) {
   return unit == "s" || unit == "sec" || unit == "second" || unit == "seconds" ? 1
          : unit == "ms" || unit == "msec" || unit == "millisecond"             ? 1e-3
          : unit == "us"                                                        ? 1e-6
@@ -64,7 +64,7 @@ SeriesTimes timesOf(const RawTimes& stated, std::size_t count) {
     return times;
   const double period =
       (values.back() - values.front()) / static_cast<double>(count - 1) * static_cast<double>(count);
-  double unit = secondsOf(stated.unit);
+  double unit = secondsAUnit(stated.unit);
   if (unit == 0 && stated.unit.empty() && !stated.values.empty() && plausible(1e-3 * period)) {
     unit = 1e-3;
     times.doubt = "It does not say the unit of its times; they are taken as milliseconds";

@@ -17,7 +17,7 @@
 namespace viscera::medical_io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                          "Resources/Schema/markups-schema-v1.0.3.json#";
@@ -30,7 +30,7 @@ public:
   explicit MarkupsReader(const FileBytes& file) : file_(file) {}
 
   HandleFile run() {
-    const Json document = parse();
+    const OrderedJson document = parse();
     const auto lists = document.is_object() ? document.find("markups") : document.end();
     if (!document.is_object() || lists == document.end() || !lists->is_array())
       file_.fail("It holds no \"markups\": it is no 3D Slicer markups file",
@@ -41,25 +41,25 @@ public:
   }
 
 private:
-  Json parse() const {
+  OrderedJson parse() const {
     try {
-      return Json::parse(toUtf8(std::string(file_.view())));
-    } catch (const Json::exception& error) {
+      return OrderedJson::parse(toUtf8(std::string(file_.view())));
+    } catch (const OrderedJson::exception& error) {
       failAsJson(file_, error);
     }
   }
 
-  static std::string text(const Json& object, const char* key) {
+  static std::string text(const OrderedJson& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   }
 
-  static bool flag(const Json& object, const char* key, bool otherwise) {
+  static bool flag(const OrderedJson& object, const char* key, bool otherwise) {
     const auto found = object.find(key);
     return found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
   }
 
-  void readList(const Json& list, std::size_t number) {
+  void readList(const OrderedJson& list, std::size_t number) {
     if (!list.is_object())
       file_.fail("markup list " + std::to_string(number + 1) + " is not a JSON object");
     HandleGroupRecord group;
@@ -73,8 +73,8 @@ private:
       return;
     }
     const auto display = list.find("display");
-    const Json noDisplay = Json::object();
-    const Json& shown = display != list.end() && display->is_object() ? *display : noDisplay;
+    const OrderedJson noDisplay = OrderedJson::object();
+    const OrderedJson& shown = display != list.end() && display->is_object() ? *display : noDisplay;
     readColor(shown, group);
     const Frame frame = readFrame(list, group.name);
     const bool listLocked = flag(list, "locked", false);
@@ -92,7 +92,7 @@ private:
   }
 
   /// Slicer draws selected points, as all are by default, in `selectedColor`.
-  static void readColor(const Json& display, HandleGroupRecord& group) {
+  static void readColor(const OrderedJson& display, HandleGroupRecord& group) {
     for (const char* key : {"selectedColor", "color"}) {
       const auto color = display.find(key);
       if (color == display.end() || !color->is_array() || color->size() != 3)
@@ -109,7 +109,7 @@ private:
     double mm = 1;
   };
 
-  Frame readFrame(const Json& list, const std::string& name) {
+  Frame readFrame(const OrderedJson& list, const std::string& name) {
     Frame frame;
     const auto system = list.find("coordinateSystem");
     if (system != list.end()) {
@@ -134,7 +134,7 @@ private:
     return frame;
   }
 
-  void readPoint(const Json& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
+  void readPoint(const OrderedJson& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
     const std::string where = "list " + inQuotes(group.name) + ", point " + std::to_string(number + 1);
     if (!point.is_object())
       file_.fail(where + " is not a JSON object");
@@ -152,13 +152,13 @@ private:
     group.handles.push_back(std::move(handle));
   }
 
-  Vec3 readPosition(const Json& point, const std::string& where, const Frame& frame) const {
+  Vec3 readPosition(const OrderedJson& point, const std::string& where, const Frame& frame) const {
     const auto position = point.find("position");
     if (position == point.end() || !position->is_array() || position->size() != 3)
       file_.fail(where + " has no position of three numbers");
     Vec3 mm;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Json& value = (*position)[axis];
+      const OrderedJson& value = (*position)[axis];
       if (!value.is_number() || !std::isfinite(value.get<double>()))
         file_.fail(where + " has a coordinate that is not a finite number");
       mm[static_cast<Eigen::Index>(axis)] = value.get<double>();
@@ -174,7 +174,7 @@ private:
   HandleFile result_;
 };
 
-Json pointJson(const HandleRecord& handle, std::size_t number, Space space) {
+OrderedJson pointJson(const HandleRecord& handle, std::size_t number, Space space) {
   const Vec3 place = space == Space::ras ? lpsFromRas(handle.position) : handle.position;
   return {{"id", std::to_string(number + 1)},
           {"label", handle.label},
@@ -188,11 +188,11 @@ Json pointJson(const HandleRecord& handle, std::size_t number, Space space) {
           {"positionStatus", "defined"}};
 }
 
-Json listJson(const HandleGroupRecord& group, Space space) {
-  Json points = Json::array();
+OrderedJson listJson(const HandleGroupRecord& group, Space space) {
+  OrderedJson points = OrderedJson::array();
   for (std::size_t i = 0; i < group.handles.size(); ++i)
     points.push_back(pointJson(group.handles[i], i, space));
-  const Json color = {group.color.x(), group.color.y(), group.color.z()};
+  const OrderedJson color = {group.color.x(), group.color.y(), group.color.z()};
   return {{"type", "Fiducial"},
           {"name", group.name},
           {"coordinateSystem", spaceName(space)},
@@ -202,7 +202,7 @@ Json listJson(const HandleGroupRecord& group, Space space) {
           {"labelFormat", "%N-%d"},
           {"lastUsedControlPointNumber", group.handles.size()},
           {"controlPoints", std::move(points)},
-          {"measurements", Json::array()},
+          {"measurements", OrderedJson::array()},
           {"display",
            {{"visibility", true},
             {"opacity", 1.0},
@@ -224,12 +224,12 @@ HandleFile readMarkups(const FileBytes& file) {
 }
 
 void writeMarkups(std::ostream& out, const HandleFile& handles, Space space) {
-  Json lists = Json::array();
+  OrderedJson lists = OrderedJson::array();
   for (const HandleGroupRecord& group : handles.groups)
     lists.push_back(listJson(group, space));
-  const Json document = {{"@schema", kSchema}, {"markups", std::move(lists)}};
+  const OrderedJson document = {{"@schema", kSchema}, {"markups", std::move(lists)}};
   // A label that is no UTF-8 must not keep the rig from being saved.
-  out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) << '\n';
 }
 
 } // namespace viscera::medical_io

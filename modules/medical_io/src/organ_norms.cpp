@@ -36,7 +36,7 @@ const std::array<OrganNorm, 8>& knownOrgans() {
   return kOrgans;
 }
 
-std::string rounded(double value) {
+std::string roundedText(double value) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
   return value >= 1000 && value < 1e6 ? std::to_string(std::lround(value)) : buffer;
@@ -55,8 +55,9 @@ double awayFrom(const OrganNorm& organ, double volumeMl) {
 std::string whatAdultsHave(const norms::Norm& norm) {
   const norms::Range range = norms::rangeOf(norm);
   return norm.kind == norms::Kind::averages
-             ? phrase("women and men have on average %1 to %2 ml", rounded(range.low), rounded(range.high))
-             : phrase("19 of 20 adults have %1 to %2 ml", rounded(range.low), rounded(range.high));
+             ? phrase("women and men have on average %1 to %2 ml", roundedText(range.low),
+                      roundedText(range.high))
+             : phrase("19 of 20 adults have %1 to %2 ml", roundedText(range.low), roundedText(range.high));
 }
 
 bool isTypical(double diagonalMm) {
@@ -98,7 +99,7 @@ std::optional<std::string> doubtAboutVolume(std::string_view name, double volume
   const auto norm = organNorm(name);
   if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
-  return phrase("a %1 of %2 ml is not life-sized: %3", norm->name, rounded(volumeMl),
+  return phrase("a %1 of %2 ml is not life-sized: %3", norm->name, roundedText(volumeMl),
                 whatAdultsHave(norms::norm(norm->volume)));
 }
 
@@ -139,10 +140,10 @@ std::optional<std::string> doubtAboutSize(std::string_view name, double diagonal
     units += (units.empty() ? "" : " or ") + std::string(unit.name);
   return units.empty()
              ? phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres",
-                      rounded(diagonalMm))
+                      roundedText(diagonalMm))
              : phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, "
                       "they may be %2",
-                      rounded(diagonalMm), units);
+                      roundedText(diagonalMm), units);
 }
 
 } // namespace viscera::medical_io

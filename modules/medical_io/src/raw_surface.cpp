@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMostCorners = 600'000'000;
 
 /// 1000 km: a coordinate beyond is a damaged number, and its cube would not be a volume any more.
-constexpr double kFarthestMm = 1e9;
+constexpr double kFarthestCornerMm = 1e9;
 
 constexpr std::int32_t kNone = -1;
 constexpr auto kExportAgain = "export the surface again";
@@ -165,7 +165,7 @@ private:
         const double value = raw_.coordinates[3 * point + axis];
         if (!std::isfinite(value))
           fail(phrase("point %1 has a coordinate that is not a finite number", point));
-        if (std::abs(value) > kFarthestMm)
+        if (std::abs(value) > kFarthestCornerMm)
           fail(phrase("point %1 lies more than 1000 km away: the file is damaged", point));
       }
   }

@@ -17,7 +17,7 @@ namespace viscera::medical_io {
 namespace {
 
 /// Headers in words may name hundreds of segments.
-constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 22U;
+constexpr std::size_t kMostScanHeaderBytes = std::size_t{1} << 22U;
 
 using HeaderReader = ImageHeader (*)(FileBytes&);
 
@@ -210,7 +210,7 @@ struct ImageFile {
 };
 
 ImageFile openImage(const std::filesystem::path& path) {
-  ImageFile file{readBeginOfFile(path, kMostHeaderBytes), {}};
+  ImageFile file{readBeginOfFile(path, kMostScanHeaderBytes), {}};
   const HeaderReader read = headerReaderOf(file.begin);
   file.header = read(file.begin);
   file.begin.bytes = {};

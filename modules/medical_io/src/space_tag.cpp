@@ -10,7 +10,7 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::string_view kTag = "SPACE";
+constexpr std::string_view kSpaceTag = "SPACE";
 constexpr std::string_view kProgram = "Viscera: ";
 
 bool isLetter(char c) {
@@ -19,7 +19,7 @@ bool isLetter(char c) {
 
 /// What stands after `SPACE=` at `at`; empty when there is no equals sign.
 std::string_view valueAfterTag(std::string_view text, std::size_t at) {
-  text.remove_prefix(at + kTag.size());
+  text.remove_prefix(at + kSpaceTag.size());
   text = trimmed(text);
   if (!text.starts_with('='))
     return {};
@@ -48,7 +48,7 @@ std::string_view spaceName(Space space) {
 }
 
 std::optional<Space> findSpace(std::string_view comment, std::vector<std::string>& warnings) {
-  for (std::size_t at = comment.find(kTag); at != comment.npos; at = comment.find(kTag, at + 1)) {
+  for (std::size_t at = comment.find(kSpaceTag); at != comment.npos; at = comment.find(kSpaceTag, at + 1)) {
     if (at > 0 && isLetter(comment[at - 1]))
       continue;
     const std::string_view value = valueAfterTag(comment, at);

@@ -17,15 +17,15 @@
 namespace viscera::medical_io {
 namespace {
 
-struct Format {
+struct SurfaceFormat {
   std::string_view extension;
   Signature signature;
   RawSurface (*read)(const FileBytes&);
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
 };
 
-const std::array<Format, 8>& formats() {
-  static const std::array<Format, 8> kFormats = {{
+const std::array<SurfaceFormat, 8>& formats() {
+  static const std::array<SurfaceFormat, 8> kSurfaceFormats = {{
       {".stl", Signature::stl, readStl, writeStl},
       {".obj", Signature::obj, readObj, writeObj},
       {".ply", Signature::ply, readPly, writePly},
@@ -35,20 +35,20 @@ const std::array<Format, 8>& formats() {
       {".glb", Signature::glb, readGltf, writeGlb},
       {".gltf", Signature::gltf, readGltf, nullptr},
   }};
-  return kFormats;
+  return kSurfaceFormats;
 }
 
-const Format* formatOf(const std::filesystem::path& file) {
+const SurfaceFormat* formatOf(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
   const auto& all = formats();
   const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.extension == extension; });
+      std::find_if(all.begin(), all.end(), [&](const SurfaceFormat& f) { return f.extension == extension; });
   return found == all.end() ? nullptr : &*found;
 }
 
 std::string extensionList(bool writable) {
   std::string list;
-  for (const Format& format : formats())
+  for (const SurfaceFormat& format : formats())
     if (!writable || format.write != nullptr)
       list += (list.empty() ? "" : ", ") + std::string(format.extension);
   return list;
@@ -56,7 +56,7 @@ std::string extensionList(bool writable) {
 
 /// Names the real kind of a file whose name promises another. A file of no recognisable kind goes to the
 /// reader that its name asks for, which says what is wrong.
-void requireKind(const FileBytes& file, const Format& format) {
+void requireKind(const FileBytes& file, const SurfaceFormat& format) {
   const Signature found = signatureOf(file);
   if (found == Signature::unknown || found == format.signature)
     return;
@@ -74,7 +74,7 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
 
 RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
-  const Format* format = formatOf(file);
+  const SurfaceFormat* format = formatOf(file);
   if (format == nullptr) {
     bytes.fail(looksLike(phrase("the ending \"%1\" is none of a surface file", extensionOf(file)),
                          signatureOf(bytes)),
@@ -117,7 +117,7 @@ std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
 
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options) {
-  const Format* format = formatOf(file);
+  const SurfaceFormat* format = formatOf(file);
   if (format == nullptr || format->write == nullptr)
     throw CannotCreateError(phrase("surfaces cannot be written as \"%1\"", extensionOf(file)), file.string(),
                             phrase("use one of: %1", extensionList(true)));
@@ -131,7 +131,7 @@ void writeSurface(const std::filesystem::path& file, const geometry::TriangleMes
 const std::vector<std::string>& surfaceExtensions() {
   static const std::vector<std::string> kExtensions = [] {
     std::vector<std::string> list;
-    for (const Format& format : formats())
+    for (const SurfaceFormat& format : formats())
       list.emplace_back(format.extension);
     return list;
   }();

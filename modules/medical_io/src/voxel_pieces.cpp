@@ -8,7 +8,7 @@ namespace viscera::medical_io {
 namespace {
 
 /// Inside voxels beside each other in one row.
-struct Run {
+struct RowRun {
   int begin = 0;
   int end = 0;
 };
@@ -73,7 +73,7 @@ private:
   }
 
   const VoxelBox& box_;
-  std::vector<Run> runs_;
+  std::vector<RowRun> runs_;
   std::vector<std::size_t> firstOfRow_;
   DisjointSets pieces_{0};
 };

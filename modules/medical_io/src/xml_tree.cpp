@@ -11,7 +11,7 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kDeepestElement = 64;
 /// expat takes sizes as `int`.
 constexpr std::size_t kChunk = std::size_t{1} << 20U;
 
@@ -31,7 +31,7 @@ protected:
 
   void StartElement(const char* name, const char** attributes) override {
     ++depth_;
-    if (depth_ > kDeepest) {
+    if (depth_ > kDeepestElement) {
       tooDeep = true;
       return;
     }
@@ -43,7 +43,7 @@ protected:
   }
 
   void EndElement(const char*) override {
-    if (depth_-- > kDeepest)
+    if (depth_-- > kDeepestElement)
       return;
     XmlElement finished = std::move(path_.back());
     path_.pop_back();
@@ -52,7 +52,7 @@ protected:
   }
 
   void CharacterDataHandler(const char* data, int length) override {
-    if (!path_.empty() && depth_ <= kDeepest)
+    if (!path_.empty() && depth_ <= kDeepestElement)
       path_.back().text.append(data, static_cast<std::size_t>(length));
   }
 

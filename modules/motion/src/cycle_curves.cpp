@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kEvenInstants = 96;
 /// Instants nearer than this part of the cycle are one.
-constexpr double kSameInstant = 1e-9;
+constexpr double kSameCycleInstant = 1e-9;
 
 std::vector<double> instantsOf(const sequences::Sequence& sequence, double ratePerMinute) {
   std::vector<double> fractions;
@@ -20,7 +20,7 @@ std::vector<double> instantsOf(const sequences::Sequence& sequence, double rateP
     if (phase.begin > 0 && phase.begin < 1)
       fractions.push_back(phase.begin);
   std::sort(fractions.begin(), fractions.end());
-  const auto same = [](double a, double b) { return b - a < kSameInstant; };
+  const auto same = [](double a, double b) { return b - a < kSameCycleInstant; };
   fractions.erase(std::unique(fractions.begin(), fractions.end(), same), fractions.end());
   return fractions;
 }

@@ -23,7 +23,7 @@ constexpr double kAtOnePlace = 0.05;
 constexpr int kLinePoints = 15;
 constexpr int kSmoothings = 3;
 /// Of the organ's diagonal: points of the line lie that deep inside where there is room.
-constexpr double kLeastDepth = 0.02;
+constexpr double kLeastLineDepth = 0.02;
 
 /// Of the length: the line leads at least that far beyond the pylorus, so that rings fit around it.
 constexpr double kBeyondPylorus = 0.035;
@@ -172,7 +172,7 @@ Landmarks LandmarkFinder::stomach(Landmarks landmarks) const {
 }
 
 Vec3 LandmarkFinder::drawnInside(const Vec3& place) const {
-  const double deep = kLeastDepth * size_;
+  const double deep = kLeastLineDepth * size_;
   if (depth(place) < -deep)
     return place;
   const Vec3 wall = distance_->nearest(place);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "heart_labels.h"
+#include "phase_name.h"
 #include "series_checks.h"
 #include "series_files.h"
 #include "viscera/core/error.h"
@@ -29,10 +30,6 @@ constexpr double kSamePhase = 0.2; ///< Of the step before: of 500 phases all ne
 constexpr double kSameGridVoxels = 0.01, kMostShear = 1e-3;
 constexpr int kMargin = 2; ///< Voxels around what is kept of a mask.
 constexpr double kApartLaterMm = 0.01;
-
-std::string phaseName(std::size_t phase) {
-  return phrase("phase %1", phase + 1);
-}
 
 // ---- surfaces ---------------------------------------------------------------------------------------------
 

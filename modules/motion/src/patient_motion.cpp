@@ -22,7 +22,7 @@ using geometry::TriangleMesh;
 using tracking::MotionFit;
 using tracking::MotionRig;
 
-constexpr Eigen::Index kCorners = 8;
+constexpr Eigen::Index kRigCorners = 8;
 constexpr double kDistanceSmoothing = 1e-4;
 constexpr double kSecondsPerMinute = 60;
 constexpr double kMuchWorse = 1.5;       ///< Than both neighbours: a phase's own fault.
@@ -89,7 +89,7 @@ Handles madeHandles(const std::vector<TriangleMesh>& rest, const MotionSeries& s
   const tracking::RigHandles made = tracking::placeMotionHandles(rest, series.outer, options);
   Handles handles;
   handles.rest = made.rest;
-  handles.corners = kCorners;
+  handles.corners = kRigCorners;
   handles.groups.push_back({"Box", {0.6, 0.6, 0.6}, {}});
   for (std::size_t i = 0; i < series.names.size(); ++i)
     handles.groups.push_back({series.names[i], groupColors()[i % groupColors().size()], {}});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "landmark_finder.h"
+#include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -21,11 +22,9 @@
 namespace viscera::motion {
 namespace {
 
-/// A little more than one handle spacing of the standard organ.
-constexpr double kSoftnessMm = 25;
-// Waves are made shallower by such steps, down to the least depth, until the surface nowhere crosses itself.
+/// Waves are made shallower by such steps, down to the least depth, until the surface nowhere crosses itself.
 constexpr double kDepthStep = 0.1;
-constexpr double kLeastDepth = 0.4;
+constexpr double kLeastWaveDepth = 0.4;
 /// Instants of a cycle at which that is looked at.
 constexpr int kLooks = 12;
 /// Organs that differ more from the sample organ's size are asked about.
@@ -71,7 +70,7 @@ public:
     const int atRest = geometry::countSelfIntersections(moved->surfaceAt(rest), progress, threads_);
     std::shared_ptr<const sequences::Peristalsis> waves;
     bool crosses = true;
-    for (double depth = 1; crosses && depth > kLeastDepth - kDepthStep / 2; depth -= kDepthStep) {
+    for (double depth = 1; crosses && depth > kLeastWaveDepth - kDepthStep / 2; depth -= kDepthStep) {
       rig.anatomy.course.depth = depth;
       waves = std::make_shared<sequences::Peristalsis>(rig, compensation, volumeAlong(moved));
       crosses = crossings(*waves, *moved, atRest, progress) > atRest;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kLocality = 6;
 
 constexpr int kLiverHandles = 38;
-constexpr int kCorners = 8;
+constexpr int kBoxCorners = 8;
 
 /// A pose of a cavity takes less time than waking other threads, and calibration asks for hundreds.
 constexpr Threads kOneThread{1};
@@ -111,8 +111,8 @@ std::shared_ptr<const sequences::Sequence> liverBreathing(const geometry::Triang
   std::iota(rows.begin(), rows.end(), 0);
   // The corners come first.
   std::vector<sequences::HandleGroup> groups{
-      {"Far corners", {0.60, 0.60, 0.60}, {rows.begin(), rows.begin() + kCorners}},
-      {"Liver", {0.90, 0.62, 0.00}, {rows.begin() + kCorners, rows.end()}}};
+      {"Far corners", {0.60, 0.60, 0.60}, {rows.begin(), rows.begin() + kBoxCorners}},
+      {"Liver", {0.90, 0.62, 0.00}, {rows.begin() + kBoxCorners, rows.end()}}};
   return std::make_shared<sequences::LiverBreathing>(handles, boundsOf(surface.points), std::move(groups));
 }
 

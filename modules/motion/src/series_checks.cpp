@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phase_name.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
@@ -17,10 +18,6 @@ constexpr double kMostOutside = 0.25, kOutsideMm = 5;
 constexpr double kMostReturn = 2; ///< In the largest step between neighbours.
 /// The area of a ball with volume 1: no surface around a volume has less.
 constexpr double kBallArea = 4.836;
-
-std::string phaseName(std::size_t phase) {
-  return phrase("phase %1", phase + 1);
-}
 
 double apart(const tracking::Mask& a, const tracking::Mask& b) {
   std::int64_t differ = 0;

@@ -20,7 +20,7 @@ namespace viscera::motion {
 namespace {
 
 constexpr double kPercent = 100;
-constexpr int kInstants = 192;
+constexpr int kTaughtInstants = 192;
 constexpr int kWallInstants = 96;
 constexpr auto kResolution = sample_organs::Resolution::medium;
 
@@ -57,9 +57,9 @@ public:
   std::vector<double> cycleMl(const std::string& name, Progress& progress) const {
     const MovedVolume volume = surface(name);
     std::vector<double> milliliters;
-    for (int i = 0; i < kInstants; ++i) {
+    for (int i = 0; i < kTaughtInstants; ++i) {
       progress.throwIfCancelled();
-      milliliters.push_back(volume.at(poseAt(static_cast<double>(i) / kInstants)));
+      milliliters.push_back(volume.at(poseAt(static_cast<double>(i) / kTaughtInstants)));
     }
     return milliliters;
   }

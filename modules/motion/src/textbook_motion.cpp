@@ -19,7 +19,7 @@ namespace {
 using geometry::TriangleMesh;
 
 constexpr const char* kName = "Textbook heartbeat";
-constexpr int kInstants = 400; ///< At which the end of diastole is looked for.
+constexpr int kDiastoleInstants = 400; ///< At which the end of diastole is looked for.
 constexpr double kLeastEjection = 0.1, kMostEjection = 0.8;
 /// Atria hold between these parts of what they hold at the end of diastole.
 constexpr double kLeastAtrial = 0.7, kMostAtrial = 2.5;
@@ -139,8 +139,8 @@ private:
 /// When the left ventricle is fullest, as a part of the beat.
 double endOfDiastole(const sequences::CardiacBeat& beat, double period) {
   double best = 0, least = 1;
-  for (int i = 0; i < kInstants; ++i) {
-    const double part = static_cast<double>(i) / kInstants;
+  for (int i = 0; i < kDiastoleInstants; ++i) {
+    const double part = static_cast<double>(i) / kDiastoleInstants;
     if (const double emptying = beat.at(part * period).leftEmptying; emptying < least) {
       least = emptying;
       best = part;

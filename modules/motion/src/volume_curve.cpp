@@ -13,7 +13,7 @@
 namespace viscera::motion {
 namespace {
 
-constexpr double kSameInstant = 1e-9;
+constexpr double kSameCurveInstant = 1e-9;
 constexpr double kSameVolume = 1e-3; ///< Relative, of the first and the last key of a whole cycle.
 
 /// Where semicolons or tabs are between the fields, a comma is a decimal mark: spreadsheets write so in
@@ -65,7 +65,7 @@ public:
   sequences::Curve curve() {
     if (keys_.empty())
       throw DataError("There is no volume in it", file_, "write lines of the instant and the volume in ml");
-    if (keys_.size() > 1 && keys_.back().at > keys_.front().at + 1 - kSameInstant) {
+    if (keys_.size() > 1 && keys_.back().at > keys_.front().at + 1 - kSameCurveInstant) {
       if (std::abs(keys_.back().value - keys_.front().value) > kSameVolume * keys_.front().value)
         fail("ends the cycle at another volume than it begins", "let the last volume be the first one");
       keys_.pop_back(); // The next cycle begins with it.
@@ -75,7 +75,7 @@ public:
 
 private:
   void add(double fraction, double milliliters) {
-    if (!(fraction >= 0 && fraction <= 1 + kSameInstant))
+    if (!(fraction >= 0 && fraction <= 1 + kSameCurveInstant))
       fail("names an instant outside the cycle",
            scale_ == 1 ? "name instants from 0 to 1, or write \"time_s\" above them for seconds"
                        : "play at the rate that the times are for");

@@ -10,7 +10,7 @@ namespace {
 /// A face is a little paler than the surface, as cut flesh is.
 constexpr double kPaler = 0.25;
 
-bool wanted(const Scene& scene) {
+bool cutWanted(const Scene& scene) {
   return scene.view.cut.on && !scene.view.shown.stress && !scene.state.organs->empty();
 }
 
@@ -64,7 +64,7 @@ std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene) const 
 }
 
 void CutPicture::update(const Scene& scene) {
-  const auto plane = wanted(scene) ? std::optional(planeOf(scene.view.cut, scene.state)) : std::nullopt;
+  const auto plane = cutWanted(scene) ? std::optional(planeOf(scene.view.cut, scene.state)) : std::nullopt;
   Moment moment;
   if (plane)
     for (const auto& organ : *scene.state.organs)

@@ -14,6 +14,7 @@
 #include "organ_picture.h"
 #include "standing_picture.h"
 #include "stress_picture.h"
+#include "untranslated.h"
 #include "valve_picture.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/scene/legend.h"
@@ -25,10 +26,6 @@ constexpr double kPercent = 100;
 /// Areas and volumes below are written with two decimals.
 constexpr double kSmall = 10;
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
-
-std::string same(const char* text) {
-  return text;
-}
 
 Vec3 missingColor(const scene::ColorMap& colors) {
   return Vec3(colors.missing[0], colors.missing[1], colors.missing[2]) / 255;
@@ -62,7 +59,7 @@ struct LegendText {
 
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
-      : view(viewIn), translate(translateIn ? std::move(translateIn) : same), organs(viewIn, threads),
+      : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
         handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), labels(viewIn), measurements(viewIn),
         standing(viewIn, threads) {}
 
@@ -359,7 +356,7 @@ Vec3 shownColor(const Vec3& color) {
 }
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
-  const Presenter::Translate& say = translate ? translate : Presenter::Translate(same);
+  const Presenter::Translate& say = translate ? translate : Presenter::Translate(untranslated);
   if (organ.name == "LV")
     return say("LV cavity");
   if (organ.name == "RV")

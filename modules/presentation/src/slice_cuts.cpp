@@ -8,7 +8,7 @@
 namespace viscera::presentation {
 namespace {
 
-bool same(const geometry::Plane& a, const geometry::Plane& b) {
+bool samePlane(const geometry::Plane& a, const geometry::Plane& b) {
   return a.origin == b.origin && a.normal == b.normal;
 }
 
@@ -48,7 +48,7 @@ void SliceCuts::update(const document::DocumentState& state, const live::PosedOr
   const bool others = planes.size() != planes_.size();
   for (std::size_t k = 0; k < planes.size(); ++k) {
     all.push_back(k);
-    if (others || !same(planes[k], planes_[k]))
+    if (others || !samePlane(planes[k], planes_[k]))
       moved.push_back(k);
   }
   planes_ = planes;

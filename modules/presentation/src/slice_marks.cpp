@@ -15,7 +15,7 @@ constexpr double kHandleReach = 5;
 /// The same of a measured point, where voxels are finer.
 constexpr double kMeasureReach = 0.5;
 /// Logical pixels: as in the 3D view, and of a handle that is just within reach of the plane.
-constexpr double kHandleRadius = 6, kActiveRadius = 8, kFarRadius = 3.5;
+constexpr double kHandleMarkRadius = 6, kActiveMarkRadius = 8, kFarMarkRadius = 3.5;
 constexpr double kRim = 1, kSelectedRim = 2.5;
 constexpr double kPointRadius = 3;
 constexpr int kCircleSteps = 72;
@@ -53,7 +53,8 @@ void addHandles(Sheet& sheet) {
     const Vec3 color = colors.row(row).transpose().cast<double>() / 255;
     const Eigen::Vector2d pixel = sheet.frame.pixelOf(places.row(row).transpose());
     const double radius =
-        active ? kActiveRadius : kHandleRadius + (kFarRadius - kHandleRadius) * std::min(1.0, away / reach);
+        active ? kActiveMarkRadius
+               : kHandleMarkRadius + (kFarMarkRadius - kHandleMarkRadius) * std::min(1.0, away / reach);
     sheet.picture.marks.push_back({pixel, radius, color, chosen ? Vec3(Vec3::Ones()) : Vec3(0.25 * color),
                                    chosen ? kSelectedRim : kRim});
     if (view.shown.movable && !handle.locked)

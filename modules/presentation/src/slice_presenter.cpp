@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "untranslated.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/scene/legend.h"
 
@@ -21,10 +22,6 @@ constexpr double kRoom = 1.04;
 constexpr double kRestShade = 0.5;
 /// Between slices without a scan, mm.
 constexpr double kStepMm = 1;
-
-std::string same(const char* text) {
-  return text;
-}
 
 std::string formatted(const char* format, double a, double b) {
   char text[64];
@@ -91,7 +88,8 @@ void addLines(const geometry::PlaneCut& cut, const slices::SliceFrame& frame, co
 
 struct SlicePresenter::Parts {
   Parts(Threads threadsIn, Translate translateIn)
-      : threads(threadsIn), language{translateIn ? std::move(translateIn) : same, '.'}, cuts(threadsIn) {}
+      : threads(threadsIn), language{translateIn ? std::move(translateIn) : untranslated, '.'},
+        cuts(threadsIn) {}
 
   Threads threads;
   SliceLanguage language;

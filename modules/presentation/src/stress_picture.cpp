@@ -11,13 +11,13 @@
 namespace viscera::presentation {
 namespace {
 
-constexpr int kGlyphs = 300;
+constexpr int kMostGlyphs = 300;
 /// The radius of a glyph, of the distance between them.
 constexpr double kGlyphSize = 0.33;
 /// Handles this little on the side that is cut away stay, of the organ's radius.
 constexpr double kHandleSlack = 0.08;
 
-bool wanted(const Scene& scene) {
+bool stressWanted(const Scene& scene) {
   return scene.view.shown.stress && scene.stress && scene.stress->organ;
 }
 
@@ -92,7 +92,7 @@ void StressPicture::hideAll() {
 }
 
 void StressPicture::update(const Scene& scene) {
-  if (!wanted(scene)) {
+  if (!stressWanted(scene)) {
     made_.reset();
     values_.update({}, scene.view.stress);
     if (!scene.stress || !scene.stress->mesh)
@@ -158,7 +158,7 @@ void StressPicture::updateTissue(const Scene& scene) {
 
 std::map<document::OrganId, Appearance> StressPicture::appearances(const Scene& scene) const {
   std::map<document::OrganId, Appearance> all;
-  if (!wanted(scene))
+  if (!stressWanted(scene))
     return all;
   const StressLook& look = scene.view.stress;
   const bool surface = onSurface(scene);
@@ -188,7 +188,7 @@ std::map<document::OrganId, Appearance> StressPicture::appearances(const Scene& 
 /// Handles on the side that is cut away go with it: else they would hide the cut.
 ShownWhere StressPicture::shownWhere(const Scene& scene) const {
   const StressLook& look = scene.view.stress;
-  if (!wanted(scene) || (look.handles && !(look.cut && tissue_)))
+  if (!stressWanted(scene) || (look.handles && !(look.cut && tissue_)))
     return nullptr;
   if (!look.handles)
     return [](const Vec3&) { return false; };
@@ -208,7 +208,7 @@ void StressPicture::updateGlyphs(const live::StressFrame& frame, const StressLoo
   if (!shown)
     return;
   if (glyphPoints_.empty()) {
-    glyphPoints_ = deformation::thinnedPoints(mesh_->points, mesh_->witnesses, kGlyphs);
+    glyphPoints_ = deformation::thinnedPoints(mesh_->points, mesh_->witnesses, kMostGlyphs);
     const double volume = deformation::tetrahedronVolumes(mesh_->points, mesh_->tetrahedra).cwiseAbs().sum();
     glyphs_.setRadius(kGlyphSize * std::cbrt(volume / static_cast<double>(glyphPoints_.size())));
   }

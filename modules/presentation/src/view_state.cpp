@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr int kFormat = 2;
 constexpr double kShortestNormal = 1e-6;
 constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
-constexpr std::array<const char*, 3> kGlyphs = {"none", "ellipsoids", "crosses"};
+constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
 
 /// A named value of an enumeration; the first for a name that is none of them.
@@ -139,7 +139,7 @@ ordered_json stressJson(StressLook look) {
                        {"range", {look.range.low, look.range.high}},
                        {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},
                        {"normal", listOf(look.normal)},
-                       {"glyphs", kGlyphs[static_cast<std::size_t>(look.glyphs)]}};
+                       {"glyphs", kGlyphNames[static_cast<std::size_t>(look.glyphs)]}};
   visitStress(look, [&](const char* key, const auto& value) { item[key] = value; });
   return item;
 }
@@ -174,7 +174,7 @@ StressLook stressFrom(const ordered_json& item) {
   if (item.contains("normal"))
     look.normal = vectorOf(item.at("normal"));
   look.style = fromName<scene::CutStyle>(kCutStyles, item.value("cutStyle", ordered_json()));
-  look.glyphs = fromName<GlyphChoice>(kGlyphs, item.value("glyphs", ordered_json()));
+  look.glyphs = fromName<GlyphChoice>(kGlyphNames, item.value("glyphs", ordered_json()));
   keepWithinBounds(look);
   return look;
 }

@@ -29,10 +29,10 @@ namespace {
 
 namespace py = pybind11;
 using coordinates::CoordinateSystem;
-using Given = std::map<std::string, std::variant<double, std::string>>;
+using GivenOptions = std::map<std::string, std::variant<double, std::string>>;
 using Groups = std::vector<std::pair<std::string, std::vector<int>>>;
 
-coordinates::ParameterValues valuesFrom(const CoordinateSystem& system, const Given& given) {
+coordinates::ParameterValues valuesFrom(const CoordinateSystem& system, const GivenOptions& given) {
   const auto offered = system.parameters();
   coordinates::ParameterValues values;
   for (const auto& [name, value] : given)
@@ -61,8 +61,8 @@ coordinates::HandleSet handleSet(const py::handle& handles, const py::object& ca
 
 std::shared_ptr<BoundPoints> bind(const py::object& points, const py::object& handles,
                                   std::shared_ptr<CoordinateSystem> system, const py::object& cage,
-                                  const Groups& groups, const Given& parameters, bool partial, int threads,
-                                  const py::object& listener) {
+                                  const Groups& groups, const GivenOptions& parameters, bool partial,
+                                  int threads, const py::object& listener) {
   auto bound = std::make_shared<BoundPoints>();
   bound->system = std::move(system);
   bound->handles = handleSet(handles, cage, groups);
@@ -78,7 +78,7 @@ std::shared_ptr<BoundPoints> bind(const py::object& points, const py::object& ha
   return bound;
 }
 
-py::array pose(const BoundPoints& bound, const py::object& handles, const py::object& out, int threads) {
+py::array poseBound(const BoundPoints& bound, const py::object& handles, const py::object& out, int threads) {
   const auto posed = pointsFrom(handles, "handles");
   requirePose(bound, *posed);
   if (out.is_none()) {
@@ -205,7 +205,7 @@ void addBinding(py::module_& module) {
           "unity_error, min_weight, failures (rows of points without coordinates), seconds, "
           "threads, notes.")
       .def("influence", &influence, py::arg("handle"), "The n coordinates of one handle.")
-      .def("pose", &pose, py::arg("handles"), py::arg("out") = py::none(), py::arg("threads") = 0,
+      .def("pose", &poseBound, py::arg("handles"), py::arg("out") = py::none(), py::arg("threads") = 0,
            "The points (n x 3, mm) at a pose of the handles (h x 3, mm). O(n h). With `out`, an array that "
            "`pose` "
            "or `as_points` returned, nothing is allocated.")

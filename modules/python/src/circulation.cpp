@@ -23,7 +23,7 @@ namespace {
 namespace py = pybind11;
 using circulation::Indices;
 using circulation::Parameters;
-using Given = std::map<std::string, double>;
+using GivenNumbers = std::map<std::string, double>;
 
 /// A periodic state with all that it was found from. Immutable.
 struct Circulation {
@@ -33,7 +33,7 @@ struct Circulation {
   Indices indices;
 };
 
-Parameters parametersOf(const std::string& scenario, const Given& given) {
+Parameters parametersOf(const std::string& scenario, const GivenNumbers& given) {
   Parameters parameters = circulation::scenarioParameters(scenario);
   for (const auto& [name, value] : given)
     circulation::setParameter(parameters, name, value);
@@ -44,7 +44,7 @@ py::array_t<double> arrayOf(const std::vector<double>& values) {
   return py::array_t<double>(py::ssize_t(values.size()), values.data());
 }
 
-std::shared_ptr<Circulation> circulate(const std::string& scenario, const Given& given,
+std::shared_ptr<Circulation> circulate(const std::string& scenario, const GivenNumbers& given,
                                        const std::shared_ptr<Circulation>& near, const py::object& listener) {
   const Parameters parameters = parametersOf(scenario, given);
   auto state = resultOfLong(listener, [&](Progress& progress) {
@@ -124,8 +124,8 @@ py::list sounds(const Circulation& found) {
   return all;
 }
 
-Given valuesOf(const Parameters& parameters) {
-  Given all;
+GivenNumbers valuesOf(const Parameters& parameters) {
+  GivenNumbers all;
   for (const auto& info : circulation::parameterInfos())
     all[info.name] = circulation::parameter(parameters, info.name);
   return all;
@@ -133,7 +133,7 @@ Given valuesOf(const Parameters& parameters) {
 
 /// One dict of indices a value.
 py::list response(const std::string& name, const std::vector<double>& values, const std::string& scenario,
-                  const Given& given, const py::object& listener) {
+                  const GivenNumbers& given, const py::object& listener) {
   const Parameters parameters = parametersOf(scenario, given);
   const auto points = resultOfLong(listener, [&](Progress& progress) {
     return circulation::responseTo(parameters, name, values, progress);
@@ -154,7 +154,7 @@ void addCatalogue(py::module_& module) {
       .def_readonly("left_muscle", &Scenario::leftMuscle,
                     "Muscle of the left ventricle as a part of a healthy one's: drawn, in no equation.")
       .def_property_readonly(
-          "changes", [](const Scenario& s) { return Given(s.changes.begin(), s.changes.end()); },
+          "changes", [](const Scenario& s) { return GivenNumbers(s.changes.begin(), s.changes.end()); },
           "Parameters that differ from those at rest, and their values.")
       .def("__repr__", [](const Scenario& s) { return "<Scenario " + s.id + ">"; });
   py::class_<ParameterInfo>(module, "CirculationParameter", "A number on which the circulation depends.")

@@ -20,7 +20,7 @@ double rateOf(const MotionSource& motion, const py::object& rate) {
   return rate.is_none() ? motion.sequence->standardRatePerMinute() : rate.cast<double>();
 }
 
-py::array pose(const MotionSource& motion, double seconds, const py::object& rate) {
+py::array poseSequence(const MotionSource& motion, double seconds, const py::object& rate) {
   const double perMinute = rateOf(motion, rate);
   if (!(perMinute >= motion.sequence->lowestRatePerMinute() &&
         perMinute <= motion.sequence->highestRatePerMinute()))
@@ -127,7 +127,7 @@ void addSequences(py::module_& module) {
           "surfaces", &surfaces,
           "The surfaces for which it was made: name, and (points n x 3 mm, triangles m x 3).")
       .def_readonly("warnings", &MotionSource::warnings, "What a user should look at.")
-      .def("pose", &pose, py::arg("seconds"), py::arg("rate") = py::none(),
+      .def("pose", &poseSequence, py::arg("seconds"), py::arg("rate") = py::none(),
            "The handles (h x 3, mm) at `seconds` when played at `rate` cycles a minute (none: the standard "
            "one).")
       .def("phases", &phases, py::arg("rate") = py::none(),

@@ -16,12 +16,12 @@ namespace {
 
 using coordinates::SceneProperties;
 
-constexpr int kHandles = 15;
-constexpr Eigen::Index kCorners = 8;
+constexpr int kTableHandles = 15;
+constexpr Eigen::Index kBoxCorners = 8;
 /// A thousandth of a second for 1,000 points is 67 ns; a second for 10,000 vertices and 30 handles this.
 constexpr double kEfficientNs = 3300;
 constexpr double kInvariant = 1e-9;
-constexpr double kExact = 1e-9;
+constexpr double kExactInTables = 1e-9;
 /// Of all influence that the nearer half of the handles have.
 constexpr double kLocal = 0.75;
 
@@ -37,10 +37,10 @@ struct Column {
 
 /// The line among its handles; for systems with a cage only the box's corners, which are the cage.
 coordinates::Scene sceneFor(const coordinates::Traits& traits) {
-  coordinates::Scene scene = lineScene(kHandles);
+  coordinates::Scene scene = lineScene(kTableHandles);
   scene.parts = 200;
   if (traits.needsCage)
-    scene.handles.positions = Points(scene.handles.positions.topRows(kCorners));
+    scene.handles.positions = Points(scene.handles.positions.topRows(kBoxCorners));
   return scene;
 }
 
@@ -186,13 +186,13 @@ std::vector<std::optional<bool>> allBut(const std::vector<Column>& columns,
 
 Cell wellDefined(const Column& column) {
   const SceneProperties& found = column.found;
-  return {found.identityError < kExact && found.unityError < kExact && found.minWeight >= -kExact &&
-              found.failures == 0,
+  return {found.identityError < kExactInTables && found.unityError < kExactInTables &&
+              found.minWeight >= -kExactInTables && found.failures == 0,
           "identity " + significant(found.identityError, 2) + ", least " + significant(found.minWeight, 2) +
               ", " + std::to_string(found.failures) + " gaps"};
 }
 
-Cell smooth(const Column& column) {
+Cell smoothCell(const Column& column) {
   const SceneProperties& found = column.found;
   return {found.kinks && *found.kinks == 0, "jump " + significant(found.jump.value_or(0), 2) + ", " +
                                                 (found.kinks ? std::to_string(*found.kinks) : "many") +
@@ -226,7 +226,7 @@ void table42(Result& result, const Bench& bench, Progress& progress) {
   fill(result, columns,
        {{"well-defined", "identity and unity to 1e-9, nothing negative, no point without coordinates",
          wellDefined, allBut(columns, {})},
-        {"continuous and smooth", "neither jump nor kink along the line", smooth, allBut(columns, {})},
+        {"continuous and smooth", "neither jump nor kink along the line", smoothCell, allBut(columns, {})},
         {"cage-free", "handles alone are enough", cageFree, allBut(columns, {"mean-value"})},
         efficient(allBut(columns, {kWeights, "c-celestial"})),
         {"needs no discretisation", "no tetrahedra are made first", withoutMesh, allBut(columns, {kWeights})},

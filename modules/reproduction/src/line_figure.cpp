@@ -15,7 +15,7 @@ namespace {
 constexpr int kSearchedParts = 400; ///< Before jumps and kinks are looked for more closely.
 constexpr int kDrawnParts = 500;
 constexpr int kFewDrawnParts = 200; ///< Where a point takes very long.
-constexpr int kCorners = 8;         ///< The first handles of every table are the corners of a long box.
+constexpr int kLongBoxCorners = 8;  ///< The first handles of every table are the corners of a long box.
 /// A coordinate below that is negative, and not only rounded.
 constexpr double kNegative = -1e-9;
 constexpr auto kCornerColor = "#b0b0b0";
@@ -36,8 +36,8 @@ Vec3 sagThroughSword(const coordinates::Scene& scene) {
   const Points& handles = scene.handles.positions;
   Vec3 best = Vec3::Zero();
   double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index near = kCorners; near < handles.rows(); ++near)
-    for (Eigen::Index far = kCorners; far < handles.rows(); ++far) {
+  for (Eigen::Index near = kLongBoxCorners; near < handles.rows(); ++near)
+    for (Eigen::Index far = kLongBoxCorners; far < handles.rows(); ++far) {
       if (near == far)
         continue;
       const Vec3 beyond = (handles.row(near) + 0.35 * (handles.row(near) - handles.row(far))).transpose();
@@ -65,13 +65,13 @@ int drawnParts(const Panel& panel) {
 }
 
 std::string handleName(Eigen::Index handle) {
-  return handle < kCorners ? "corner " + std::to_string(handle + 1)
-                           : "handle " + std::to_string(handle + 1 - kCorners);
+  return handle < kLongBoxCorners ? "corner " + std::to_string(handle + 1)
+                                  : "handle " + std::to_string(handle + 1 - kLongBoxCorners);
 }
 
 Pen penOf(Eigen::Index handle) {
-  return handle < kCorners ? Pen{kCornerColor, 1.1, {}, 1}
-                           : penFor(static_cast<std::size_t>(handle - kCorners));
+  return handle < kLongBoxCorners ? Pen{kCornerColor, 1.1, {}, 1}
+                                  : penFor(static_cast<std::size_t>(handle - kLongBoxCorners));
 }
 
 std::vector<double> places(const coordinates::Scene& scene, int parts) {
@@ -94,7 +94,7 @@ std::string plotOf(const Panel& panel, const coordinates::Scene& scene, const Pa
     Curve curve;
     if (handle == 0)
       curve.name = "8 corners";
-    else if (handle >= kCorners)
+    else if (handle >= kLongBoxCorners)
       curve.name = handleName(handle);
     curve.x = places(scene, static_cast<int>(values.rows()) - 1);
     curve.y.assign(values.col(handle).begin(), values.col(handle).end());
@@ -127,7 +127,7 @@ std::string sketchOf(const Panel& panel, const coordinates::Scene& scene, const 
     return Place{kScale * (kWide / 2 + point[0]), kScale * (kHigh / 2 - point[2])};
   };
   const Points& handles = scene.handles.positions;
-  const Eigen::Index pulled = kCorners + (handles.rows() - kCorners) / 2;
+  const Eigen::Index pulled = kLongBoxCorners + (handles.rows() - kLongBoxCorners) / 2;
   std::vector<Place> rest, posed;
   const Eigen::MatrixXd values = result.profile.coordinates;
   const int parts = drawnParts(panel);
@@ -140,7 +140,7 @@ std::string sketchOf(const Panel& panel, const coordinates::Scene& scene, const 
   for (const Place& place : posed)
     canvas.circle(place, 1.3, "#000000");
   for (Eigen::Index handle = 0; handle < handles.rows(); ++handle)
-    canvas.circle(at(handles.row(handle)), handle < kCorners ? 5 : 6, penOf(handle).color, "#333333");
+    canvas.circle(at(handles.row(handle)), handle < kLongBoxCorners ? 5 : 6, penOf(handle).color, "#333333");
   const Place from = at(handles.row(pulled)), to = at(handles.row(pulled) + Eigen::RowVector3d(0, 0, kPull));
   canvas.line(from, to, {"#d55e00", 2, {}, 1});
   canvas.circle(to, 6, "#d55e00", "#333333");

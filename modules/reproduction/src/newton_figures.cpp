@@ -12,7 +12,7 @@ using coordinates::NeighbourOrder;
 using coordinates::NewtonSpread;
 
 constexpr int kPoints = 1500;
-constexpr int kHandles = 30;
+constexpr int kNewtonHandles = 30;
 /// A point's neighbours lie within that part of the diagonal of the organ's box.
 constexpr double kNeighbourhood = 0.06;
 
@@ -26,7 +26,7 @@ struct Spread {
 std::vector<Spread> spreads(const Bench& bench, Progress& progress) {
   std::vector<Spread> all;
   for (const char* organ : {"heart", "liver", "stomach", "stomach_and_bowel"}) {
-    const coordinates::Scene scene = organScene(organ, kHandles, kPoints, bench.samples, progress);
+    const coordinates::Scene scene = organScene(organ, kNewtonHandles, kPoints, bench.samples, progress);
     coordinates::NewtonSpreadOptions options;
     options.radius = kNeighbourhood * boundsOf(scene.points).diagonal();
     const auto by = [&](NeighbourOrder order) {

@@ -16,7 +16,7 @@ using coordinates::PlanarWeights;
 using coordinates::PointsOf;
 
 constexpr int kAcross = 120; ///< Points of a map in each direction.
-constexpr double kExact = 1e-9;
+constexpr double kExactInFigures = 1e-9;
 constexpr double kPanel = 220, kTitle = 44, kGap = 20, kMargin = 14; ///< In the picture's units.
 constexpr int kColumns = 4;
 constexpr int kBands = 10; ///< Of a tenth each.
@@ -95,7 +95,7 @@ Measured measure(const Polygon& polygon, const Lattice& lattice, const PlanarWei
     measured.identity =
         std::max(measured.identity, (row * polygon.corners - lattice.points.row(i)).norm() / size);
     measured.least = std::min(measured.least, row.minCoeff());
-    measured.negative += row.minCoeff() < -kExact ? 1 : 0;
+    measured.negative += row.minCoeff() < -kExactInFigures ? 1 : 0;
   }
   const Eigen::Index handles = polygon.corners.rows();
   measured.lagrange = (atHandles.weights - Eigen::MatrixXd::Identity(handles, handles)).cwiseAbs().maxCoeff();
@@ -125,7 +125,7 @@ void drawMap(SvgCanvas& canvas, Place corner, const Polygon& polygon, const Latt
     const double value = found.weights(static_cast<Eigen::Index>(i), polygon.shown);
     if (gaps.count(static_cast<int>(i)))
       return kBands; // Nothing there.
-    return value < -kExact ? -1 : std::clamp(static_cast<int>(value * kBands), 0, kBands - 1);
+    return value < -kExactInFigures ? -1 : std::clamp(static_cast<int>(value * kBands), 0, kBands - 1);
   };
   for (std::size_t from = 0, to = 0; from < lattice.cells.size(); from = to) {
     const auto [column, row] = lattice.cells[from];
@@ -166,7 +166,7 @@ void addFindings(Result& result, const Polygon& polygon, const std::string& name
       {begin + "sums of one, every point reproduced, one at its handle and nothing at others",
        "errors of " + significant(measured.unity) + ", " + significant(measured.identity) + " and " +
            significant(measured.lagrange),
-       worst <= kExact});
+       worst <= kExactInFigures});
   const bool mayBeNegative = id == "mean-value" && polygon.name == "concave";
   result.findings.push_back(
       {begin + (mayBeNegative ? "some coordinate below 0" : "no coordinate below 0"),

@@ -28,25 +28,18 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "chart_pen.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
 namespace {
 
-constexpr int kFontSize = 12;
+constexpr int kPanelFontSize = 12;
 constexpr int kTitleSize = 14;
-constexpr float kCursorWidth = 1.5;
+constexpr float kPanelCursorWidth = 1.5;
 constexpr float kMarkSize = 9;
-constexpr double kRoom = 0.06; ///< Above and below the curves, as a part of their range.
+constexpr double kPanelRoom = 0.06; ///< Above and below the curves, as a part of their range.
 constexpr double kGrid = 0.22;
-
-unsigned char byte(double part) {
-  return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
-}
-
-void setPen(vtkPen* pen, const Vec3& color, double opacity) {
-  pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()), byte(opacity));
-}
 
 vtkSmartPointer<vtkTable> tableOf(const std::string& name, const std::vector<double>& x,
                                   const std::vector<double>& y) {
@@ -123,7 +116,7 @@ vtkSmartPointer<vtkChartXY> chartOf(const CurvePanel& panel) {
   chart->SetShowLegend(panel.legend);
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
-  chart->GetLegend()->SetLabelSize(kFontSize);
+  chart->GetLegend()->SetLabelSize(kPanelFontSize);
   chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
   chart->GetBackgroundBrush()->SetOpacity(0);
   for (const PanelCurve& curve : panel.curves)
@@ -137,7 +130,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
     auto* axis = chart->GetAxis(which);
     for (vtkTextProperty* property : {axis->GetLabelProperties(), axis->GetTitleProperties()}) {
       property->SetColor(text.x(), text.y(), text.z());
-      property->SetFontSize(kFontSize);
+      property->SetFontSize(kPanelFontSize);
       property->BoldOff();
     }
     setPen(axis->GetPen(), theme.muted, 1);
@@ -147,7 +140,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
   chart->GetTitleProperties()->SetFontSize(kTitleSize);
   chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
   const Vec3& back = theme.panel;
-  chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
+  chart->GetLegend()->GetBrush()->SetColor(byteOf(back.x()), byteOf(back.y()), byteOf(back.z()), 190);
 }
 
 } // namespace
@@ -177,7 +170,7 @@ void CurvePanels::Parts::show(const Panel& panel) {
       panel.chart->GetPlot(plot++)->SetWidth(ratio * curve.width);
   const bool shown = p.cursor && cursor;
   panel.cursor->SetVisible(shown);
-  panel.cursor->SetWidth(ratio * kCursorWidth);
+  panel.cursor->SetWidth(ratio * kPanelCursorWidth);
   setPen(panel.cursor->GetPen(), theme.text, 0.8);
   setPen(panel.mark->GetPen(), theme.text, 1);
   vtkPlotPoints::SafeDownCast(panel.mark)->SetMarkerSize(ratio * kMarkSize);
@@ -228,7 +221,7 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
   for (CurvePanel& wanted : panels) {
     Panel panel{std::move(wanted), nullptr, nullptr, nullptr, {}};
     panel.chart = chartOf(panel.wanted);
-    panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kRoom));
+    panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kPanelRoom));
     const ValueRange x = panel.wanted.xRange.value_or(rangeOf(panel.wanted, &PanelCurve::x, 0));
     setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels,
             panel.wanted.mostXTicks, p.decimalMark);

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kLargestByte = 255;
 /// A face is lit evenly: it is a plate to be read, not a shape.
-constexpr double kAmbient = 0.5;
-constexpr double kDiffuse = 0.6;
+constexpr double kCapAmbient = 0.5;
+constexpr double kCapDiffuse = 0.6;
 
 /// Appends the closed lines of a cut; those of a cavity the other way round, so that they bound a hole.
 void addLines(const geometry::PlaneCut& cut, bool hole, vtkPoints* points, vtkCellArray* lines) {
@@ -101,8 +101,8 @@ CutCaps::CutCaps() : parts_(std::make_unique<Parts>()) {
   p.mapper->SetInputData(p.data);
   p.actor->SetMapper(p.mapper);
   p.actor->PickableOff();
-  p.actor->GetProperty()->SetAmbient(kAmbient);
-  p.actor->GetProperty()->SetDiffuse(kDiffuse);
+  p.actor->GetProperty()->SetAmbient(kCapAmbient);
+  p.actor->GetProperty()->SetDiffuse(kCapDiffuse);
   p.actor->VisibilityOff();
 }
 

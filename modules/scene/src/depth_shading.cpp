@@ -26,13 +26,13 @@ namespace {
 
 /// How far around a point others darken it, and how near they are the point's own surface: of the organs'
 /// size.
-constexpr double kReach = 0.05;
+constexpr double kShadingReach = 0.05;
 constexpr double kBias = 0.001;
 constexpr int kSamplesAround = 64;
 /// Of the exponential curve: mid grey stays about what it was, and highlights are not burnt out.
 constexpr double kExposure = 1.5;
 
-void fill(vtkSequencePass* sequence, std::initializer_list<vtkRenderPass*> parts) {
+void setPasses(vtkSequencePass* sequence, std::initializer_list<vtkRenderPass*> parts) {
   vtkNew<vtkRenderPassCollection> all;
   for (vtkRenderPass* part : parts)
     all->AddItem(part);
@@ -67,16 +67,16 @@ struct DepthShading::Parts {
 };
 
 void DepthShading::Parts::build() {
-  fill(solid, {lights, opaque});
+  setPasses(solid, {lights, opaque});
   camera->SetDelegatePass(solid);
   occlusion->SetDelegatePass(camera);
   occlusion->SetKernelSize(kSamplesAround);
   occlusion->BlurOn();
-  fill(space, {occlusion, translucent});
+  setPasses(space, {occlusion, translucent});
   tones->SetToneMappingType(vtkToneMappingPass::Exponential);
   tones->SetExposure(kExposure);
   tones->SetDelegatePass(space);
-  fill(all, {edges, overlay});
+  setPasses(all, {edges, overlay});
 }
 
 bool DepthShading::Parts::suits() const {
@@ -101,7 +101,7 @@ void DepthShading::Parts::prepare() {
     return;
   }
   const double size = view.bounds().diagonal();
-  occlusion->SetRadius(kReach * size);
+  occlusion->SetRadius(kShadingReach * size);
   occlusion->SetBias(kBias * size);
   // On a light background the curve of tones would only make everything grey.
   edges->SetDelegatePass(view.theme().dark ? static_cast<vtkRenderPass*>(tones) : space);

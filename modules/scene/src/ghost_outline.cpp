@@ -32,7 +32,7 @@ namespace {
 constexpr double kLinePixels = 1.6;
 constexpr double kOpacity = 0.8;
 /// The part of the outline behind the organ is this much fainter.
-constexpr double kBehind = 0.4;
+constexpr double kOutlineBehind = 0.4;
 constexpr int kGridCells = 320;
 /// Depth differences below this part of the diagonal do not hide.
 constexpr double kHiddenTolerance = 0.01;
@@ -138,7 +138,7 @@ void GhostOutline::setColor(const Vec3& color) {
 }
 
 void GhostOutline::setOpacity(double opacity) {
-  parts_->actors[0]->GetProperty()->SetOpacity(kBehind * opacity);
+  parts_->actors[0]->GetProperty()->SetOpacity(kOutlineBehind * opacity);
   parts_->actors[1]->GetProperty()->SetOpacity(opacity);
 }
 

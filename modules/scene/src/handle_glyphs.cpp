@@ -17,8 +17,8 @@ namespace viscera::scene {
 namespace {
 
 /// A ball of 10 pixels is off a circle by a quarter of a pixel with so many sides.
-constexpr int kSides = 14;
-constexpr double kGhostOpacity = 0.28;
+constexpr int kHandleBallSides = 14;
+constexpr double kHandleGhostOpacity = 0.28;
 constexpr double kGhostRimOpacity = 0.14;
 constexpr const char* kRadii = "radius";
 
@@ -75,8 +75,8 @@ void HandleGlyphs::Layer::changed() {
 
 HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_), ghosts_(ball_), ghostRims_(ball_) {
   ball_->SetRadius(1);
-  ball_->SetThetaResolution(kSides);
-  ball_->SetPhiResolution(kSides * 2 / 3);
+  ball_->SetThetaResolution(kHandleBallSides);
+  ball_->SetPhiResolution(kHandleBallSides * 2 / 3);
   actor_->SetMapper(balls_.mapper);
   actor_->GetProperty()->SetAmbient(0.12);
   actor_->GetProperty()->SetDiffuse(0.9);
@@ -106,7 +106,7 @@ void HandleGlyphs::set(const std::vector<HandleGlyph>& glyphs) {
     const auto& glyph = glyphs[std::size_t(i)];
     balls_.put(i, glyph.position, glyph.radius, glyph.color);
     rims_.put(i, glyph.position, glyph.rimRadius, glyph.rimColor);
-    ghosts_.put(i, glyph.position, glyph.radius, glyph.color, kGhostOpacity * glyph.ghost);
+    ghosts_.put(i, glyph.position, glyph.radius, glyph.color, kHandleGhostOpacity * glyph.ghost);
     ghostRims_.put(i, glyph.position, glyph.rimRadius, glyph.rimColor, kGhostRimOpacity * glyph.ghost);
   }
   for (Layer* layer : {&balls_, &rims_, &ghosts_, &ghostRims_})

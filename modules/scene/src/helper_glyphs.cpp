@@ -13,17 +13,18 @@
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "unit_ball.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
 namespace {
 
 /// What an organ hides is this much fainter.
-constexpr double kBehind = 0.4;
+constexpr double kHelpersBehind = 0.4;
+constexpr int kBallSides = 24;
 
 vtkSmartPointer<vtkPolyData> disc(bool filled) {
   vtkNew<vtkRegularPolygonSource> source;
@@ -61,15 +62,6 @@ vtkSmartPointer<vtkPolyData> square(bool filled) {
   return shape;
 }
 
-vtkSmartPointer<vtkPolyData> ball() {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(1);
-  source->SetThetaResolution(24);
-  source->SetPhiResolution(24);
-  source->Update();
-  return source->GetOutput();
-}
-
 } // namespace
 
 struct HelperGlyph::Parts {
@@ -87,7 +79,7 @@ struct HelperGlyph::Parts {
   /// Two shapes, and before them what is hidden of both.
   void addBoth(vtkPolyData* fill, double fillOpacity, vtkPolyData* rim, double rimOpacity) {
     for (const bool behind : {true, false}) {
-      const double part = behind ? kBehind : 1;
+      const double part = behind ? kHelpersBehind : 1;
       actors.emplace_back(newHelper(fill, place, part * fillOpacity, behind));
       actors.emplace_back(newHelper(rim, place, part * rimOpacity, behind));
     }
@@ -206,8 +198,8 @@ constexpr double kBallBehindOpacity = 0.45;
 
 ProbeMarker::ProbeMarker() {
   auto& p = *parts_;
-  p.actors = {newHelper(ball(), p.place, kBallBehindOpacity, true), newHelper(ball(), p.secondPlace, 1),
-              newHelper(ball(), p.place, 1)};
+  p.actors = {newHelper(unitBall(kBallSides), p.place, kBallBehindOpacity, true),
+              newHelper(unitBall(kBallSides), p.secondPlace, 1), newHelper(unitBall(kBallSides), p.place, 1)};
   p.actors[0]->GetProperty()->BackfaceCullingOn();
   p.actors[1]->GetProperty()->FrontfaceCullingOn(); // The rim.
   setColor(p.actors[1], {0.08, 0.09, 0.1});

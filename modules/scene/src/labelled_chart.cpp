@@ -12,25 +12,23 @@
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 
+#include "chart_pen.h"
+
 namespace viscera::scene {
 namespace {
 
 /// Logical pixels.
 constexpr double kSample = 16; ///< The piece of line before a name.
-constexpr double kGap = 4;
-constexpr double kStep = 12; ///< From one place of a caption that is tried to the next.
-constexpr double kClear = 3; ///< Beside a caption.
-constexpr double kAbove = 1; ///< Above and below it.
+constexpr double kCaptionGap = 4;
+constexpr double kCaptionStep = 12; ///< From one place of a caption that is tried to the next.
+constexpr double kClear = 3;        ///< Beside a caption.
+constexpr double kAbove = 1;        ///< Above and below it.
 constexpr double kSampleWidth = 2;
 /// Names take at most this part of the chart's width.
 constexpr double kMostOfWidth = 0.3;
 constexpr double kCaptionOpacity = 0.65;
 /// How much of the theme's letters is mixed into a curve's colour.
 constexpr double kTowardsText = 0.35;
-
-unsigned char byte(double part) {
-  return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
-}
 
 /// The height of the segment's part between two x, lowest and highest; nothing when it is elsewhere.
 std::optional<ValueRange> between(const vtkVector2d& a, const vtkVector2d& b, double left, double right) {
@@ -100,7 +98,7 @@ int LabelledChart::GetLegendBorder(vtkContext2D* painter, int axisPosition) {
     widest = std::max(widest, sizeOf(painter, line.name).GetX());
   if (widest == 0)
     return 0;
-  return static_cast<int>(std::ceil(std::min(widest, mostText()) + ratio_ * (kSample + 3 * kGap)));
+  return static_cast<int>(std::ceil(std::min(widest, mostText()) + ratio_ * (kSample + 3 * kCaptionGap)));
 }
 
 double LabelledChart::pixelOf(double value, int axis) {
@@ -163,15 +161,16 @@ void LabelledChart::drawLabels(vtkContext2D* painter) {
   const auto most = static_cast<std::size_t>(std::max(1.0, std::floor((Point2[1] - Point1[1]) / height)));
   labels.resize(std::min(labels.size(), most));
   spread(labels, height);
-  const double left = GetScene()->GetSceneWidth() - GetLegendBorder(painter, vtkAxis::RIGHT) + ratio_ * kGap;
+  const double left =
+      GetScene()->GetSceneWidth() - GetLegendBorder(painter, vtkAxis::RIGHT) + ratio_ * kCaptionGap;
   for (const Label& label : labels) {
     drawSample(painter, label, left);
     const Vec3 color = letters(label.line->color, theme_);
     text_->SetColor(color.x(), color.y(), color.z());
     text_->SetOpacity(1);
     painter->ApplyTextProp(text_);
-    painter->DrawString(static_cast<float>(left + ratio_ * (kSample + kGap)), static_cast<float>(label.place),
-                        cut(painter, label.line->name, mostText()));
+    painter->DrawString(static_cast<float>(left + ratio_ * (kSample + kCaptionGap)),
+                        static_cast<float>(label.place), cut(painter, label.line->name, mostText()));
   }
 }
 
@@ -182,7 +181,7 @@ void LabelledChart::drawSample(vtkContext2D* painter, const Label& label, double
   const std::array<double, 2> x = {axisBetween ? left : double(Point2[0]), left + ratio_ * kSample};
   const std::array<double, 2> y = {axisBetween ? label.place : label.end, label.place};
   vtkNew<vtkPen> pen;
-  pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()));
+  pen->SetColor(byteOf(color.x()), byteOf(color.y()), byteOf(color.z()));
   pen->SetWidth(static_cast<float>(ratio_ * (label.line->dots ? 3 * kSampleWidth : kSampleWidth)));
   pen->SetLineType(label.line->dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
   painter->ApplyPen(pen);
@@ -219,7 +218,8 @@ bool LabelledChart::place(const Caption& caption, const vtkVector2d& size, const
       return true;
   }
   const double inset = 0.5 * size.GetY() + kAbove * ratio_;
-  for (double left = Point1[0] + 2 * clear; left + size.GetX() <= Point2[0] - clear; left += ratio_ * kStep)
+  for (double left = Point1[0] + 2 * clear; left + size.GetX() <= Point2[0] - clear;
+       left += ratio_ * kCaptionStep)
     for (const double middle : {0.5 * (low + high), high - inset, low + inset})
       if (box = boxAt(left, middle); isFree(box))
         return true;

@@ -23,16 +23,16 @@ namespace {
 constexpr double kBarWidth = 14;
 constexpr double kBarHeight = 240;
 constexpr double kRight = 76; ///< From the bar's left edge to the window's right edge.
-constexpr double kTick = 5;
-constexpr double kGap = 6;
+constexpr double kLegendTick = 5;
+constexpr double kLegendGap = 6;
 constexpr double kTitleGap = 14;
 constexpr double kTitleRight = 18;
 constexpr double kMarkGap = 26; ///< From the bar down to the mark's swatch.
-constexpr int kFontSize = 12;
+constexpr int kLegendFontSize = 12;
 constexpr int kTitleFontSize = 13;
 /// The bar takes at most this part of the view's height.
 constexpr double kMostOfView = 0.5;
-constexpr int kMostTicks = 6;
+constexpr int kMostLegendTicks = 6;
 constexpr double kGroundOpacity = 0.7;
 /// Beyond these, labels may be written with an exponent.
 constexpr double kLargestPlain = 1e5;
@@ -141,7 +141,7 @@ struct Legend::Parts {
   FlatShape lines;
   FlatShape mark;
   bool marked = false;
-  const vtkSmartPointer<vtkTextActor> markLabel = newText(kFontSize);
+  const vtkSmartPointer<vtkTextActor> markLabel = newText(kLegendFontSize);
   const vtkSmartPointer<vtkTextActor> title = newText(kTitleFontSize);
   std::vector<double> ticks;
   std::vector<vtkSmartPointer<vtkTextActor>> labels;
@@ -203,8 +203,8 @@ void Legend::Parts::layOutTicks(double left, double bottom, double width, double
   lines.begin();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double y = bottom + height * std::clamp(partOf(range, ticks[i]), 0.0, 1.0);
-    cells->InsertNextCell({lines.add(left + width, y), lines.add(left + width + ratio * kTick, y)});
-    labels[i]->SetPosition(left + width + ratio * (kTick + kGap), y);
+    cells->InsertNextCell({lines.add(left + width, y), lines.add(left + width + ratio * kLegendTick, y)});
+    labels[i]->SetPosition(left + width + ratio * (kLegendTick + kLegendGap), y);
   }
   lines.end();
   lines.data->SetLines(cells);
@@ -217,7 +217,7 @@ void Legend::Parts::layOutMark(double left, double bottom, double width, double 
   mark.addBox(left, bottom, left + width, bottom + width, quad);
   mark.end();
   mark.data->SetPolys(quad);
-  markLabel->SetPosition(left + width + ratio * kGap, bottom + 0.5 * width);
+  markLabel->SetPosition(left + width + ratio * kLegendGap, bottom + 0.5 * width);
 }
 
 void Legend::Parts::setShown(bool on) {
@@ -268,10 +268,10 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   p.map = map;
   p.range = range;
   p.title->SetInput((unit.empty() ? title : title + " (" + unit + ")").c_str());
-  p.ticks = niceTicks(range, kMostTicks);
+  p.ticks = niceTicks(range, kMostLegendTicks);
   p.labels.clear();
   for (const std::string& written : tickLabels(p.ticks, p.decimalMark)) {
-    auto label = newText(kFontSize);
+    auto label = newText(kLegendFontSize);
     label->SetInput(written.c_str());
     label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);

@@ -21,16 +21,16 @@
 namespace viscera::scene {
 namespace {
 
-constexpr int kFontSize = 14; ///< Points at 72 DPI: logical pixels.
+constexpr int kMeasurementFontSize = 14; ///< Points at 72 DPI: logical pixels.
 /// Logical pixels.
 constexpr double kLineRadius = 1.25;
 constexpr double kMarkRadius = 4.5;
 constexpr double kRim = 1.5;
 constexpr double kArcRadius = 44;
-constexpr double kReach = 10; ///< Of the mouse.
+constexpr double kMouseReach = 10; ///< Of the mouse.
 constexpr double kLabelGap = 8;
 constexpr double kPadding = 5;
-constexpr double kMargin = 6;
+constexpr double kMeasurementMargin = 6;
 /// An arc takes no more than this part of the shorter leg.
 constexpr double kArcPart = 0.4;
 constexpr double kBehindOpacity = 0.45;
@@ -240,7 +240,7 @@ ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometr
 
 /// Inside the view and above the labels that it would lie over.
 ScreenBox MeasurementGlyphs::Parts::freeBox(ScreenBox box, const ViewGeometry& geometry) const {
-  const double margin = kMargin * geometry.pixelRatio;
+  const double margin = kMeasurementMargin * geometry.pixelRatio;
   const auto inside = [&](const ScreenBox& wanted) {
     const double right = 2 * geometry.centerX - margin, top = geometry.pixelHeight - margin;
     return moved(wanted, std::max(std::min(0.0, right - wanted.right), margin - wanted.left),
@@ -317,7 +317,7 @@ void MeasurementGlyphs::setItems(std::vector<Item> items) {
     p.texts.pop_back();
   }
   while (p.texts.size() < p.items.size()) {
-    p.texts.push_back(newText(kFontSize));
+    p.texts.push_back(newText(kMeasurementFontSize));
     p.view.renderer()->AddActor2D(p.texts.back());
   }
   for (std::size_t i = 0; i < p.items.size(); ++i)
@@ -345,7 +345,7 @@ std::optional<MeasurementGlyphs::Mark> MeasurementGlyphs::markAt(double x, doubl
   if (!p.shown)
     return std::nullopt;
   const ViewGeometry geometry = viewGeometry(p.view.renderer());
-  double nearest = kReach * geometry.pixelRatio;
+  double nearest = kMouseReach * geometry.pixelRatio;
   std::optional<Mark> found;
   for (std::size_t i = 0; i < p.items.size(); ++i)
     for (std::size_t k = 0; k < p.items[i].points.size() && !p.items[i].path; ++k) {

@@ -22,7 +22,7 @@ namespace {
 /// Frames that may wait: enough to even out slow ones, few enough for large pictures.
 constexpr std::size_t kQueueLength = 8;
 constexpr std::chrono::milliseconds kProgressInterval{50};
-constexpr const char* kStep = "writing the movie";
+constexpr const char* kMovieStep = "writing the movie";
 
 } // namespace
 
@@ -141,7 +141,7 @@ bool MovieWriter::Parts::waitForWorker(Progress& progress) {
   while (!changed.wait_for(lock, kProgressInterval, [this] { return idle; })) {
     const double part = double(written) / added;
     lock.unlock();
-    progress.report(part, kStep);
+    progress.report(part, kMovieStep);
     lock.lock();
     if (progress.cancelled())
       return false;
@@ -166,7 +166,7 @@ void MovieWriter::finish(Progress& progress) {
   }
   p.endWorker(false);
   p.state = Parts::State::finished;
-  progress.report(1, kStep);
+  progress.report(1, kMovieStep);
 }
 
 void MovieWriter::cancel() {

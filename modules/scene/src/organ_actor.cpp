@@ -24,6 +24,7 @@
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/volume.h"
 
+#include "borrowed_array.h"
 #include "wall_actor.h"
 
 namespace viscera::scene {
@@ -40,13 +41,6 @@ constexpr double kScalarsDiffuse = 0.7;
 constexpr double kScalarsSpecular = 0.06;
 constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
-
-/// Lets a VTK array look at `count` numbers that it neither copies nor frees. VTK's interface is not const.
-template <typename Array, typename Number>
-void look(Array* array, const Number* data, Eigen::Index count) {
-  array->SetArray(const_cast<Number*>(data), count, /*save=*/1);
-  array->Modified();
-}
 
 /// Cells that look at triangles which live longer.
 vtkSmartPointer<vtkCellArray> cellsOf(const Triangles& triangles) {

@@ -21,17 +21,18 @@
 namespace viscera::scene {
 namespace {
 
-constexpr int kFontSize = 14; ///< Points at 72 DPI: logical pixels.
+constexpr int kOrganFontSize = 14; ///< Points at 72 DPI: logical pixels.
 /// Logical pixels.
-constexpr double kReach = 6; ///< A vertex that is looked at stands for that much around it, or for more.
+/// A vertex that is looked at stands for that much around it, or for more.
+constexpr double kVertexReach = 6;
 constexpr double kDot = 3;
-constexpr double kLineWidth = 1;
+constexpr double kLeaderWidth = 1;
 constexpr double kLineGap = 4;
 constexpr double kInside = 7; ///< How far inside the edge a line ends.
-constexpr double kBottom = 44;
+constexpr double kLabelsBottom = 44;
 constexpr double kCube = 104;
 constexpr double kLegend = 120;
-constexpr double kLineOpacity = 0.75;
+constexpr double kLeaderOpacity = 0.75;
 constexpr double kCell = 16;
 /// Organs that let less than this through hide what is behind them.
 constexpr double kOpaque = 0.9;
@@ -159,7 +160,7 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
     if (!(place.depth > 0) || !std::isfinite(place.x) || !std::isfinite(place.y))
       continue;
     const double reach =
-        std::max(kReach * view.pixelRatio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
+        std::max(kVertexReach * view.pixelRatio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
     sighting.covered.cover(place.x, place.y, reach);
     all.cover(place.x, place.y, reach);
     if (organ.opacity() >= kOpaque)
@@ -302,7 +303,7 @@ LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   room.margin *= ratio;
   room.gap *= ratio;
   room.between *= ratio;
-  room.reserved = {{0, 0, room.width, kBottom * ratio}, {0, 0, kCube * ratio, kCube * ratio}};
+  room.reserved = {{0, 0, room.width, kLabelsBottom * ratio}, {0, 0, kCube * ratio, kCube * ratio}};
   if (view.legend().visible())
     room.reserved.push_back({room.width - kLegend * ratio, 0, room.width, room.height});
   return room;
@@ -383,8 +384,8 @@ void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sigh
     const auto edge = organ.covered.between(box.bottom, box.top);
     if (items[i].atEdge && edge) {
       y = (box.bottom + box.top) / 2;
-      x = box.left < organ.x ? edge->left + (kReach + kInside) * ratio
-                             : edge->right - (kReach + kInside) * ratio;
+      x = box.left < organ.x ? edge->left + (kVertexReach + kInside) * ratio
+                             : edge->right - (kVertexReach + kInside) * ratio;
     }
     texts[i]->SetPosition(box.left, box.bottom);
     drawLine(box, x, y, ratio, segments, dots);
@@ -393,7 +394,7 @@ void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sigh
   lines.data->SetLines(segments);
   lines.data->SetPolys(dots);
   lines.end();
-  lines.actor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
+  lines.actor->GetProperty()->SetLineWidth(static_cast<float>(kLeaderWidth * ratio));
   lines.actor->SetVisibility(!drawn.empty());
 }
 
@@ -414,7 +415,7 @@ void OrganLabels::Parts::applyTheme() {
   for (auto& text : texts)
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
   lines.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
-  lines.actor->GetProperty()->SetOpacity(kLineOpacity);
+  lines.actor->GetProperty()->SetOpacity(kLeaderOpacity);
 }
 
 OrganLabels::OrganLabels(OrganView& view) : parts_(std::make_unique<Parts>(view)) {
@@ -437,7 +438,7 @@ void OrganLabels::setItems(std::vector<Item> items) {
   p.texts.clear();
   p.items = std::move(items);
   for (const Item& item : p.items) {
-    auto text = newText(kFontSize);
+    auto text = newText(kOrganFontSize);
     text->SetInput(item.text.c_str());
     text->SetVisibility(false);
     p.view.renderer()->AddActor2D(text);

@@ -39,9 +39,8 @@
 namespace viscera::scene {
 namespace {
 
-constexpr double kLogicalDpi = 72;
-constexpr double kMargin = 1.12;
-constexpr int kSamples = 4;
+constexpr double kFramingMargin = 1.12;
+constexpr int kOrganViewSamples = 4;
 constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
@@ -154,7 +153,7 @@ void OrganView::Parts::smoothEdges() {
   const bool smooth = !hurries();
   const bool peels = std::any_of(organs.begin(), organs.end(),
                                  [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
-  const int samples = smooth && !peels ? kSamples : 0;
+  const int samples = smooth && !peels ? kOrganViewSamples : 0;
   if (window->GetMultiSamples() != samples)
     window->SetMultiSamples(samples);
   renderer->SetUseFXAA(smooth && samples == 0);
@@ -418,14 +417,14 @@ void OrganView::frame(const Bounds& bounds) {
   const int* size = renderer->GetSize();
   const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] : 1;
   const double tangent = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
-  double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kMargin);
+  double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);
   if (!(distance > 0))
     distance = kEmptyHalfSize;
   const Vec3 center = bounds.center(), position = center - distance * view.forward;
   camera->SetFocalPoint(center.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
-  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kMargin));
+  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin));
   renderer->ResetCameraClippingRange();
 }
 

@@ -36,11 +36,11 @@ constexpr double kBeside = 0.3;
 /// Logical pixels.
 constexpr int kLargeLetter = 22;
 constexpr int kSmallLetter = 13;
-constexpr double kReach = 4; ///< Around a letter beside the cube.
+constexpr double kLetterReach = 4; ///< Around a letter beside the cube.
 
-constexpr std::array kSides = {StandardView::anterior, StandardView::posterior, StandardView::left,
-                               StandardView::right,    StandardView::superior,  StandardView::inferior};
-constexpr std::array kNames = {"A", "P", "L", "R", "S", "I"};
+constexpr std::array kCubeSides = {StandardView::anterior, StandardView::posterior, StandardView::left,
+                                   StandardView::right,    StandardView::superior,  StandardView::inferior};
+constexpr std::array kSideLetters = {"A", "P", "L", "R", "S", "I"};
 
 /// The side's direction out of the body, in LPS.
 Vec3 outwards(StandardView side) {
@@ -63,11 +63,11 @@ Vec3 along(int axis, double length) {
   return vector;
 }
 
-/// Six faces in the order of `kSides`, then twelve edges and eight corners.
+/// Six faces in the order of `kCubeSides`, then twelve edges and eight corners.
 std::vector<Polygon> bevelledCube() {
   const double in = kHalf - kBevel;
   std::vector<Polygon> polygons;
-  for (const StandardView side : kSides) {
+  for (const StandardView side : kCubeSides) {
     const Vec3 out = outwards(side), up = directionsOf(side).up, right = up.cross(out);
     const Vec3 middle = kHalf * out;
     addFacing(polygons, {middle - in * right - in * up, middle + in * right - in * up,
@@ -93,7 +93,7 @@ std::vector<Polygon> bevelledCube() {
   return polygons;
 }
 
-void fill(vtkPolyData* data, const std::vector<Polygon>& polygons) {
+void setPolygons(vtkPolyData* data, const std::vector<Polygon>& polygons) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
   for (const Polygon& polygon : polygons) {
@@ -121,8 +121,8 @@ std::optional<std::size_t> entered(const Ray& ray) {
   if (!(enter < leave))
     return std::nullopt;
   const Vec3 out = along(through, ray.direction[through] > 0 ? -1 : 1);
-  for (std::size_t i = 0; i < kSides.size(); ++i)
-    if (outwards(kSides[i]).dot(out) > 0.5)
+  for (std::size_t i = 0; i < kCubeSides.size(); ++i)
+    if (outwards(kCubeSides[i]).dot(out) > 0.5)
       return i;
   return std::nullopt;
 }
@@ -132,7 +132,7 @@ std::optional<std::size_t> entered(const Ray& ray) {
 OrientationCube::OrientationCube(vtkRenderer* followed)
     : followed_(followed), beforeRender_([this] { follow(); }) {
   const auto polygons = bevelledCube();
-  fill(cube_, polygons);
+  setPolygons(cube_, polygons);
   colors_->SetNumberOfComponents(3);
   colors_->SetNumberOfTuples(static_cast<vtkIdType>(polygons.size()));
   cube_->GetCellData()->SetScalars(colors_);
@@ -146,7 +146,7 @@ OrientationCube::OrientationCube(vtkRenderer* followed)
   renderer_->AddViewProp(actor_);
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     texts_[i] = newText(kLargeLetter);
-    texts_[i]->SetInput(kNames[i]);
+    texts_[i]->SetInput(kSideLetters[i]);
     texts_[i]->GetTextProperty()->BoldOn();
     texts_[i]->GetTextProperty()->SetJustificationToCentered();
     texts_[i]->GetTextProperty()->SetVerticalJustificationToCentered();
@@ -182,8 +182,8 @@ void OrientationCube::paint() {
   const Vec3 bevel = theme_.dark ? Vec3(0.52, 0.57, 0.61) : Vec3(0.72, 0.77, 0.8);
   const Vec3 bright = theme_.dark ? theme_.accent : Vec3(0.45 * theme_.accent + 0.55 * Vec3::Ones());
   for (vtkIdType i = 0; i < colors_->GetNumberOfTuples(); ++i) {
-    const bool isFace = i < vtkIdType(kSides.size());
-    const bool lit = isFace && highlighted_ == kSides[std::size_t(i)];
+    const bool isFace = i < vtkIdType(kCubeSides.size());
+    const bool lit = isFace && highlighted_ == kCubeSides[std::size_t(i)];
     const Vec3 color = 255 * (lit ? bright : isFace ? face : bevel);
     colors_->SetTuple3(i, color.x(), color.y(), color.z());
   }
@@ -210,14 +210,14 @@ void OrientationCube::placeLetters() {
   const auto view = viewGeometry(renderer_);
   const int* origin = renderer_->GetOrigin();
   for (std::size_t i = 0; i < texts_.size(); ++i) {
-    const Letter& letter = letters_[i] = letterOf(kSides[i], view.eye);
+    const Letter& letter = letters_[i] = letterOf(kCubeSides[i], view.eye);
     vtkTextActor* text = texts_[i];
     text->SetVisibility(shown_ && letter.size > 0);
     if (letter.size == 0)
       continue;
     const auto at = view.project(letter.place);
     text->SetPosition(at.x - origin[0], at.y - origin[1]);
-    const bool lit = highlighted_ == kSides[i] && !letter.onFace;
+    const bool lit = highlighted_ == kCubeSides[i] && !letter.onFace;
     const Vec3& color = lit ? theme_.accent : theme_.text;
     text->GetTextProperty()->SetFontSize(letter.size);
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
@@ -248,13 +248,13 @@ std::optional<StandardView> OrientationCube::sideAt(double x, double y) const {
     return std::nullopt;
   const auto view = viewGeometry(renderer_);
   if (const auto side = entered(view.ray(x, y)))
-    return kSides[*side];
+    return kCubeSides[*side];
   for (std::size_t i = 0; i < letters_.size(); ++i) {
     if (letters_[i].size == 0)
       continue;
     const auto at = view.project(letters_[i].place);
-    if (std::hypot(x - at.x, y - at.y) <= view.pixelRatio * (0.5 * letters_[i].size + kReach))
-      return kSides[i];
+    if (std::hypot(x - at.x, y - at.y) <= view.pixelRatio * (0.5 * letters_[i].size + kLetterReach))
+      return kCubeSides[i];
   }
   return std::nullopt;
 }

@@ -26,12 +26,12 @@ namespace viscera::scene {
 namespace {
 
 /// Logical pixels.
-constexpr double kLineWidth = 1.6;
+constexpr double kEdgeWidth = 1.6;
 constexpr double kThickWidth = 4;
-constexpr double kDotSize = 10;
-constexpr double kLineOpacity = 0.75;
+constexpr double kHullDotSize = 10;
+constexpr double kEdgeOpacity = 0.75;
 /// What an organ hides of an edge is this much fainter.
-constexpr double kBehind = 0.35;
+constexpr double kEdgesBehind = 0.35;
 /// Neighbouring faces whose normals agree so far (1 minus the cosine) are one face: no edge between them.
 constexpr double kOneFace = 1e-6;
 
@@ -187,8 +187,8 @@ void RegionHulls::Parts::addHull(const RegionHull& hull) {
         ->InsertNextTypedTuple(color.data());
   };
   for (const auto& edge : sharpEdges(hull)) {
-    add(solid ? lines : thick, edge, kLineOpacity);
-    add(linesBehind, edge, kBehind * kLineOpacity);
+    add(solid ? lines : thick, edge, kEdgeOpacity);
+    add(linesBehind, edge, kEdgesBehind * kEdgeOpacity);
   }
 }
 
@@ -242,9 +242,9 @@ void RegionHulls::Parts::follow() {
   const ViewGeometry view = viewGeometry(beforeRender.renderer());
   sortFaces(view.eye);
   for (const auto& [cells, width] :
-       {std::pair{&lines, kLineWidth}, std::pair{&linesBehind, kLineWidth}, std::pair{&thick, kThickWidth}}) {
+       {std::pair{&lines, kEdgeWidth}, std::pair{&linesBehind, kEdgeWidth}, std::pair{&thick, kThickWidth}}) {
     cells->actor->GetProperty()->SetLineWidth(static_cast<float>(width * view.pixelRatio));
-    cells->actor->GetProperty()->SetPointSize(static_cast<float>(kDotSize * view.pixelRatio));
+    cells->actor->GetProperty()->SetPointSize(static_cast<float>(kHullDotSize * view.pixelRatio));
   }
 }
 

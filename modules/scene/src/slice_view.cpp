@@ -24,15 +24,15 @@
 namespace viscera::scene {
 namespace {
 
-constexpr int kSamples = 4;
-constexpr double kWide = 1.5;   ///< Logical pixels.
-constexpr double kThin = 0.75;  ///< Logical pixels.
-constexpr double kMargin = 8;   ///< Of texts from the edges, logical pixels.
-constexpr double kCrossGap = 9; ///< Of the crosshair around its middle, logical pixels.
+constexpr int kSliceViewSamples = 4;
+constexpr double kWide = 1.5;      ///< Logical pixels.
+constexpr double kThin = 0.75;     ///< Logical pixels.
+constexpr double kWordsMargin = 8; ///< Of texts from the edges, logical pixels.
+constexpr double kCrossGap = 9;    ///< Of the crosshair around its middle, logical pixels.
 constexpr double kCrossOpacity = 0.75;
 constexpr double kTextSize = 12; ///< Logical pixels.
 constexpr double kLetterSize = 16;
-constexpr double kTick = 4;
+constexpr double kSliceScaleTick = 4;
 constexpr double kWordsGround = 0.6; ///< Opacity of the ground behind them: bones are as light as they are.
 constexpr double kWordsGap = 8;      ///< Between a place and the words beside it, logical pixels.
 /// The scale bar is at most this part of the picture's width.
@@ -250,7 +250,7 @@ void SliceView::Parts::place(vtkTextActor* text, const std::string& words, doubl
 }
 
 void SliceView::Parts::showTexts(const SlicePicture& picture) {
-  const double margin = kMargin * ratio(), w = picture.width, h = picture.height;
+  const double margin = kWordsMargin * ratio(), w = picture.width, h = picture.height;
   place(letters[0], picture.edges[0], margin, h / 2, kLetterSize);
   place(letters[1], picture.edges[1], w - margin, h / 2, kLetterSize);
   place(letters[2], picture.edges[2], w / 2, margin, kLetterSize);
@@ -265,7 +265,7 @@ void SliceView::Parts::showTexts(const SlicePicture& picture) {
 /// towards the picture's middle.
 void SliceView::Parts::keepApart(vtkTextActor* words, double y, double towardsMiddle, vtkTextActor* letter,
                                  double width) {
-  const double margin = kMargin * ratio();
+  const double margin = kWordsMargin * ratio();
   double size[2] = {0, 0}, letterSize[2] = {0, 0};
   words->GetSize(renderer, size);
   letter->GetSize(renderer, letterSize);
@@ -288,7 +288,7 @@ void SliceView::Parts::showWords(const SlicePicture& picture) {
     captions.back()->GetTextProperty()->SetVerticalJustificationToCentered();
     renderer->AddViewProp(captions.back());
   }
-  const double gap = kWordsGap * ratio(), margin = kMargin * ratio();
+  const double gap = kWordsGap * ratio(), margin = kWordsMargin * ratio();
   const Eigen::AlignedBox2d inner(Eigen::Vector2d(margin, margin),
                                   Eigen::Vector2d(picture.width - margin, picture.height - margin));
   std::vector<Eigen::AlignedBox2d> taken;
@@ -333,8 +333,8 @@ void SliceView::Parts::showBar(const SlicePicture& picture) {
   if (!shown)
     return;
   const double mm = roundBelow(pixels * picture.mmPerPixel);
-  const double right = picture.width - kMargin * ratio() - 0.5, left = right - mm / picture.mmPerPixel;
-  const double low = kMargin * ratio() + 0.5, tick = kTick * ratio();
+  const double right = picture.width - kWordsMargin * ratio() - 0.5, left = right - mm / picture.mmPerPixel;
+  const double low = kWordsMargin * ratio() + 0.5, tick = kSliceScaleTick * ratio();
   bar.begin();
   barLines->Reset();
   barLines->InsertNextCell(
@@ -364,7 +364,7 @@ void SliceView::setWindow(vtkRenderWindow* window) {
   p.window = window;
   if (!window)
     return;
-  window->SetMultiSamples(kSamples);
+  window->SetMultiSamples(kSliceViewSamples);
   window->SetNumberOfLayers(2);
   window->AddRenderer(p.ground);
   window->AddRenderer(p.renderer);

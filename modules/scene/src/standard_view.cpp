@@ -10,7 +10,7 @@
 namespace viscera::scene {
 namespace {
 
-constexpr std::array<std::pair<StandardView, const char*>, 6> kNames = {
+constexpr std::array<std::pair<StandardView, const char*>, 6> kViewNames = {
     {{StandardView::anterior, "anterior"},
      {StandardView::posterior, "posterior"},
      {StandardView::left, "left"},
@@ -21,7 +21,7 @@ constexpr std::array<std::pair<StandardView, const char*>, 6> kNames = {
 } // namespace
 
 StandardView standardViewFromName(const std::string& name) {
-  for (const auto& [view, text] : kNames)
+  for (const auto& [view, text] : kViewNames)
     if (name == text)
       return view;
   throw UsageError("there is no view of this name", name,
@@ -29,7 +29,7 @@ StandardView standardViewFromName(const std::string& name) {
 }
 
 std::string nameOf(StandardView view) {
-  for (const auto& [named, text] : kNames)
+  for (const auto& [named, text] : kViewNames)
     if (named == view)
       return text;
   return {};

@@ -13,23 +13,15 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
+
+#include "unit_ball.h"
 
 namespace viscera::scene {
 namespace {
 
-constexpr int kSides = 14;
+constexpr int kEllipsoidSides = 14;
 /// Half the thickness of a cross's bars, of its arms.
 constexpr double kBar = 0.07;
-
-vtkSmartPointer<vtkPolyData> ball() {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(1);
-  source->SetThetaResolution(kSides);
-  source->SetPhiResolution(kSides);
-  source->Update();
-  return source->GetOutput();
-}
 
 vtkSmartPointer<vtkPolyData> cross() {
   vtkNew<vtkAppendPolyData> all;
@@ -133,7 +125,7 @@ int StretchGlyphs::count() const {
 }
 
 void StretchGlyphs::setShape(Shape shape) {
-  parts_->mapper->SetSourceData(shape == Shape::ellipsoids ? ball() : cross());
+  parts_->mapper->SetSourceData(shape == Shape::ellipsoids ? unitBall(kEllipsoidSides) : cross());
   parts_->mapper->Update();
 }
 

@@ -17,11 +17,12 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
+#include "view_geometry.h"
+
 namespace viscera::scene {
 namespace {
 
 constexpr int kServiceUnavailable = 69; // sysexits.h: EX_UNAVAILABLE
-constexpr int kLogicalDpi = 72;
 
 [[noreturn]] void fail(const std::string& step) {
   throw Error(kServiceUnavailable, phrase("cannot draw without a display: %1", step), "EGL",

@@ -25,6 +25,7 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "borrowed_array.h"
 #include "ray_mesh.h"
 #include "tetra_surfaces.h"
 
@@ -32,16 +33,10 @@ namespace viscera::scene {
 namespace {
 
 /// Colours that mean numbers are lit evenly, so that they can be read off the legend.
-constexpr double kAmbient = 0.45;
-constexpr double kDiffuse = 0.65;
-constexpr double kGhostOpacity = 0.13;
+constexpr double kTissueAmbient = 0.45;
+constexpr double kTissueDiffuse = 0.65;
+constexpr double kTissueGhostOpacity = 0.13;
 constexpr const char* kValues = "values";
-
-template <typename Array, typename Number>
-void look(Array* array, const Number* data, std::size_t count) {
-  array->SetArray(const_cast<Number*>(data), static_cast<vtkIdType>(count), /*save=*/1);
-  array->Modified();
-}
 
 /// Triangles over points, coloured by numbers; all in somebody else's memory.
 struct Sheet {
@@ -68,8 +63,8 @@ struct Sheet {
     actor->PickableOff();
     auto* property = actor->GetProperty();
     property->SetInterpolationToFlat();
-    property->SetAmbient(kAmbient);
-    property->SetDiffuse(kDiffuse);
+    property->SetAmbient(kTissueAmbient);
+    property->SetDiffuse(kTissueDiffuse);
     property->SetColor(0.82, 0.84, 0.86);
   }
 
@@ -233,7 +228,7 @@ TissueActor::TissueActor(std::shared_ptr<const Tetrahedra> tetrahedra, std::shar
   p.allFaces = tetraFaces(*p.tetrahedra, *points);
   p.ghostActor->SetMapper(p.faceSheet.mapper);
   auto* ghost = p.ghostActor->GetProperty();
-  ghost->SetOpacity(kGhostOpacity);
+  ghost->SetOpacity(kTissueGhostOpacity);
   ghost->SetColor(0.72, 0.76, 0.8);
   p.applyLook();
   setPoints(std::move(points));

@@ -28,7 +28,7 @@ const Vec3 kLeafletColor(0.95, 0.90, 0.78);
 const Vec3 kRimColor(0.86, 0.76, 0.56);
 constexpr double kRimRadius = 0.9; ///< mm
 constexpr double kEdgeRadius = 0.4;
-constexpr int kSides = 20;
+constexpr int kRingSides = 20;
 constexpr double kShortest = 0.5;  ///< Of arrows, mm.
 constexpr double kTipWidth = 2.1;  ///< Of the shaft's.
 constexpr double kTipLength = 3.2; ///< Of the shaft's radius, but of no more than the part below.
@@ -146,16 +146,16 @@ void addArrow(Solid& solid, const FlowArrow& arrow) {
   vtkIdType before = 0;
   for (std::size_t ring = 0; ring < profile.size(); ++ring) {
     vtkIdType first = 0;
-    for (int side = 0; side < kSides; ++side) {
-      const double angle = 2 * std::numbers::pi * side / kSides;
+    for (int side = 0; side < kRingSides; ++side) {
+      const double angle = 2 * std::numbers::pi * side / kRingSides;
       const vtkIdType id =
           solid.add(arrow.tail + profile[ring].first * axis +
                     profile[ring].second * (std::cos(angle) * across + std::sin(angle) * other));
       if (side == 0)
         first = id;
     }
-    for (int side = 0; ring > 0 && side < kSides; ++side) {
-      const int next = (side + 1) % kSides;
+    for (int side = 0; ring > 0 && side < kRingSides; ++side) {
+      const int next = (side + 1) % kRingSides;
       solid.triangle(before + side, before + next, first + next);
       solid.triangle(before + side, first + next, first + side);
     }

@@ -20,12 +20,12 @@ namespace {
 
 /// Logical pixels.
 constexpr double kLongest = 180;
-constexpr double kBottom = 20;
-constexpr double kTick = 5;
+constexpr double kScaleBarBottom = 20;
+constexpr double kScaleBarTick = 5;
 constexpr double kCornerGap = 4;
 constexpr double kTextGap = 6;
-constexpr double kLineWidth = 1.5;
-constexpr int kFontSize = 13;
+constexpr double kScaleBarWidth = 1.5;
+constexpr int kScaleBarFontSize = 13;
 
 } // namespace
 
@@ -37,7 +37,8 @@ double roundLength(double most) {
   return power;
 }
 
-ScaleBar::ScaleBar(vtkRenderer* renderer) : text_(newText(kFontSize)), beforeRender_([this] { follow(); }) {
+ScaleBar::ScaleBar(vtkRenderer* renderer)
+    : text_(newText(kScaleBarFontSize)), beforeRender_([this] { follow(); }) {
   line_.points->SetNumberOfPoints(4);
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({0, 1, 2, 3});
@@ -74,13 +75,13 @@ void ScaleBar::follow() {
   const double length = roundLength(pixel * most);
   const double half = 0.5 * length / pixel;
   const double middle = std::min(std::max(0.5 * width, corner + half), width - half - ratio * kCornerGap);
-  const double y = ratio * kBottom;
-  line_.points->SetPoint(0, middle - half, y + ratio * kTick, 0);
+  const double y = ratio * kScaleBarBottom;
+  line_.points->SetPoint(0, middle - half, y + ratio * kScaleBarTick, 0);
   line_.points->SetPoint(1, middle - half, y, 0);
   line_.points->SetPoint(2, middle + half, y, 0);
-  line_.points->SetPoint(3, middle + half, y + ratio * kTick, 0);
+  line_.points->SetPoint(3, middle + half, y + ratio * kScaleBarTick, 0);
   line_.points->Modified();
-  line_.actor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
+  line_.actor->GetProperty()->SetLineWidth(static_cast<float>(kScaleBarWidth * ratio));
   char label[32];
   std::snprintf(label, sizeof label, "%g mm", length);
   text_->SetInput(withDecimalMark(label, decimalMark_).c_str());

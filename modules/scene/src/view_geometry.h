@@ -7,6 +7,9 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
+/// At that many dots an inch a logical pixel is one of the device.
+inline constexpr double kLogicalDpi = 72;
+
 /// Where a point of the world is on the display.
 struct DisplayPoint {
   double x = 0;     ///< Device pixels from the left of the window.

@@ -30,6 +30,7 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "chart_pen.h"
 #include "labelled_chart.h"
 #include "text_guard.h"
 
@@ -37,31 +38,23 @@ namespace viscera::scene {
 namespace {
 
 constexpr double kDefaultSpan = 10;
-constexpr float kLineWidth = 2;
-constexpr float kCursorWidth = 1.5;
-constexpr float kDotSize = 7; ///< Across, pixels.
+constexpr float kCurveWidth = 2;
+constexpr float kChartCursorWidth = 1.5;
+constexpr float kChartDotSize = 7; ///< Across, pixels.
 constexpr unsigned char kBandAlpha = 36;
 /// Bands may make the axis so many times as long as the curves do, whose own length is at least this part of
 /// their values.
 constexpr double kBandsStretch = 4;
 constexpr double kFlatPart = 0.25;
-constexpr int kFontSize = 12;
+constexpr int kChartFontSize = 12;
 /// Room above and below the curves, as a part of their range.
-constexpr double kRoom = 0.08;
+constexpr double kChartRoom = 0.08;
 /// Curves that vary by less of their value are drawn flat: what is left of a locked volume is rounding.
 constexpr double kFlat = 1e-3;
-constexpr int kMostTicks = 6;
+constexpr int kMostChartTicks = 6;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
 constexpr std::array kAxes = {vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::RIGHT};
-
-unsigned char byte(double part) {
-  return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
-}
-
-void setPen(vtkPen* pen, const Vec3& color, double opacity) {
-  pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()), byte(opacity));
-}
 
 /// Takes out numbers that stand alone between gaps: a single point is no line, and VTK says so on every
 /// picture. Whether two neighbours are left.
@@ -186,8 +179,8 @@ void VolumeChart::Parts::build() {
   for (const int which : kAxes) {
     auto* axis = chart->GetAxis(which);
     axis->SetBehavior(vtkAxis::FIXED);
-    axis->GetLabelProperties()->SetFontSize(kFontSize);
-    axis->GetTitleProperties()->SetFontSize(kFontSize);
+    axis->GetLabelProperties()->SetFontSize(kChartFontSize);
+    axis->GetTitleProperties()->SetFontSize(kChartFontSize);
     axis->GetTitleProperties()->BoldOff();
   }
   chart->GetAxis(vtkAxis::RIGHT)->SetTitle("");
@@ -231,7 +224,7 @@ void VolumeChart::Parts::makePlots() {
     for (std::size_t i = 0; i < curve->line.bands.size(); ++i) {
       const Vec3& c = curve->line.color;
       auto band = vtkSmartPointer<NormalBand>::New();
-      band->GetBrush()->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
+      band->GetBrush()->SetColor(byteOf(c.x()), byteOf(c.y()), byteOf(c.z()), kBandAlpha);
       band->GetPen()->SetLineType(vtkPen::NO_PEN);
       band->SetLegendVisibility(false);
       band->SetSelectable(false);
@@ -249,7 +242,7 @@ void VolumeChart::Parts::makePlots() {
     if (auto* dots = vtkPlotPoints::SafeDownCast(curve->plot); dots && curve->line.dots)
       dots->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     curve->plot->SetInputData(curve->table, 0, 1);
-    curve->plot->SetWidth(kLineWidth);
+    curve->plot->SetWidth(kCurveWidth);
     setPen(curve->plot->GetPen(), curve->line.color, 1);
     curve->plot->GetPen()->SetLineType(curve->line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
     chart->SetPlotCorner(curve->plot, cornerOf(*curve));
@@ -257,7 +250,7 @@ void VolumeChart::Parts::makePlots() {
   cursorPlot = chart->AddPlot(vtkChart::LINE);
   cursorPlot->SetInputData(cursorTable, 0, 1);
   cursorPlot->SetLegendVisibility(false);
-  cursorPlot->SetWidth(kCursorWidth);
+  cursorPlot->SetWidth(kChartCursorWidth);
   cursorPlot->SetVisible(cursor.has_value());
   applyTheme();
 }
@@ -302,7 +295,7 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
   if (low > high)
     return {0, 1};
   const bool flat = high - low <= kFlat * std::max(std::abs(low), std::abs(high));
-  const double room = flat ? std::max(1.0, 0.05 * std::abs(high)) : kRoom * (high - low);
+  const double room = flat ? std::max(1.0, 0.05 * std::abs(high)) : kChartRoom * (high - low);
   return {low >= 0 ? std::max(0.0, low - room) : low - room, high + room};
 }
 
@@ -344,7 +337,7 @@ void VolumeChart::Parts::nameCurves(double ratio) {
       lines.push_back(
           {line.name, line.color, line.dashed, line.dots, line.rightAxis, curve->table.GetPointer()});
   }
-  chart->setLook(theme, kFontSize, ratio);
+  chart->setLook(theme, kChartFontSize, ratio);
   chart->setLines(std::move(lines));
   chart->setCaptions(std::move(captions));
 }
@@ -474,10 +467,10 @@ void VolumeChart::update() {
   const auto ratio = static_cast<float>(pixelRatioOf(p.window));
   for (auto& curve : p.curves)
     if (auto* dots = vtkPlotPoints::SafeDownCast(curve->plot); dots && curve->line.dots)
-      dots->SetMarkerSize(ratio * kDotSize);
+      dots->SetMarkerSize(ratio * kChartDotSize);
     else
-      curve->plot->SetWidth(ratio * kLineWidth);
-  p.cursorPlot->SetWidth(ratio * kCursorWidth);
+      curve->plot->SetWidth(ratio * kCurveWidth);
+  p.cursorPlot->SetWidth(ratio * kChartCursorWidth);
   for (auto& curve : p.curves)
     p.fillCurve(*curve, times);
   p.fillCursor(values);
@@ -485,7 +478,7 @@ void VolumeChart::update() {
                                      std::pair{vtkAxis::RIGHT, right}}) {
     auto* axis = p.chart->GetAxis(which);
     axis->SetRange(range.low, range.high);
-    const auto ticks = niceTicks(range, kMostTicks);
+    const auto ticks = niceTicks(range, kMostChartTicks);
     const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
     vtkNew<vtkDoubleArray> positions;
     vtkNew<vtkStringArray> labels;

@@ -28,13 +28,13 @@ vtkStandardNewMacro(vtkVisceraCutPlaneRepresentation);
 namespace {
 
 /// Logical pixels.
-constexpr double kArrowLength = 68;
+constexpr double kCutArrowLength = 68;
 constexpr double kGrabDistance = 8;
-constexpr double kRimWidth = 1.6;
-constexpr double kRimHeldWidth = 3;
-constexpr double kRimOpacity = 0.9;
-constexpr double kBehindOpacity = 0.35;
-constexpr int kSides = 96;
+constexpr double kCutRimWidth = 1.6;
+constexpr double kCutRimHeldWidth = 3;
+constexpr double kCutRimOpacity = 0.9;
+constexpr double kCutBehindOpacity = 0.35;
+constexpr int kCutRimSides = 96;
 /// The rim is a little wider than what is cut.
 constexpr double kRimScale = 1.08;
 /// A normal this nearly along the line of sight cannot be followed by the cursor's ray.
@@ -71,7 +71,7 @@ namespace {
 
 vtkSmartPointer<vtkPolyData> circle() {
   vtkNew<vtkRegularPolygonSource> source;
-  source->SetNumberOfSides(kSides);
+  source->SetNumberOfSides(kCutRimSides);
   source->SetRadius(1);
   source->SetNormal(1, 0, 0);
   source->GeneratePolygonOff();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> circle() {
   return source->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> arrow() {
+vtkSmartPointer<vtkPolyData> cutArrow() {
   vtkNew<vtkArrowSource> source;
   source->SetShaftResolution(16);
   source->SetTipResolution(20);
@@ -95,9 +95,9 @@ vtkSmartPointer<vtkPolyData> arrow() {
 vtkVisceraCutPlaneRepresentation::vtkVisceraCutPlaneRepresentation() : Inside(std::make_unique<Parts>()) {
   auto& p = *Inside;
   for (const bool behind : {true, false}) {
-    const double opacity = behind ? kBehindOpacity : kRimOpacity;
+    const double opacity = behind ? kCutBehindOpacity : kCutRimOpacity;
     p.actors.push_back(newHelper(circle(), p.rimMatrix, opacity, behind));
-    p.actors.push_back(newHelper(arrow(), p.arrowMatrix, opacity, behind));
+    p.actors.push_back(newHelper(cutArrow(), p.arrowMatrix, opacity, behind));
   }
   p.actors.back()->GetProperty()->LightingOn();
   p.actors.back()->GetProperty()->SetAmbient(0.4);
@@ -128,7 +128,7 @@ Vec3 vtkVisceraCutPlaneRepresentation::GetMiddle() const {
 
 Vec3 vtkVisceraCutPlaneRepresentation::GetArrowTip() const {
   const Vec3 middle = Inside->middle();
-  return middle - Inside->plane.normal * (kArrowLength * viewGeometry(Renderer).logicalPixel(middle));
+  return middle - Inside->plane.normal * (kCutArrowLength * viewGeometry(Renderer).logicalPixel(middle));
 }
 
 Vec3 vtkVisceraCutPlaneRepresentation::GetRimPoint(double angle) const {
@@ -168,9 +168,9 @@ int vtkVisceraCutPlaneRepresentation::ComputeInteractionState(int x, int y, int)
   if (distanceToSegment(cursor, onDisplay(GetMiddle()), onDisplay(GetArrowTip())) < reach)
     return InteractionState = OnArrow;
   double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kSides; ++i)
-    nearest = std::min(nearest, distanceToSegment(cursor, onDisplay(GetRimPoint(2 * M_PI * i / kSides)),
-                                                  onDisplay(GetRimPoint(2 * M_PI * (i + 1) / kSides))));
+  for (int i = 0; i < kCutRimSides; ++i)
+    nearest = std::min(nearest, distanceToSegment(cursor, onDisplay(GetRimPoint(2 * M_PI * i / kCutRimSides)),
+                                                  onDisplay(GetRimPoint(2 * M_PI * (i + 1) / kCutRimSides))));
   if (nearest < reach)
     InteractionState = OnRim;
   return InteractionState;
@@ -207,8 +207,8 @@ void vtkVisceraCutPlaneRepresentation::StartWidgetInteraction(double at[2]) {
   if (p.state == OnRim) {
     // Of the rim's two places near the cursor the one that is nearer to it is in the hand.
     double nearest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kSides; ++i) {
-      const Vec3 place = GetRimPoint(2 * M_PI * i / kSides);
+    for (int i = 0; i < kCutRimSides; ++i) {
+      const Vec3 place = GetRimPoint(2 * M_PI * i / kCutRimSides);
       const auto there = view.project(place);
       const double away = std::hypot(there.x - at[0], there.y - at[1]);
       if (away < nearest) {
@@ -271,8 +271,8 @@ void vtkVisceraCutPlaneRepresentation::BuildRepresentation() {
   const ViewGeometry view = viewGeometry(Renderer);
   const Vec3 middle = p.middle();
   placeAlong(p.rimMatrix, middle, p.plane.normal, p.rimRadius());
-  placeAlong(p.arrowMatrix, middle, -p.plane.normal, kArrowLength * view.logicalPixel(middle));
-  const double width = (p.highlighted == OnRim ? kRimHeldWidth : kRimWidth) * view.pixelRatio;
+  placeAlong(p.arrowMatrix, middle, -p.plane.normal, kCutArrowLength * view.logicalPixel(middle));
+  const double width = (p.highlighted == OnRim ? kCutRimHeldWidth : kCutRimWidth) * view.pixelRatio;
   for (const auto& actor : p.actors)
     actor->GetProperty()->SetLineWidth(static_cast<float>(width));
 }

@@ -8,27 +8,27 @@
 vtkStandardNewMacro(vtkVisceraCutPlaneWidget);
 
 namespace {
-using Representation = vtkVisceraCutPlaneRepresentation;
+using CutPlaneRepresentation = vtkVisceraCutPlaneRepresentation;
 /// Below the handles' widget, above the camera's style.
-constexpr float kPriority = 0.4F;
+constexpr float kCutPlanePriority = 0.4F;
 } // namespace
 
 vtkVisceraCutPlaneWidget::vtkVisceraCutPlaneWidget() : vtkVisceraDragWidget(false) {
-  Priority = kPriority;
+  Priority = kCutPlanePriority;
 }
 
-void vtkVisceraCutPlaneWidget::SetRepresentation(Representation* representation) {
+void vtkVisceraCutPlaneWidget::SetRepresentation(CutPlaneRepresentation* representation) {
   CancelDrag();
   SetWidgetRepresentation(representation);
 }
 
-Representation* vtkVisceraCutPlaneWidget::GetPlaneRepresentation() {
-  return static_cast<Representation*>(GetRepresentation());
+CutPlaneRepresentation* vtkVisceraCutPlaneWidget::GetPlaneRepresentation() {
+  return static_cast<CutPlaneRepresentation*>(GetRepresentation());
 }
 
 void vtkVisceraCutPlaneWidget::CreateDefaultRepresentation() {
   if (!WidgetRep)
-    WidgetRep = Representation::New();
+    WidgetRep = CutPlaneRepresentation::New();
 }
 
 bool vtkVisceraCutPlaneWidget::IsUnderCursor() {
@@ -36,7 +36,7 @@ bool vtkVisceraCutPlaneWidget::IsUnderCursor() {
 }
 
 bool vtkVisceraCutPlaneWidget::IsOverPart() {
-  return GetPlaneRepresentation()->GetHighlighted() != Representation::Outside;
+  return GetPlaneRepresentation()->GetHighlighted() != CutPlaneRepresentation::Outside;
 }
 
 void vtkVisceraCutPlaneWidget::SetHovered(int state) {
@@ -52,7 +52,7 @@ void vtkVisceraCutPlaneWidget::Hover(int x, int y) {
 }
 
 void vtkVisceraCutPlaneWidget::Leave() {
-  SetHovered(Representation::Outside);
+  SetHovered(CutPlaneRepresentation::Outside);
 }
 
 void vtkVisceraCutPlaneWidget::EndDrag(bool cancelled) {

@@ -33,17 +33,17 @@ namespace {
 /// Logical pixels, as the shapes are made: of the rings, and to the ends of the arms, which begin beside the
 /// cube in the middle.
 constexpr double kRadius = 78;
-constexpr double kArm = 104;
-constexpr double kCube = 5;
+constexpr double kGizmoArm = 104;
+constexpr double kGizmoCube = 5;
 constexpr double kGap = 12;
-constexpr int kSides = 96;
+constexpr int kGizmoRingSides = 96;
 constexpr double kRingReach = 7;
 constexpr double kCubeReach = 10;
 constexpr double kLineWidth = 2.2;
 constexpr double kActiveLineWidth = 4;
-constexpr double kOpacity = 0.95;
+constexpr double kGizmoOpacity = 0.95;
 /// What an organ hides is this much fainter.
-constexpr double kBehind = 0.35;
+constexpr double kGizmoBehind = 0.35;
 constexpr int kRingSamples = 64;
 /// Below this sine of the angle between the line of sight and a ring's plane the ring is seen from its side.
 constexpr double kFromTheSide = 0.3;
@@ -68,9 +68,9 @@ int axisOf(int part) {
 /// The gizmo's parts about the origin, of lines and flat cubes.
 vtkSmartPointer<vtkPolyData> cube(const Vec3& at) {
   vtkNew<vtkCubeSource> source;
-  source->SetXLength(2 * kCube);
-  source->SetYLength(2 * kCube);
-  source->SetZLength(2 * kCube);
+  source->SetXLength(2 * kGizmoCube);
+  source->SetYLength(2 * kGizmoCube);
+  source->SetZLength(2 * kGizmoCube);
   source->SetCenter(at.x(), at.y(), at.z());
   source->Update();
   return source->GetOutput();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> cube(const Vec3& at) {
 vtkSmartPointer<vtkPolyData> ring(int axis) {
   const Vec3 normal = Vec3::Unit(axis);
   vtkNew<vtkRegularPolygonSource> source;
-  source->SetNumberOfSides(kSides);
+  source->SetNumberOfSides(kGizmoRingSides);
   source->SetRadius(kRadius);
   source->SetNormal(normal.x(), normal.y(), normal.z());
   source->GeneratePolygonOff();
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> ring(int axis) {
 }
 
 vtkSmartPointer<vtkPolyData> arm(int axis) {
-  const Vec3 end = kArm * Vec3::Unit(axis), begin = kGap * Vec3::Unit(axis);
+  const Vec3 end = kGizmoArm * Vec3::Unit(axis), begin = kGap * Vec3::Unit(axis);
   vtkNew<vtkLineSource> line;
   line->SetPoint1(begin.x(), begin.y(), begin.z());
   line->SetPoint2(end.x(), end.y(), end.z());
@@ -196,7 +196,7 @@ void vtkVisceraGizmoRepresentation::Parts::turn(const ViewGeometry& view, double
 }
 
 void vtkVisceraGizmoRepresentation::Parts::stretch(const ViewGeometry& view, double x, double y) {
-  const double size = kArm * view.logicalPixel(center), ratio = view.pixelRatio;
+  const double size = kGizmoArm * view.logicalPixel(center), ratio = view.pixelRatio;
   const double dx = x - grab[0], dy = y - grab[1];
   const double evenly = std::exp((dx + dy) / (kPixelsOfScale * ratio));
   motion.factors = Vec3::Ones();
@@ -216,7 +216,8 @@ vtkVisceraGizmoRepresentation::vtkVisceraGizmoRepresentation() : Internals(std::
   auto& p = *Internals;
   for (const bool behind : {true, false})
     for (int part = 1; part <= kParts; ++part)
-      p.actors.push_back(newHelper(shapeOf(part), p.matrix, (behind ? kBehind : 1) * kOpacity, behind));
+      p.actors.push_back(
+          newHelper(shapeOf(part), p.matrix, (behind ? kGizmoBehind : 1) * kGizmoOpacity, behind));
   p.color();
   Visibility = 0;
 }
@@ -288,7 +289,7 @@ Vec3 vtkVisceraGizmoRepresentation::GetGrabPoint(int part) const {
   const auto view = viewGeometry(Renderer);
   const double pixel = view.logicalPixel(p.center);
   if (!isRing(part))
-    return p.center + kArm * pixel * Vec3::Unit(axisOf(part));
+    return p.center + kGizmoArm * pixel * Vec3::Unit(axisOf(part));
   Vec3 nearest = p.center;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kRingSamples; ++i) {
@@ -358,7 +359,7 @@ double* vtkVisceraGizmoRepresentation::GetBounds() {
   auto& p = *Internals;
   if (!Visibility || !Renderer)
     return nullptr;
-  const double size = (kArm + kCube) * viewGeometry(Renderer).logicalPixel(p.center);
+  const double size = (kGizmoArm + kGizmoCube) * viewGeometry(Renderer).logicalPixel(p.center);
   for (int c = 0; c < 3; ++c) {
     p.bounds[2 * c] = p.center[c] - size;
     p.bounds[2 * c + 1] = p.center[c] + size;

@@ -8,27 +8,27 @@
 vtkStandardNewMacro(vtkVisceraGizmoWidget);
 
 namespace {
-using Representation = vtkVisceraGizmoRepresentation;
+using GizmoRepresentation = vtkVisceraGizmoRepresentation;
 /// Above the handles' widget, which has VTK's standard one.
-constexpr float kPriority = 0.6F;
+constexpr float kGizmoPriority = 0.6F;
 } // namespace
 
 vtkVisceraGizmoWidget::vtkVisceraGizmoWidget() : vtkVisceraDragWidget(true) {
-  Priority = kPriority;
+  Priority = kGizmoPriority;
 }
 
-void vtkVisceraGizmoWidget::SetRepresentation(Representation* representation) {
+void vtkVisceraGizmoWidget::SetRepresentation(GizmoRepresentation* representation) {
   CancelDrag();
   SetWidgetRepresentation(representation);
 }
 
-Representation* vtkVisceraGizmoWidget::GetGizmo() {
-  return static_cast<Representation*>(GetRepresentation());
+GizmoRepresentation* vtkVisceraGizmoWidget::GetGizmo() {
+  return static_cast<GizmoRepresentation*>(GetRepresentation());
 }
 
 void vtkVisceraGizmoWidget::CreateDefaultRepresentation() {
   if (!WidgetRep)
-    WidgetRep = Representation::New();
+    WidgetRep = GizmoRepresentation::New();
 }
 
 void vtkVisceraGizmoWidget::SetEnabled(int enabled) {
@@ -49,7 +49,7 @@ void vtkVisceraGizmoWidget::Tell(unsigned long event) {
 void vtkVisceraGizmoWidget::Hover(int x, int y) {
   auto* gizmo = GetGizmo();
   const bool shown = gizmo->GetVisibility() && CurrentRenderer && CurrentRenderer->IsInViewport(x, y);
-  const int part = shown ? gizmo->Pick(x, y) : Representation::Nothing;
+  const int part = shown ? gizmo->Pick(x, y) : GizmoRepresentation::Nothing;
   if (part == gizmo->GetActivePart())
     return;
   gizmo->SetActivePart(part);
@@ -57,7 +57,7 @@ void vtkVisceraGizmoWidget::Hover(int x, int y) {
 }
 
 bool vtkVisceraGizmoWidget::IsOverPart() {
-  return GetGizmo()->GetActivePart() != Representation::Nothing;
+  return GetGizmo()->GetActivePart() != GizmoRepresentation::Nothing;
 }
 
 void vtkVisceraGizmoWidget::DragBegan() {

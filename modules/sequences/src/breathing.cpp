@@ -13,7 +13,7 @@ namespace {
 /// The part of a breath at which expiration has all but ended: the pause follows, and lasts for as long into
 /// the next breath. The liver moves by less than 2 % of its way in it.
 constexpr double kPause = 0.88;
-constexpr Eigen::Index kFewestHandles = 4;
+constexpr Eigen::Index kFewestBreathingHandles = 4;
 constexpr double kLargestShare = 0.5;
 
 } // namespace
@@ -22,7 +22,7 @@ LiverBreathing::LiverBreathing(Points restHandles, const Bounds& organ, std::vec
                                const LiverExcursion& excursion)
     : rest_(std::move(restHandles)), middle_(organ.center()), groups_(std::move(groups)),
       excursion_(excursion) {
-  if (rest_.rows() < kFewestHandles)
+  if (rest_.rows() < kFewestBreathingHandles)
     throw DataError("breathing needs at least four handles", "breathing");
   if (!rest_.allFinite() || !(organ.diagonal() > 0))
     throw DataError("the organ has no extent", "breathing");

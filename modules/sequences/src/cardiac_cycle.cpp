@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mix.h"
 #include "viscera/core/error.h"
 
 namespace viscera::sequences {
@@ -25,7 +26,7 @@ double entered(double part) {
   return curve.at(part);
 }
 
-double clampedRate(double rateBpm) {
+double clampedHeartRate(double rateBpm) {
   return std::clamp(rateBpm, CardiacCycle::kLowestRateBpm, CardiacCycle::kHighestRateBpm);
 }
 
@@ -50,10 +51,6 @@ Curve atrialOf(const CardiacTimes& times, const VentricleClock& clock) {
                           {clock.outletOpens + 0.10 * times.ejection, 0.25},
                           {clock.outletOpens + 0.43 * times.ejection, 0}},
                          times.cycle);
-}
-
-double mix(double from, double to, double part) {
-  return from + part * (to - from);
 }
 
 } // namespace
@@ -103,11 +100,11 @@ CardiacCycle::CardiacCycle(const CavityVolumes& endDiastole, const CavityVolumes
 }
 
 CardiacBeat CardiacCycle::beat(double rateBpm) const {
-  return {clampedRate(rateBpm), endDiastole_, endSystole_};
+  return {clampedHeartRate(rateBpm), endDiastole_, endSystole_};
 }
 
 std::vector<Phase> CardiacCycle::phases(double rateBpm) {
-  const CardiacTimes t = cardiacTimes(clampedRate(rateBpm));
+  const CardiacTimes t = cardiacTimes(clampedHeartRate(rateBpm));
   const double alone = t.filling() - t.atrialSystole; // Until the atria contract.
   std::vector<Phase> phases;
   double seconds = 0;

@@ -3,23 +3,20 @@
 #include <cmath>
 #include <utility>
 
+#include "mix.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 
 namespace viscera::sequences {
 namespace {
 
-constexpr std::size_t kFewest = 8; ///< Instants.
+constexpr std::size_t kFewestInstants = 8; ///< Instants.
 /// Instants of the beat at which the volumes are tried beforehand.
-constexpr int kTried = 24;
+constexpr int kTriedOfACourse = 24;
 constexpr Eigen::Index kInARow = 6; ///< Each but the first of them begins where the one before ended.
 
-double mix(double from, double to, double part) {
-  return from + part * (to - from);
-}
-
 HeartCourse checked(HeartCourse course) {
-  if (course.instants.size() < kFewest || !(course.period > 0))
+  if (course.instants.size() < kFewestInstants || !(course.period > 0))
     throw DataError("the course does not cover a beat", course.name);
   if (!course.valves.empty() && course.valves.size() != course.instants.size())
     throw DataError("the course tells of its valves at other instants than of its volumes", course.name);
@@ -72,13 +69,13 @@ std::optional<ValveInstants> HeartCourse::valvesAt(double phase) const {
 CourseHeartbeat::CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress)
     : fit_(std::move(fit)), course_(checked(std::move(course))) {
   progress.report(0, "calibrating the heartbeat");
-  found_.resize(kTried);
-  parallelRanges(kTried, kInARow, {}, [&](Eigen::Index begin, Eigen::Index end) {
+  found_.resize(kTriedOfACourse);
+  parallelRanges(kTriedOfACourse, kInARow, {}, [&](Eigen::Index begin, Eigen::Index end) {
     Points pose;
     FoundCavities found;
     for (Eigen::Index i = begin; i < end; ++i) {
       progress.throwIfCancelled();
-      fit_.pose(course_.at(static_cast<double>(i) / kTried), pose, &found);
+      fit_.pose(course_.at(static_cast<double>(i) / kTriedOfACourse), pose, &found);
       found_[static_cast<std::size_t>(i)] = found;
     }
   });
@@ -90,7 +87,8 @@ CourseHeartbeat::CourseHeartbeat(const CourseHeartbeat& similar, HeartCourse cou
 
 void CourseHeartbeat::poseAt(double seconds, double /*ratePerMinute*/, Points& pose) const {
   const double phase = seconds / course_.period - std::floor(seconds / course_.period);
-  FoundCavities start = found_[static_cast<std::size_t>(std::lround(phase * kTried)) % kTried];
+  FoundCavities start =
+      found_[static_cast<std::size_t>(std::lround(phase * kTriedOfACourse)) % kTriedOfACourse];
   const HeartInstant instant = course_.at(phase);
   try {
     fit_.pose(instant, pose, &start);

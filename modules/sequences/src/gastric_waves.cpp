@@ -12,7 +12,7 @@ namespace {
 // It begins to form before it sets out and fades at the pylorus, s.
 constexpr double kFormsBefore = 2;
 constexpr double kForming = 8;
-constexpr double kFading = 4;
+constexpr double kWaveFading = 4;
 
 // Its depth as a part of the radius, and its width (one standard deviation, mm), over the way.
 constexpr double kFirstDepth = 0.14;
@@ -39,14 +39,14 @@ constexpr double kDeepest = 0.9;
 constexpr double kVisible = 0.05;
 
 /// The part of the way at which the antrum begins.
-constexpr double kAntrum = 0.4;
+constexpr double kAntrumOnTheWay = 0.4;
 
-double clampedRate(double ratePerMinute) {
+double clampedWaveRate(double ratePerMinute) {
   return std::clamp(ratePerMinute, GastricWaves::kLowestRate, GastricWaves::kHighestRate);
 }
 
 double periodOf(double ratePerMinute) {
-  return 60 / clampedRate(ratePerMinute);
+  return 60 / clampedWaveRate(ratePerMinute);
 }
 
 } // namespace
@@ -74,18 +74,18 @@ double GastricWaves::progress(double age) const {
 
 double GastricWaves::depth(double age) const {
   const double grown = smoothStep((age + kFormsBefore) / kForming);
-  const double left = 1 - smoothStep((age - transitSeconds()) / kFading);
+  const double left = 1 - smoothStep((age - transitSeconds()) / kWaveFading);
   return course_.depth * (kFirstDepth + kDepthGain * std::pow(progress(age), kDepthPower)) * grown * left;
 }
 
 double GastricWaves::depth(double age, double ratePerMinute) const {
-  return depth(age) * std::min(1.0, kFullDepthRate / clampedRate(ratePerMinute));
+  return depth(age) * std::min(1.0, kFullDepthRate / clampedWaveRate(ratePerMinute));
 }
 
 double GastricWaves::shutBy(double age) const {
   const double left = course_.pylorus - position(age);
   const double closing = smoothStep(2 * (kLastWay - left) / kLastWay);
-  return kShut * course_.depth * closing * (1 - smoothStep((age - transitSeconds()) / kFading));
+  return kShut * course_.depth * closing * (1 - smoothStep((age - transitSeconds()) / kWaveFading));
 }
 
 double GastricWaves::pyloricClosure(double seconds, double ratePerMinute) const {
@@ -99,7 +99,7 @@ std::vector<double> GastricWaves::ages(double seconds, double ratePerMinute) con
   const double period = periodOf(ratePerMinute);
   const double youngest = seconds - period * std::floor((seconds + kFormsBefore) / period);
   std::vector<double> ages;
-  for (double age = youngest; age < transitSeconds() + kFading; age += period)
+  for (double age = youngest; age < transitSeconds() + kWaveFading; age += period)
     ages.push_back(age);
   std::reverse(ages.begin(), ages.end());
   return ages;
@@ -130,7 +130,7 @@ std::vector<NamedPlace> GastricWaves::places() const {
   const auto part = [this](double s) { return s / course_.pylorus; };
   return {{"fundus", 0},
           {"body", part(course_.midBody)},
-          {"antrum", part(course_.midBody + kAntrum * length_)},
+          {"antrum", part(course_.midBody + kAntrumOnTheWay * length_)},
           {"pylorus", 1}};
 }
 
@@ -147,7 +147,7 @@ const char* GastricWaves::placeOf(double age) const {
     return "wave fades at the pylorus";
   if (course_.pylorus - position(age) <= kLastWay)
     return "terminal antral contraction";
-  return progress(age) >= kAntrum ? "wave in the antrum" : "wave in the body";
+  return progress(age) >= kAntrumOnTheWay ? "wave in the antrum" : "wave in the body";
 }
 
 std::string GastricWaves::rateRemark(double ratePerMinute) {

@@ -31,8 +31,8 @@ constexpr double kBulge = 0.06;         ///< Rounder than this the ventricles sh
 const Vec3 kRightOfPeople(-0.62, -0.78, 0.05);
 
 // Fitting, in the standard size.
-constexpr double kRayStep = 0.5;
-constexpr double kFarthest = 120;
+constexpr double kFitRayStep = 0.5;
+constexpr double kFarthestFromAxis = 120;
 constexpr double kShellCenter = 30;  ///< c of the widest place,
 constexpr double kShellHalf = 67;    ///< and half the length of the left ventricle from outside;
 constexpr double kCavityCenter = 28; ///< the same of its cavity,
@@ -45,17 +45,17 @@ constexpr double kLastAtrial = 60;   ///< What is farther behind carries vessels
 constexpr double kSpread = 20;       ///< Between handles on what is behind the base, mm.
 constexpr double kVesselSpread = 13; ///< The same on vessels,
 constexpr double kVesselOff = 4;     ///< and how far off these they stand, mm.
-constexpr double kOff = 6;           ///< How far off the surface they stand, mm.
+constexpr double kOffTheHeart = 6;   ///< How far off the surface they stand, mm.
 constexpr double kAtrialMiddle = 24; ///< The point that atria contract towards lies that far behind the base.
 constexpr double kLastVessel = 25;   ///< Beside the ventricles vessels reach that far towards the apex, mm.
 constexpr double kAtrialWidth = 1.4; ///< Atria reach that many radii of the left ventricle from the axis.
 /// The part of the base's descent in which vessels take part at their roots; along the axis and along the
 /// vessel it fades over these lengths, mm.
 constexpr double kVesselFollow = 0.4, kVesselFade = 60, kVesselLength = 25;
-constexpr double kBoxMargin = 0.3;
+constexpr double kHeartBoxMargin = 0.3;
 
 double outermost(const AnatomySurface& surface, const HeartFrame& frame, double phi, double c) {
-  for (double rho = kFarthest; rho > 0; rho -= kRayStep)
+  for (double rho = kFarthestFromAxis; rho > 0; rho -= kFitRayStep)
     if (surface(frame.toWorld(HeartPoint{rho, phi, c})) < 0)
       return rho;
   return 0;
@@ -176,7 +176,7 @@ public:
     double nearest2 = std::numeric_limits<double>::infinity();
     for (const Vec3& one : body_)
       nearest2 = std::min(nearest2, (one - point).squaredNorm());
-    return std::max(0.0, std::sqrt(nearest2) - kCells * cell_ - kOff);
+    return std::max(0.0, std::sqrt(nearest2) - kCells * cell_ - kOffTheHeart);
   }
 
 private:
@@ -200,7 +200,7 @@ void addBehindBase(HeartAnatomy& anatomy, const AnatomySurface& surface, const P
   const auto isAtrium = [&](const Vec3& p) { return frame.toLocal(p).z() < -kFirstAtrial && !isVessel(p); };
   AtriumAnatomy atria{surface, frame.toWorld(HeartPoint{0, 0, -kAtrialMiddle}), {}};
   for (const Vec3& place : spreadPoints(rowsWhere(points, isAtrium), Points(0, 3), kSpread))
-    atria.appendage.push_back(movedOff(surface, place, kOff));
+    atria.appendage.push_back(movedOff(surface, place, kOffTheHeart));
   const auto isFarOut = [&](const Vec3& p) {
     return isVessel(p) && (frame.toLocal(p).z() < -kFirstAtrial || offBody(p) > 0);
   };
@@ -254,9 +254,9 @@ HeartAnatomy fitHeart(const HeartLandmarks& landmarks, const AnatomySurface& sur
     return std::max(surface(p), -kBehindBase - frame.toLocal(p).z());
   };
   anatomy.rightCavity = anatomy.ventricles;
-  anatomy.greatVessels = [](const Vec3&) { return kFarthest; };
+  anatomy.greatVessels = [](const Vec3&) { return kFarthestFromAxis; };
   addBehindBase(anatomy, surface, points);
-  anatomy.box = grownBox(points, kBoxMargin);
+  anatomy.box = grownBox(points, kHeartBoxMargin);
   return anatomy;
 }
 

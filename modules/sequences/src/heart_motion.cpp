@@ -10,7 +10,7 @@ namespace viscera::sequences {
 namespace {
 
 /// The direction, seen from the long axis, in which the right ventricle's base lies, rad.
-constexpr double kRightBase = 0.436;
+constexpr double kRightBaseAngle = 0.436;
 /// The right ventricle's own wall, mm.
 constexpr double kRightWall = 4;
 /// Within this of the left ventricle (mm) what lies outside follows it more than the right one.
@@ -74,7 +74,7 @@ double HeartMotion::leftScale(const HeartState& state) const {
 }
 
 double HeartMotion::descent(const HeartState& state, double phi, double c) const {
-  const double right = square(0.5 + 0.5 * std::cos(phi - kRightBase));
+  const double right = square(0.5 + 0.5 * std::cos(phi - kRightBaseAngle));
   const double base = (1 - right) * excursions_.leftDescent * state.emptying +
                       right * excursions_.rightDescent * state.rightEmptying;
   return base * std::clamp(1 - c / rig_.anatomy.length, 0.0, 1.0);

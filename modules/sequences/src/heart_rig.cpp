@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRayStep = 0.5;         ///< mm
+constexpr double kHeartRayStep = 0.5;    ///< mm
 constexpr double kFarthestRho = 120;     ///< mm; no heart is wider.
 constexpr double kFarthestAtrium = 80;   ///< From an atrium's centre to its wall, mm.
 constexpr double kAtrialOffset = 6;      ///< Between an atrium and its handles, mm.
@@ -31,13 +31,13 @@ constexpr double kFreeWallLength = 76;   ///< How far along the axis it is looke
 constexpr double kRowCloseness = 0.85;   ///< Of its rows, as a part of the spacing.
 constexpr double kSeptumReach = 0.9;     ///< rad
 constexpr double kSeptumLength = 74;     ///< mm
-constexpr int kFewestOnARing = 5;
-constexpr std::size_t kFewestHandles = 8;
+constexpr int kFewestOnAHeartRing = 5;
+constexpr std::size_t kFewestHeartHandles = 8;
 
 /// The outermost distance from the axis at which the ray (phi, c) is inside.
 std::optional<double> outermost(const HeartFrame& frame, const AnatomySurface& surface, double phi,
                                 double c) {
-  for (double rho = kFarthestRho; rho > 0; rho -= kRayStep)
+  for (double rho = kFarthestRho; rho > 0; rho -= kHeartRayStep)
     if (surface(frame.toWorld(HeartPoint{rho, phi, c})) < 0)
       return rho;
   return std::nullopt;
@@ -50,8 +50,8 @@ std::optional<double> firstExit(const HeartFrame& frame, const AnatomySurface& s
   if (surface(frame.toWorld(HeartPoint{0, phi, c})) >= 0)
     return std::nullopt;
   double rho = 0;
-  while (rho < kFarthestRho && surface(frame.toWorld(HeartPoint{rho + kRayStep, phi, c})) < 0)
-    rho += kRayStep;
+  while (rho < kFarthestRho && surface(frame.toWorld(HeartPoint{rho + kHeartRayStep, phi, c})) < 0)
+    rho += kHeartRayStep;
   return rho;
 }
 
@@ -70,9 +70,9 @@ double ringAngle(int k, int count, int ring) {
 }
 
 /// Adds the handles of each part.
-class RigBuilder {
+class HeartRigBuilder {
 public:
-  RigBuilder(HeartRig& rig, const HeartRigOptions& options)
+  HeartRigBuilder(HeartRig& rig, const HeartRigOptions& options)
       : rig_(rig), anatomy_(rig.anatomy), options_(options) {}
 
   void addEndocardium() {
@@ -138,7 +138,7 @@ public:
         const Vec3 direction = spiralDirection(k, options_.atrialHandles);
         double distance = kFarthestAtrium;
         while (distance > 0 && atrium.surface(atrium.center + distance * direction) > 0)
-          distance -= kRayStep;
+          distance -= kHeartRayStep;
         const Vec3 position = atrium.center + (distance + kAtrialOffset) * direction;
         if (anatomy_.ventricles(position) > kClearOfVentricles && clearOfVessels(position))
           addAtrial(atrium, position);
@@ -169,7 +169,7 @@ private:
   }
 
   int countAround(double rho) const {
-    return std::max(kFewestOnARing, static_cast<int>(std::lround(2 * pi * rho / options_.spacing)));
+    return std::max(kFewestOnAHeartRing, static_cast<int>(std::lround(2 * pi * rho / options_.spacing)));
   }
 
   bool clearOfVessels(const Vec3& position) const {
@@ -249,7 +249,7 @@ std::vector<HandleGroup> HeartRig::groups() const {
 
 HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options) {
   HeartRig rig{std::move(anatomy), {}};
-  RigBuilder builder(rig, options);
+  HeartRigBuilder builder(rig, options);
   if (options.cavities)
     builder.addEndocardium();
   builder.addEpicardium();
@@ -264,7 +264,7 @@ HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options) {
     if (role == HeartRole::rightFreeWall && !options.cavities)
       continue;
     const std::size_t count = rig.handlesOf(role).size();
-    if (count < kFewestHandles)
+    if (count < kFewestHeartHandles)
       throw DataError("a ventricle is not where its frame says: only " + std::to_string(count) +
                           " handles meet its wall",
                       "heart rig", "check the landmarks of base, apex and right ventricle");

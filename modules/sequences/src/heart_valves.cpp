@@ -9,6 +9,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/sequences/course_heartbeat.h"
+#include "viscera/sequences/curve.h"
 #include "viscera/sequences/heart_frame.h"
 #include "viscera/sequences/heartbeat.h"
 
@@ -34,11 +35,6 @@ double mod(double value, double period) {
 }
 
 /// 0 before 0, 1 after 1, smooth between.
-double smoothStep(double part) {
-  const double x = std::clamp(part, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
-
 /// How far a valve is open that opens and shuts then.
 double opening(double seconds, double opens, double shuts, double cycle) {
   const double since = mod(seconds - opens, cycle);

@@ -6,7 +6,7 @@ namespace viscera::sequences {
 namespace {
 
 /// Instants of a beat at which the volumes are tried before a heart is there.
-constexpr int kTried = 24;
+constexpr int kTriedOfABeat = 24;
 
 } // namespace
 
@@ -19,8 +19,8 @@ std::string Heartbeat::rateRemark(double ratePerMinute) const {
 CavityHeartbeat::CavityHeartbeat(CavityFit fit, CardiacCycle cycle) : Heartbeat(cycle), fit_(std::move(fit)) {
   Points pose;
   for (const double rate : {CardiacCycle::kStandardRateBpm, CardiacCycle::kHighestRateBpm})
-    for (int i = 0; i < kTried; ++i)
-      poseAt(i * 60 / rate / kTried, rate, pose);
+    for (int i = 0; i < kTriedOfABeat; ++i)
+      poseAt(i * 60 / rate / kTriedOfABeat, rate, pose);
 }
 
 void CavityHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {

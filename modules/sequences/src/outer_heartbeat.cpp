@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kLargestLoss = 0.4;
 /// The ventricles may become narrower or wider by that part of their distance from the axis.
-constexpr double kMostWidening = 0.5;
+constexpr double kMostHeartWidening = 0.5;
 /// Behind the base widening fades within this length of the axis, mm.
-constexpr double kFading = 30;
-constexpr int kTried = 48;
+constexpr double kBaseFading = 30;
+constexpr int kTriedOfAHeart = 48;
 
 bool widens(HeartRole role) {
   return role == HeartRole::epicardium || role == HeartRole::atrium;
@@ -33,8 +33,8 @@ OuterHeartbeat::OuterHeartbeat(HeartMotion motion, PoseCompensation compensation
                     "choose 0 to 0.4; people have 0.048 to 0.106");
   restMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
   Points pose;
-  for (int i = 0; i < kTried; ++i)
-    poseAt(i * 60 / CardiacCycle::kStandardRateBpm / kTried, CardiacCycle::kStandardRateBpm, pose);
+  for (int i = 0; i < kTriedOfAHeart; ++i)
+    poseAt(i * 60 / CardiacCycle::kStandardRateBpm / kTriedOfAHeart, CardiacCycle::kStandardRateBpm, pose);
 }
 
 void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
@@ -48,7 +48,7 @@ void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) 
       continue;
     const Vec3 from = pose.row(i).transpose() - frame.origin();
     const Vec3 outward = from - from.dot(frame.towardsApex()) * frame.towardsApex();
-    widened.row(i) += smoothStep(1 + handle.place.c / kFading) * outward.transpose();
+    widened.row(i) += smoothStep(1 + handle.place.c / kBaseFading) * outward.transpose();
   }
   compensation_.apply(rest_, pose);
   compensation_.apply(rest_, widened);
@@ -56,7 +56,7 @@ void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) 
   const double wanted = restMl_ * (1 - loss_ * now.state.emptying);
   std::array<double, 4> missing = volume_(pose, added);
   missing[0] -= wanted;
-  const auto root = nearestCubicRoot(missing, -kMostWidening, kMostWidening);
+  const auto root = nearestCubicRoot(missing, -kMostHeartWidening, kMostHeartWidening);
   if (!root)
     throw DataError("the heart cannot be brought to the volume that it has to hold",
                     "heartbeat at " + std::to_string(seconds) + " s", "check the landmarks of apex and base");

@@ -15,8 +15,8 @@ constexpr double kReservoirMiddle = 0.545;
 constexpr double kReservoirWidth = 0.415;
 
 constexpr double kLeastWidening = -0.5;
-constexpr double kMostWidening = 0.8;
-constexpr int kTried = 40;
+constexpr double kMostTubeWidening = 0.8;
+constexpr int kTriedOfAWave = 40;
 
 bool moves(const StomachHandle& handle) {
   return handle.region != StomachRegion::fixed && handle.region != StomachRegion::farCorner;
@@ -30,8 +30,8 @@ Peristalsis::Peristalsis(StomachRig rig, PoseCompensation compensation, VolumeAl
   compensation_.requireFor(rest_.rows(), "stomach", "peristalsis");
   keptMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
   const double cycle = 60 / standardRatePerMinute();
-  for (int i = 0; i < kTried; ++i)
-    widening(i * cycle / kTried, standardRatePerMinute());
+  for (int i = 0; i < kTriedOfAWave; ++i)
+    widening(i * cycle / kTriedOfAWave, standardRatePerMinute());
 }
 
 void Peristalsis::affinePose(double seconds, double ratePerMinute, Points& narrowed, Points& added) const {
@@ -57,7 +57,7 @@ void Peristalsis::affinePose(double seconds, double ratePerMinute, Points& narro
 double Peristalsis::wideningFor(const Points& narrowed, const Points& added, double seconds) const {
   std::array<double, 4> missing = volume_(narrowed, added);
   missing[0] -= keptMl_;
-  const auto root = nearestCubicRoot(missing, kLeastWidening, kMostWidening);
+  const auto root = nearestCubicRoot(missing, kLeastWidening, kMostTubeWidening);
   if (!root)
     throw DataError("the upper stomach cannot take in what the waves press out",
                     "peristalsis after " + std::to_string(seconds) + " s", "check the landmarks");

@@ -50,7 +50,7 @@ const std::vector<Vec3>& courseOfTheStomach() {
 
 constexpr double kDuodenalRingRadius = 20;
 constexpr double kDuodenalRingDistance = 16;
-constexpr double kBeyondEnd = 14;
+constexpr double kBeyondTubeEnd = 14;
 
 } // namespace
 
@@ -86,7 +86,7 @@ StomachAnatomy sampleStomachAnatomy(const AnatomySurface& surface) {
   }
   // Beyond the cut ends: what sticks out of the handles near it would hang on those far away.
   const CrossSection end = anatomy.centerline.at(anatomy.centerline.length());
-  anatomy.fixed.push_back({end.center + kBeyondEnd * end.tangent, end.tangent, 0, 1});
+  anatomy.fixed.push_back({end.center + kBeyondTubeEnd * end.tangent, end.tangent, 0, 1});
   anatomy.box = {{-130, -100, -140}, {140, 110, 190}};
   return anatomy;
 }

@@ -19,10 +19,10 @@ constexpr double kWidensAgain = 1.5;
 constexpr double kNarrow = 0.35;
 
 // In the standard size, mm.
-constexpr double kUnreached = 24; ///< Farther from all handles than this a vertex gets one of its own.
-constexpr double kOff = 8;        ///< How far off the surface that stands.
-constexpr double kBeyondEnd = 14; ///< How far before and behind the line its ends are held.
-constexpr double kBoxMargin = 0.3;
+constexpr double kUnreached = 24;     ///< Farther from all handles than this a vertex gets one of its own.
+constexpr double kOffTheStomach = 8;  ///< How far off the surface that stands.
+constexpr double kBeyondLineEnd = 14; ///< How far before and behind the line its ends are held.
+constexpr double kStomachBoxMargin = 0.3;
 
 } // namespace
 
@@ -46,16 +46,16 @@ double pylorusAlong(const std::vector<double>& arcs, const std::vector<double>& 
 
 StomachAnatomy fitStomach(const Centerline& line, const GastricCourse& course, const AnatomySurface& surface,
                           const Points& points) {
-  StomachAnatomy anatomy{line, course, surface, {}, grownBox(points, kBoxMargin)};
+  StomachAnatomy anatomy{line, course, surface, {}, grownBox(points, kStomachBoxMargin)};
   // What rings do not reach is held.
   const auto hold = [&anatomy](const Vec3& place) { anatomy.fixed.push_back({place, Vec3::UnitZ(), 0, 1}); };
   const CrossSection top = line.at(0);
   const CrossSection end = line.at(line.length());
-  hold(top.center - kBeyondEnd * top.tangent);
-  hold(end.center + kBeyondEnd * end.tangent);
+  hold(top.center - kBeyondLineEnd * top.tangent);
+  hold(end.center + kBeyondLineEnd * end.tangent);
   const StomachRig rings = makeStomachRig(anatomy);
   for (const Vec3& place : spreadPoints(points, rings.restHandles(), kUnreached))
-    hold(movedOff(surface, place, kOff));
+    hold(movedOff(surface, place, kOffTheStomach));
   return anatomy;
 }
 

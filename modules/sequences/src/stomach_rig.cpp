@@ -13,22 +13,22 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kFirstRing = 10;  ///< From the top of the fundus, mm.
-constexpr double kPastPylorus = 6; ///< How far beyond the pylorus there are rings, mm.
-constexpr double kRayStep = 0.5;   ///< mm
-constexpr double kFarthest =
-    65; ///< Of the wall from the centreline; a ray along the line goes on for long, mm.
+constexpr double kFirstRing = 10;       ///< From the top of the fundus, mm.
+constexpr double kPastPylorus = 6;      ///< How far beyond the pylorus there are rings, mm.
+constexpr double kStomachRayStep = 0.5; ///< mm
+/// Of the wall from the centreline; a ray along the line goes on for long, mm.
+constexpr double kFarthestFromLine = 65;
 constexpr double kWider = 1.12; ///< A ring's radius as a multiple of the wall's,
 constexpr double kOffset = 3;   ///< and what is added to it, mm.
-constexpr int kFewestOnARing = 6;
+constexpr int kFewestOnAStomachRing = 6;
 constexpr int kMostOnARing = 14;
 constexpr int kProbes = 8;
 /// The part of the way from the middle of the body to the pylorus at which the antrum begins.
-constexpr double kAntrum = 0.4;
+constexpr double kAntrumOnTheBody = 0.4;
 
-class RigBuilder {
+class StomachRigBuilder {
 public:
-  RigBuilder(StomachRig& rig, const StomachRigOptions& options)
+  StomachRigBuilder(StomachRig& rig, const StomachRigOptions& options)
       : rig_(rig), anatomy_(rig.anatomy), options_(options) {}
 
   void addRings() {
@@ -53,8 +53,8 @@ private:
   double wallAt(const CrossSection& section, double angle) const {
     const Vec3 direction = section.across(angle);
     double radius = 0;
-    while (radius < kFarthest && anatomy_.surface(section.center + radius * direction) < 0)
-      radius += kRayStep;
+    while (radius < kFarthestFromLine && anatomy_.surface(section.center + radius * direction) < 0)
+      radius += kStomachRayStep;
     return radius;
   }
 
@@ -68,7 +68,7 @@ private:
     for (int k = 0; k < kProbes; ++k)
       mean += wallAt(section, 2 * pi * k / kProbes) / kProbes;
     const int count = std::clamp(static_cast<int>(std::lround(2 * pi * mean / options_.spacing)),
-                                 kFewestOnARing, kMostOnARing);
+                                 kFewestOnAStomachRing, kMostOnARing);
     for (int k = 0; k < count; ++k) {
       // Every other ring is turned by half a step, so that handles do not stand in rows.
       const double angle = 2 * pi * (k + 0.5 * (ring % 2)) / count;
@@ -83,7 +83,7 @@ private:
     if (s < course.midBody)
       return s < 0.5 * course.midBody ? StomachRegion::fundus : StomachRegion::body;
     const double way = (s - course.midBody) / (course.pylorus - course.midBody);
-    return way < kAntrum ? StomachRegion::body : StomachRegion::antrum;
+    return way < kAntrumOnTheBody ? StomachRegion::body : StomachRegion::antrum;
   }
 
   StomachRig& rig_;
@@ -116,7 +116,7 @@ StomachRig makeStomachRig(StomachAnatomy anatomy, const StomachRigOptions& optio
   if (anatomy.centerline.length() < anatomy.course.pylorus + kPastPylorus)
     throw DataError("the centreline ends before the pylorus", "stomach rig", "lead it into the duodenum");
   StomachRig rig{std::move(anatomy), {}};
-  RigBuilder builder(rig, options);
+  StomachRigBuilder builder(rig, options);
   builder.addRings();
   builder.addFixed();
   builder.addFarCorners();

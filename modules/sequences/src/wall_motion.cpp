@@ -15,12 +15,12 @@ namespace {
 using std::numbers::pi;
 
 /// Fewer vertices than these are no region.
-constexpr std::size_t kFewest = 6;
+constexpr std::size_t kFewestVertices = 6;
 /// Along the axis below the mitral valve, mm.
 constexpr double kBase[2] = {2, 8};
 constexpr double kTurningBase[2] = {4, 14};
 constexpr double kTurningApex[2] = {70, 82};
-constexpr double kRightBase[2] = {0, 8};
+constexpr double kRightBaseSegment[2] = {0, 8};
 constexpr double kWall[2] = {15, 50};
 constexpr double kSlice = 7;
 /// The middle of the right ventricle's free wall at its base, and how far to either side of it, rad.
@@ -44,7 +44,7 @@ bool within(double x, const double (&range)[2]) {
 }
 
 void requireEnough(std::size_t count, const char* where) {
-  if (count < kFewest)
+  if (count < kFewestVertices)
     throw DataError("Only " + std::to_string(count) + " vertices of the surface lie there", where,
                     "take a finer surface");
 }
@@ -76,7 +76,7 @@ WallGauge::WallGauge(const HeartFrame& frame, const HeartSurfaces& rest)
   keepRim(turningBase_, kRim);
   turningApex_ = ring(kTurningApex);
   rightBase_ = chosen(rest.rightCavity, [](const HeartPoint& p) {
-    return within(p.c, kRightBase) && std::abs(angleBetween(kRightMiddle, p.phi)) < kRightReach;
+    return within(p.c, kRightBaseSegment) && std::abs(angleBetween(kRightMiddle, p.phi)) < kRightReach;
   });
   keepRim(rightBase_, kRightRim);
   requireEnough(leftBase_.size(), "base of the left ventricle");

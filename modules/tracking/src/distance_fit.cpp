@@ -11,7 +11,7 @@
 namespace viscera::tracking {
 namespace {
 
-constexpr double kFloor = 1e-9;
+constexpr double kDistanceFloor = 1e-9;
 constexpr Eigen::Index kPointsAtOnce = 512;
 /// Distances of all phases are kept when they take no more than that.
 constexpr std::size_t kMostKeptBytes = std::size_t{600} << 20U;
@@ -107,7 +107,7 @@ private:
       Eigen::MatrixXd block = half.selfadjointView<Eigen::Lower>();
       if (row == column) {
         block += bending * rig_.bending();
-        block.diagonal().array() += kFloor + pull;
+        block.diagonal().array() += kDistanceFloor + pull;
       }
       matrix_.block(row * n, column * n, n, n) = block;
     });

@@ -9,7 +9,7 @@ namespace viscera::tracking {
 namespace {
 
 /// Keeps factorisations positive where weights are degenerate.
-constexpr double kFloor = 1e-9;
+constexpr double kFactorFloor = 1e-9;
 
 /// Of all surfaces in one phase below each other, `m x 3`.
 Points phaseOf(const MotionRig& rig, const std::vector<SurfaceSeries>& series, std::size_t phase) {
@@ -43,8 +43,8 @@ MotionFit fitSeries(const MotionRig& rig, const std::vector<SurfaceSeries>& seri
   assert(!series.empty() && series.front().phases.size() == times.count());
   const Eigen::Index n = rig.handles();
   const Eigen::MatrixXd weighted = rig.weights().transpose() * rig.shares().asDiagonal();
-  const Eigen::MatrixXd normal =
-      weighted * rig.weights() + options.bending * rig.bending() + kFloor * Eigen::MatrixXd::Identity(n, n);
+  const Eigen::MatrixXd normal = weighted * rig.weights() + options.bending * rig.bending() +
+                                 kFactorFloor * Eigen::MatrixXd::Identity(n, n);
   const Points rest = rig.vertices(rig.rest());
   Eigen::MatrixXd wanted(3 * n, static_cast<Eigen::Index>(times.count()));
   for (std::size_t phase = 0; phase < times.count(); ++phase) {

@@ -11,7 +11,7 @@ namespace viscera::coordinates {
 namespace {
 
 /// Of the cage's size: files keep six digits of a position.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameCornerPlace = 1e-6;
 
 } // namespace
 
@@ -41,7 +41,7 @@ std::vector<int> handlesAtVertices(const Points& handles, const geometry::Triang
   std::vector<int> found(static_cast<std::size_t>(cage.points.rows()), -1);
   if (handles.rows() == 0)
     return found;
-  const double tolerance = kSamePlace * boundsOf(cage.points).diagonal();
+  const double tolerance = kSameCornerPlace * boundsOf(cage.points).diagonal();
   for (std::size_t vertex = 0; vertex < found.size(); ++vertex) {
     Eigen::Index nearest = 0;
     const auto place = cage.points.row(static_cast<Eigen::Index>(vertex));

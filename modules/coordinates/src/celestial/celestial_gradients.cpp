@@ -11,7 +11,7 @@ namespace {
 
 using Mat3 = Eigen::Matrix3d;
 
-constexpr Eigen::Index kGrain = 256;
+constexpr Eigen::Index kGradientsAtOnce = 256;
 
 /// What one handle contributes at one point. The prior weights are `D^-k` here: a common factor changes
 /// nothing.
@@ -116,7 +116,7 @@ CoordinateGradients celestialGradients(const CelestialFunction& function, const 
   }
   const Eigen::Index count = handles.rows();
   result.values.setZero(points.rows() * count, 3);
-  parallelRanges(points.rows(), kGrain, options.threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(points.rows(), kGradientsAtOnce, options.threads, [&](Eigen::Index begin, Eigen::Index end) {
     PointGradient gradient(function, options, count);
     for (Eigen::Index point = begin; point < end; ++point)
       if (!std::binary_search(result.failures.begin(), result.failures.end(), static_cast<int>(point)))

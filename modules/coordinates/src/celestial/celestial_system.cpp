@@ -7,20 +7,20 @@
 #include <utility>
 
 #include "celestial/celestial_function.h"
+#include "tile.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {
 namespace {
 
-constexpr int kTile = TiledWeights::kTile;
-constexpr Eigen::Index kTilesPerRange = 32;
+constexpr Eigen::Index kTilesPerSolution = 32;
 
 /// Of the handles' size: the identity error aimed at, which is about what rounding leaves.
-constexpr double kRelativeTolerance = 1e-13;
+constexpr double kIdentityAimedAt = 1e-13;
 /// The rounding of sums over more handles than this grows noticeably.
 constexpr double kManyHandles = 500;
 /// Of the handles' size: without softness, a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-14;
+constexpr double kSamePlaceUnsoftened = 1e-14;
 
 const Parameter kLocality{
     .name = "locality", .maximum = 6, .help = "How much nearer handles count more; 0 as in the thesis"};
@@ -46,9 +46,9 @@ simd::CelestialProblem problemOf(const PointsOf<Dim>& handles,
   problem.count = handles.rows();
   problem.locality = options.locality;
   problem.softnessSquared = options.softness * options.softness;
-  problem.samePlaceSquared = kSamePlace * size * kSamePlace * size;
+  problem.samePlaceSquared = kSamePlaceUnsoftened * size * kSamePlaceUnsoftened * size;
   // The error in space is at most the largest D times the relative one, and softness lengthens D.
-  problem.tolerance = kRelativeTolerance * std::max(1.0, static_cast<double>(handles.rows()) / kManyHandles) *
+  problem.tolerance = kIdentityAimedAt * std::max(1.0, static_cast<double>(handles.rows()) / kManyHandles) *
                       size / std::hypot(size, options.softness);
   return problem;
 }
@@ -94,7 +94,8 @@ CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, cons
   std::atomic<Eigen::Index> done{0};
   progress.throwIfCancelled();
   parallelRanges(
-      solution.weights.tiles(), kTilesPerRange, options.threads, [&](Eigen::Index begin, Eigen::Index end) {
+      solution.weights.tiles(), kTilesPerSolution, options.threads,
+      [&](Eigen::Index begin, Eigen::Index end) {
         progress.throwIfCancelled();
         std::vector<double> scratch(static_cast<std::size_t>(problem.count) * simd::kCelestialScratch);
         for (Eigen::Index tile = begin; tile < end; ++tile) {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "same_place.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -121,15 +122,13 @@ double ConvexCell::reach() const {
   return reach;
 }
 
-/// Of the handles' size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// Times the handles' size: the cells of points near the hull reach far beyond it. The first is enough for
 /// most and costs fewer digits.
 constexpr double kReaches[] = {1e2, 1e5};
 
-class Solver final : public PointSolver {
+class NaturalNeighbourSolver final : public PointSolver {
 public:
-  explicit Solver(const Points& handles) : handles_(handles), hull_(handles) {}
+  explicit NaturalNeighbourSolver(const Points& handles) : handles_(handles), hull_(handles) {}
 
   bool solve(const Vec3& point, Values& weights) const override {
     const Points sites = handles_.rowwise() - point.transpose();
@@ -190,7 +189,7 @@ NaturalNeighbours::NaturalNeighbours()
                                   "cells; positive and local",
                        .traits = {.positive = true, .interpolates = true}},
                       [](const HandleSet& handles, const ParameterValues&) {
-                        return std::make_unique<Solver>(handles.positions);
+                        return std::make_unique<NaturalNeighbourSolver>(handles.positions);
                       }) {}
 
 } // namespace viscera::coordinates

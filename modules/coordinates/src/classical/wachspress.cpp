@@ -39,9 +39,9 @@ std::vector<std::vector<Eigen::Index>> fansOf(const Triangles& cage, Eigen::Inde
   return fans;
 }
 
-class Solver final : public PointSolver {
+class WachspressSolver final : public PointSolver {
 public:
-  Solver(const Points& handles, const Triangles& cage)
+  WachspressSolver(const Points& handles, const Triangles& cage)
       : size_(boundsOf(handles).diagonal()), fans_(fansOf(cage, handles.rows())), normals_(cage.rows(), 3),
         offsets_(cage.rows()) {
     for (Eigen::Index t = 0; t < cage.rows(); ++t) {
@@ -110,7 +110,7 @@ Wachspress::Wachspress()
            .summary = "Rational coordinates of a convex cage; positive and smooth inside",
            .traits = {.needsCage = true, .positive = true, .interpolates = true, .closedFormGradient = true}},
           [](const HandleSet& handles, const ParameterValues&) {
-            return std::make_unique<Solver>(handles.positions, cageOf(handles));
+            return std::make_unique<WachspressSolver>(handles.positions, cageOf(handles));
           }) {}
 
 } // namespace viscera::coordinates

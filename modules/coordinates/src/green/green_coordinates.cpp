@@ -13,9 +13,9 @@ namespace {
 /// Of the cage's size: a point this near to a triangle is on it.
 constexpr double kOnCage = 1e-11;
 
-class Solver final : public PointSolver {
+class GreenSolver final : public PointSolver {
 public:
-  Solver(const Points& handles, const Triangles& cage)
+  GreenSolver(const Points& handles, const Triangles& cage)
       : handles_(handles), cage_(cage), tolerance_(kOnCage * boundsOf(handles).diagonal()),
         lift_(std::make_shared<CageNormals>(handles, cage)) {}
 
@@ -75,7 +75,7 @@ GreenCoordinates::GreenCoordinates()
                                   "does not touch its handles",
                        .traits = {.needsCage = true, .closedFormGradient = true, .affine = false}},
                       [](const HandleSet& handles, const ParameterValues&) {
-                        return std::make_unique<Solver>(handles.positions, cageOf(handles));
+                        return std::make_unique<GreenSolver>(handles.positions, cageOf(handles));
                       }) {}
 
 } // namespace viscera::coordinates

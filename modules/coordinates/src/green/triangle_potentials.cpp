@@ -10,7 +10,7 @@ namespace viscera::coordinates {
 namespace {
 
 /// Of an edge: what the way over its two ends is longer than itself, at least; the logarithm stays finite.
-constexpr double kOnEdge = 1e-30;
+constexpr double kLeastDetour = 1e-30;
 
 } // namespace
 
@@ -48,7 +48,7 @@ TrianglePotentials SeenTriangle::potentials(bool touching, bool wantGradients) c
   for (int k = 0; k < 3; ++k) {
     const Vec3 from = corners_.col(k), to = corners_.col((k + 1) % 3);
     const double first = lengths[k], second = lengths[(k + 1) % 3];
-    const double edge = (to - from).norm(), beyond = std::max(first + second - edge, kOnEdge * edge);
+    const double edge = (to - from).norm(), beyond = std::max(first + second - edge, kLeastDetour * edge);
     const double logarithm = std::log((first + second + edge) / beyond);
     turned += logarithm * sideways_.col(k);
     result.face += from.dot(sideways_.col(k)) * logarithm;

@@ -23,7 +23,7 @@ const Parameter kPolyhedra =
     choiceParameter("polyhedra", "What the hull is divided into", {"tetrahedra", "convex"});
 
 /// Of the handles' size: what lies in a plane, and what is outside.
-constexpr double kFlat = 1e-9;
+constexpr double kInLayer = 1e-9;
 
 using Face = std::array<int, 3>;
 
@@ -34,7 +34,7 @@ using Polyhedron = std::vector<Face>;
 class Divider {
 public:
   Divider(const Points& handles, Polyhedra kind)
-      : handles_(handles), kind_(kind), tolerance_(kFlat * boundsOf(handles).diagonal()) {}
+      : handles_(handles), kind_(kind), tolerance_(kInLayer * boundsOf(handles).diagonal()) {}
 
   double height(const Face& face, const Vec3& point) const {
     const Vec3 a = at(face[0]), area = (at(face[1]) - a).cross(at(face[2]) - a);
@@ -119,9 +119,9 @@ struct Cell {
   std::unique_ptr<const PointSolver> solver;
 };
 
-class Solver final : public PointSolver {
+class LayeredSolver final : public PointSolver {
 public:
-  Solver(const Points& handles, Partitions partitions, Polyhedra polyhedra)
+  LayeredSolver(const Points& handles, Partitions partitions, Polyhedra polyhedra)
       : handles_(handles), divider_(handles_, polyhedra), size_(boundsOf(handles).diagonal()) {
     const Triangles triangles = geometry::ConvexHull(handles).triangles();
     Polyhedron hull;
@@ -149,7 +149,7 @@ public:
     Values part(weights.size());
     for (const auto& layer : layers_) {
       const Cell* around = nullptr;
-      double nearest = kFlat * size_;
+      double nearest = kInLayer * size_;
       for (const Cell& cell : layer)
         if (const double distance = divider_.distance(cell.faces, point); distance <= nearest) {
           nearest = distance;
@@ -193,8 +193,9 @@ CatalogueOfLayers::CatalogueOfLayers()
            .traits = {.positive = true, .rotationInvariant = false, .smooth = false},
            .parameters = {kPartitions, kPolyhedra}},
           [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<Solver>(handles.positions, chosen<Partitions>(parameters, kPartitions),
-                                            chosen<Polyhedra>(parameters, kPolyhedra));
+            return std::make_unique<LayeredSolver>(handles.positions,
+                                                   chosen<Partitions>(parameters, kPartitions),
+                                                   chosen<Polyhedra>(parameters, kPolyhedra));
           }) {}
 
 } // namespace viscera::coordinates

@@ -6,15 +6,14 @@
 #include <Eigen/Geometry>
 
 #include "mean_value/triangle_share.h"
+#include "same_place.h"
 #include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// How far outside a triangle, in barycentric coordinates, a point in its plane still lies in it.
-constexpr double kOnTriangle = 1e-9;
+constexpr double kInTriangle = 1e-9;
 
 /// Barycentric coordinates of the origin in the triangle, when it lies in it.
 bool liesIn(const Corners<double>& corners, Vec3& shares) {
@@ -22,7 +21,7 @@ bool liesIn(const Corners<double>& corners, Vec3& shares) {
   for (std::size_t i = 0; i < 3; ++i) {
     shares[static_cast<Eigen::Index>(i)] =
         corners[(i + 1) % 3].cross(corners[(i + 2) % 3]).dot(area) / area.squaredNorm();
-    if (shares[static_cast<Eigen::Index>(i)] < -kOnTriangle)
+    if (shares[static_cast<Eigen::Index>(i)] < -kInTriangle)
       return false;
   }
   return true;

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "choice_parameter.h"
+#include "same_place.h"
 #include "sphere/sphere_samples.h"
 #include "viscera/coordinates/cage/cage.h"
 
@@ -15,12 +16,10 @@ namespace {
 
 const Parameter kLevel = countParameter("level", "Divisions of the icosahedron: 20 * 4^level rays", 0, 5, 2);
 
-/// Of the cage's size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// Triangles that span less, seen from the point, are hit by no ray.
 constexpr double kThin = 1e-14;
 /// A ray through an edge belongs to both sides.
-constexpr double kOnEdge = 1e-12;
+constexpr double kRayOnEdge = 1e-12;
 
 /// The nearest triangle that every ray hits.
 struct Hits {
@@ -29,9 +28,9 @@ struct Hits {
   Eigen::Matrix3Xd shares; ///< Of the corners, divided by the distance.
 };
 
-class Solver final : public PointSolver {
+class PositiveMeanValueSolver final : public PointSolver {
 public:
-  Solver(const Points& handles, Triangles cage, int level)
+  PositiveMeanValueSolver(const Points& handles, Triangles cage, int level)
       : handles_(handles), cage_(std::move(cage)), size_(boundsOf(handles).diagonal()),
         samples_(sphereSamples(level)) {}
 
@@ -83,7 +82,7 @@ private:
       shares.noalias() = frame.inverse() * samples_.directions;
       for (Eigen::Index ray = 0; ray < rays; ++ray) {
         const double nearness = shares.col(ray).sum();
-        if (nearness > hits.nearness[ray] && shares.col(ray).minCoeff() >= -kOnEdge * nearness) {
+        if (nearness > hits.nearness[ray] && shares.col(ray).minCoeff() >= -kRayOnEdge * nearness) {
           hits.nearness[ray] = nearness;
           hits.triangles[ray] = static_cast<int>(t);
           hits.shares.col(ray) = shares.col(ray).cwiseMax(0);
@@ -113,8 +112,8 @@ PositiveMeanValue::PositiveMeanValue()
                                   .smooth = false},
                        .parameters = {kLevel}},
                       [](const HandleSet& handles, const ParameterValues& parameters) {
-                        return std::make_unique<Solver>(handles.positions, cageOf(handles),
-                                                        static_cast<int>(parameters.get(kLevel)));
+                        return std::make_unique<PositiveMeanValueSolver>(
+                            handles.positions, cageOf(handles), static_cast<int>(parameters.get(kLevel)));
                       }) {}
 
 } // namespace viscera::coordinates

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "same_place.h"
 #include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
@@ -16,10 +17,8 @@ namespace {
 
 /// Of the cage's size: triangles whose planes differ by less are one face.
 constexpr double kOnePlane = 1e-9;
-/// Of the cage's size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// Sine of the angle to a face's plane below which the point lies in it.
-constexpr double kInPlane = 1e-10;
+constexpr double kInFacePlane = 1e-10;
 /// Below this so much cancels that the face is computed with more digits.
 constexpr double kNearPlane = 1e-3;
 
@@ -139,9 +138,9 @@ void addFace(const Polygon& face, const Points& units, Values& weights, const Va
     weights[face[i]] += static_cast<double>(shares[i] / along * mean.dot(center)) / distances[face[i]];
 }
 
-class Solver final : public PointSolver {
+class SphericalMeanValueSolver final : public PointSolver {
 public:
-  Solver(const Points& handles, const Triangles& cage)
+  SphericalMeanValueSolver(const Points& handles, const Triangles& cage)
       : handles_(handles), size_(boundsOf(handles).diagonal()), faces_(facesOf(handles, cage)) {
     for (const Polygon& face : faces_) {
       Vec3 area = Vec3::Zero();
@@ -165,7 +164,7 @@ public:
     const Points units = ways.array().colwise() / distances.array();
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const double sine = std::abs(units.row(faces_[i][0]).dot(normals_[i]));
-      if (sine < kInPlane) {
+      if (sine < kInFacePlane) {
         if (takeFace(i, ways, distances, weights))
           return true;
       } else if (sine < kNearPlane) {
@@ -221,7 +220,7 @@ SphericalMeanValue::SphericalMeanValue()
                        .summary = "Mean value of a cage with flat polygons, whose diagonals play no part",
                        .traits = {.needsCage = true, .interpolates = true}},
                       [](const HandleSet& handles, const ParameterValues&) {
-                        return std::make_unique<Solver>(handles.positions, cageOf(handles));
+                        return std::make_unique<SphericalMeanValueSolver>(handles.positions, cageOf(handles));
                       }) {}
 
 } // namespace viscera::coordinates

@@ -18,7 +18,7 @@ constexpr int kInnerHandles = 8;
 constexpr double kRadius = 50;         ///< mm
 constexpr double kInnerHandlesTo = 28; ///< Half a cube's side, mm.
 constexpr double kPointsWithin = 30;   ///< mm; everything this near is inside the outer handles' hull.
-constexpr unsigned kSeed = 7;
+constexpr unsigned kSceneSeed = 7;
 
 /// The generator's numbers are the same everywhere; a standard distribution's are not.
 class Uniform {
@@ -57,7 +57,7 @@ Scene cloudScene(int points) {
   Scene scene;
   scene.name = "cloud";
   scene.handles.positions.resize(kOuterHandles + kInnerHandles, 3);
-  Uniform random(kSeed);
+  Uniform random(kSceneSeed);
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int i = 0; i < kOuterHandles; ++i) {
     const double z = 1 - (2 * i + 1.0) / kOuterHandles, r = std::sqrt(1 - z * z);

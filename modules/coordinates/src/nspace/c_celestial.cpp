@@ -17,10 +17,10 @@ enum class Sampling { hitAndRun, sphere, cube };
 
 const Parameter kSampling =
     choiceParameter("sampling", "How positive balanced vectors are found", {"hit-and-run", "sphere", "cube"});
-const Parameter kSamples = countParameter("samples", "Samples a point", 10, 1e6, 400);
-const Parameter kSeed = countParameter("seed", "Of the random numbers", 0, 1e6, 1);
+const Parameter kSamplesAPoint = countParameter("samples", "Samples a point", 10, 1e6, 400);
+const Parameter kCelestialSeed = countParameter("seed", "Of the random numbers", 0, 1e6, 1);
 
-constexpr int kMostSteps = 100;
+constexpr int kMostCelestialSteps = 100;
 constexpr double kConverged = 1e-10;
 /// Of the function: a descent smaller than that is lost in rounding, and a whole step is taken.
 constexpr double kRounding = 1e-15;
@@ -29,7 +29,7 @@ constexpr double kRounding = 1e-15;
 /// Newton on a convex function of three variables.
 bool startInside(const Points& units, Values& beta) {
   Vec3 x = Vec3::Zero();
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostCelestialSteps; ++step) {
     beta = (units * x).array().exp();
     const Vec3 slope = units.transpose() * beta;
     if (slope.norm() <= kConverged * beta.sum())
@@ -135,12 +135,12 @@ CCelestial::CCelestial()
                       .everywhere = false,
                       .continuous = false,
                       .smooth = false},
-           .parameters = {kSampling, kSamples, kSeed}},
+           .parameters = {kSampling, kSamplesAPoint, kCelestialSeed}},
           [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<DirectionSolver>(handles.positions,
-                                                     Sampler{chosen<Sampling>(parameters, kSampling),
-                                                             static_cast<int>(parameters.get(kSamples)),
-                                                             static_cast<unsigned>(parameters.get(kSeed))});
+            return std::make_unique<DirectionSolver>(
+                handles.positions, Sampler{chosen<Sampling>(parameters, kSampling),
+                                           static_cast<int>(parameters.get(kSamplesAPoint)),
+                                           static_cast<unsigned>(parameters.get(kCelestialSeed))});
           }) {}
 
 } // namespace viscera::coordinates

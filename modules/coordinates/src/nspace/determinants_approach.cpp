@@ -12,7 +12,7 @@ namespace {
 
 /// Numbers of four unit vectors below this are rounding: the four lie in one plane, as those to handles in a
 /// row.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatSimplex = 1e-12;
 
 /// The determinants of all triples i < j < k of directions, and of no others: 27 MB for 273 handles.
 class Determinants {
@@ -47,7 +47,8 @@ template <int Corners>
 bool addSimplex(const std::array<std::size_t, Corners>& corners,
                 const Eigen::Matrix<double, Corners, 1>& shares, Values& beta) {
   const bool positive = shares.minCoeff() >= 0, negative = shares.maxCoeff() <= 0;
-  if (positive == negative || shares.norm() < kFlat) // Mixed signs, or directions that do not span space.
+  if (positive == negative ||
+      shares.norm() < kFlatSimplex) // Mixed signs, or directions that do not span space.
     return false;
   const double norm = positive ? shares.norm() : -shares.norm();
   for (std::size_t corner = 0; corner < corners.size(); ++corner)

@@ -4,13 +4,13 @@
 
 #include <Eigen/LU>
 
+#include "same_place.h"
+
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// Directions whose outer products have a smaller determinant do not span space.
-constexpr double kFlat = 1e-14;
+constexpr double kFlatDirections = 1e-14;
 
 } // namespace
 
@@ -30,7 +30,7 @@ template <int Dim>
 BalancedSpace<Dim>::BalancedSpace(const PointsOf<Dim>& units) : units_(units) {
   const Eigen::Matrix<double, Dim, Dim> outer = units.transpose() * units;
   double determinant = 0;
-  outer.computeInverseAndDetWithCheck(inverse_, determinant, valid_, kFlat);
+  outer.computeInverseAndDetWithCheck(inverse_, determinant, valid_, kFlatDirections);
 }
 
 template <int Dim>

@@ -17,7 +17,7 @@ enum class Stop { inside, highest };
 
 const Parameter kStop =
     choiceParameter("stop", "When the ascent of the smallest number ends", {"inside", "highest"});
-const Parameter kSeed =
+const Parameter kGradientSeed =
     countParameter("seed", "0 starts from all ones, others from random numbers", 0, 1e6, 1);
 
 /// Of one: slower than this the smallest number does not rise.
@@ -127,7 +127,7 @@ bool ascend(const SightIn<Dim>& sight, const Values& start, Stop stop, Values& b
 }
 
 Values startOf(Eigen::Index handles, const ParameterValues& parameters) {
-  const auto seed = static_cast<unsigned>(parameters.get(kSeed));
+  const auto seed = static_cast<unsigned>(parameters.get(kGradientSeed));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> number(0, 1);
   Values start = Values::Ones(handles);
@@ -158,7 +158,7 @@ GradientMethod::GradientMethod()
                                   .everywhere = false,
                                   .continuous = false,
                                   .smooth = false},
-                       .parameters = {kStop, kSeed}},
+                       .parameters = {kStop, kGradientSeed}},
                       [](const HandleSet& handles, const ParameterValues& parameters) {
                         return std::make_unique<DirectionSolver>(
                             handles.positions, ascentOf<3>(handles.positions.rows(), parameters));

@@ -132,8 +132,8 @@ double shiftFor(const std::vector<Problem>& problems, Eigen::Index count, double
   return shift;
 }
 
-std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points& points,
-                                           const BindOptions& options, Progress& progress) {
+std::unique_ptr<const PointSolver> prepareLagrange(const HandleSet& handles, const Points& points,
+                                                   const BindOptions& options, Progress& progress) {
   Way way{chosen<Target>(options.parameters, kTarget),
           chosen<Positivity>(options.parameters, kPositivity),
           {},
@@ -169,6 +169,6 @@ LagrangeMinimisation::LagrangeMinimisation()
                "As near to a target as balance allows; what is done about negative numbers can be chosen",
            .traits = {.interpolates = true, .everywhere = false, .smooth = false},
            .parameters = {kTarget, kPositivity, kShift}},
-          prepare) {}
+          prepareLagrange) {}
 
 } // namespace viscera::coordinates

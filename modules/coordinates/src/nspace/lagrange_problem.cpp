@@ -10,10 +10,10 @@ namespace viscera::coordinates {
 namespace {
 
 /// Directions whose outer products have a smaller determinant do not span space.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatProblem = 1e-12;
 /// Of the sum of the numbers: as well balanced as rounding allows.
 constexpr double kBalanced = 1e-14;
-constexpr int kMostSteps = 200;
+constexpr int kMostLagrangeSteps = 200;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kShortestStep = 1e-12;
 
@@ -72,7 +72,7 @@ bool LagrangeProblem<Dim>::solve(const std::vector<Eigen::Index>& dead, Values& 
   Matrix inverse;
   double determinant = 0;
   bool invertible = false;
-  outer.computeInverseAndDetWithCheck(inverse, determinant, invertible, kFlat);
+  outer.computeInverseAndDetWithCheck(inverse, determinant, invertible, kFlatProblem);
   if (!invertible)
     return false;
   beta = target_ - units_ * (inverse * pull);
@@ -85,7 +85,7 @@ template <int Dim>
 bool LagrangeProblem<Dim>::solveExactly(Values& beta) const {
   Vector multipliers = Vector::Zero();
   const auto numbersAt = [&](const Vector& at) -> Values { return (target_ + units_ * at).cwiseMax(0); };
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostLagrangeSteps; ++step) {
     beta = numbersAt(multipliers);
     const Vector slope = units_.transpose() * beta;
     if (slope.norm() <= kBalanced * beta.sum())
@@ -94,7 +94,7 @@ bool LagrangeProblem<Dim>::solveExactly(Values& beta) const {
     for (Eigen::Index i = 0; i < beta.size(); ++i)
       if (beta[i] > 0)
         bend += units_.row(i).transpose() * units_.row(i);
-    if (bend.determinant() < kFlat)
+    if (bend.determinant() < kFlatProblem)
       bend.diagonal().array() += 1e-3;
     const Vector way = -bend.ldlt().solve(slope);
     const double value = beta.squaredNorm() / 2;
@@ -114,7 +114,7 @@ bool LagrangeProblem<Dim>::solveByFewestZeros(int mostChoices, Values& beta) con
   Values trial(target_.size());
   double nearest = std::numeric_limits<double>::infinity();
   int choices = 0;
-  const double floor = -kFlat * scale();
+  const double floor = -kFlatProblem * scale();
   for (Eigen::Index zeros = 0; zeros + Dim + 1 <= target_.size(); ++zeros) {
     forEachSubset(target_.size(), zeros, [&](const std::vector<Eigen::Index>& dead) {
       if (++choices > mostChoices)
@@ -140,7 +140,7 @@ bool LagrangeProblem<Dim>::solveByDropping(Values& beta) const {
   std::vector<Eigen::Index> dead;
   while (solve(dead, beta)) {
     const std::size_t before = dead.size();
-    const double floor = -kFlat * scale();
+    const double floor = -kFlatProblem * scale();
     for (Eigen::Index i = 0; i < beta.size(); ++i)
       if (beta[i] < floor)
         dead.push_back(i);

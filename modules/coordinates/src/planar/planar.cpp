@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "nspace/direction_solver.h"
+#include "same_place.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/coordinates/celestial/t_celestial.h"
 #include "viscera/coordinates/mean_value/mean_value.h"
@@ -19,8 +20,6 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' size: a point this near to a handle is at it.
-constexpr double kSamePlace = 1e-12;
 /// Of a half turn: directions that leave out more do not go all around.
 constexpr double kHalfTurn = 1e-12;
 

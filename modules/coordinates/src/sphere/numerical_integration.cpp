@@ -18,15 +18,15 @@
 namespace viscera::coordinates {
 namespace {
 
-const Parameter kSamples =
+const Parameter kDirectionSamples =
     countParameter("samples", "Divisions of the icosahedron: 20 * 4^samples directions", 0, 5, 3);
-const Parameter kSeed =
+const Parameter kDirectionSeed =
     countParameter("seed", "Turns the directions at random; 0 leaves the icosahedron upright", 0, 1000, 0);
 
 /// Unit vectors whose determinant is smaller lie in one plane with the point: they span nothing.
-constexpr double kFlat = 1e-14;
+constexpr double kFlatWithPoint = 1e-14;
 /// A direction through an edge belongs to both sides.
-constexpr double kOnEdge = 1e-12;
+constexpr double kDirectionOnEdge = 1e-12;
 
 /// Every face of the tetrahedra once, sorted.
 Triangles facesOf(const geometry::Tetrahedra& tetrahedra) {
@@ -61,7 +61,7 @@ Eigen::Matrix3d randomTurn(int seed) {
 }
 
 /// A face's part of the directions' numbers, before its samples are shared with other faces.
-struct Seen {
+struct SeenFace {
   Eigen::Index face, sample;
   Vec3 shares;
   double weight;
@@ -74,25 +74,25 @@ struct Integral {
   bool operator()(const Sight& sight, Values& beta) const {
     const Eigen::Index count = samples.areas.size();
     Values total = Values::Zero(count);
-    std::vector<Seen> seen;
+    std::vector<SeenFace> seen;
     Eigen::Matrix3Xd shares(3, count);
     for (Eigen::Index face = 0; face < faces.rows(); ++face) {
       Eigen::Matrix3d frame;
       for (int i = 0; i < 3; ++i)
         frame.col(i) = sight.units.row(faces(face, i)).transpose();
       const double volume = frame.determinant();
-      if (std::abs(volume) < kFlat)
+      if (std::abs(volume) < kFlatWithPoint)
         continue;
       shares.noalias() = frame.inverse() * samples.directions;
       for (Eigen::Index sample = 0; sample < count; ++sample)
-        if (shares.col(sample).minCoeff() >= -kOnEdge) {
+        if (shares.col(sample).minCoeff() >= -kDirectionOnEdge) {
           seen.push_back({face, sample, shares.col(sample).cwiseMax(0), volume * volume});
           total[sample] += volume * volume;
         }
     }
     if (!(total.minCoeff() > 0))
       return false;
-    for (const Seen& one : seen)
+    for (const SeenFace& one : seen)
       for (int i = 0; i < 3; ++i)
         beta[faces(one.face, i)] +=
             samples.areas[one.sample] * one.weight / total[one.sample] * one.shares[i];
@@ -113,11 +113,11 @@ NumericalIntegration::NumericalIntegration()
                       .rotationInvariant = false,
                       .continuous = false,
                       .smooth = false},
-           .parameters = {kSamples, kSeed}},
+           .parameters = {kDirectionSamples, kDirectionSeed}},
           [](const HandleSet& handles, const ParameterValues& parameters) {
-            SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kSamples)));
+            SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kDirectionSamples)));
             samples.directions =
-                (randomTurn(static_cast<int>(parameters.get(kSeed))) * samples.directions).eval();
+                (randomTurn(static_cast<int>(parameters.get(kDirectionSeed))) * samples.directions).eval();
             return std::make_unique<DirectionSolver>(
                 handles.positions,
                 Integral{facesOf(geometry::delaunayTetrahedra(handles.positions)), std::move(samples)});

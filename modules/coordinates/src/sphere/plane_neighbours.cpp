@@ -13,9 +13,10 @@ using Corner = Eigen::Vector2d;
 /// Times the distance of the nearest site: how far a cell may reach.
 constexpr double kReach = 1e6;
 
-class Polygon {
+class PlanePolygon {
 public:
-  explicit Polygon(double half) : corners_({{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {}
+  explicit PlanePolygon(double half)
+      : corners_({{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {}
 
   /// Keeps what has `normal . x <= offset`; true when anything was cut off.
   bool cut(const Corner& normal, double offset) {
@@ -62,14 +63,14 @@ private:
 bool planeNeighbours(const PlanePoints& sites, const Eigen::VectorXd& powers, Eigen::VectorXd& shares) {
   const Eigen::VectorXd squares = sites.rowwise().squaredNorm() - powers;
   const double reach = kReach * std::sqrt(squares.minCoeff());
-  Polygon cell(reach);
+  PlanePolygon cell(reach);
   for (Eigen::Index i = 0; i < sites.rows(); ++i)
     cell.cut(sites.row(i).transpose(), squares[i] / 2);
   if (cell.empty() || cell.reach() >= reach)
     return false;
   shares.setZero(sites.rows());
   for (Eigen::Index i = 0; i < sites.rows(); ++i) {
-    Polygon taken = cell;
+    PlanePolygon taken = cell;
     for (Eigen::Index j = 0; j < sites.rows() && !taken.empty(); ++j)
       if (j != i)
         taken.cut((sites.row(j) - sites.row(i)).transpose(), (squares[j] - squares[i]) / 2);

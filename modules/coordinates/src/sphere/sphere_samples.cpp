@@ -13,9 +13,9 @@
 namespace viscera::coordinates {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using SphereTriangle = std::array<Vec3, 3>;
 
-std::vector<Corners> icosahedron() {
+std::vector<SphereTriangle> icosahedron() {
   Points corners(12, 3);
   Eigen::Index next = 0;
   for (const double one : {-1.0, 1.0})
@@ -25,7 +25,7 @@ std::vector<Corners> icosahedron() {
       corners.row(next++) << golden, 0, one;
     }
   corners.rowwise().normalize();
-  std::vector<Corners> triangles;
+  std::vector<SphereTriangle> triangles;
   const geometry::ConvexHull hull(corners);
   for (Eigen::Index t = 0; t < hull.triangles().rows(); ++t) {
     const auto items = hull.triangles().row(t);
@@ -36,16 +36,16 @@ std::vector<Corners> icosahedron() {
 }
 
 /// On the unit sphere: the solid angle under which the centre sees the triangle.
-double sphericalArea(const Corners& t) {
+double sphericalArea(const SphereTriangle& t) {
   return 2 * std::atan2(t[0].dot(t[1].cross(t[2])), 1 + t[0].dot(t[1]) + t[1].dot(t[2]) + t[2].dot(t[0]));
 }
 
 } // namespace
 
 SphereSamples sphereSamples(int level) {
-  std::vector<Corners> triangles = icosahedron();
+  std::vector<SphereTriangle> triangles = icosahedron();
   for (int i = 0; i < level; ++i) {
-    std::vector<Corners> finer;
+    std::vector<SphereTriangle> finer;
     for (const auto& [a, b, c] : triangles) {
       const Vec3 ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
       finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});

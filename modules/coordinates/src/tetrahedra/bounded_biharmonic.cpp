@@ -11,7 +11,7 @@
 namespace viscera::coordinates {
 namespace {
 
-const Parameter kResolution = resolutionParameter(16, 12);
+const Parameter kBiharmonicResolution = resolutionParameter(16, 12);
 const Parameter kMargin{.name = "margin",
                         .minimum = 2,
                         .maximum = 100,
@@ -38,9 +38,9 @@ private:
   Eigen::Index handles_;
 };
 
-class Solver final : public PointSolver {
+class BoundedBiharmonicSolver final : public PointSolver {
 public:
-  Solver(Points handles, TetrahedraField field, std::vector<std::string> notes)
+  BoundedBiharmonicSolver(Points handles, TetrahedraField field, std::vector<std::string> notes)
       : handles_(std::move(handles)), field_(std::move(field)), notes_(std::move(notes)),
         lift_(std::make_shared<WithRemainder>(handles_.rows())) {}
 
@@ -108,12 +108,12 @@ std::vector<std::string> notesOn(const SimplexSolution& solution, const SimplexL
   return {text};
 }
 
-std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points&,
-                                           const BindOptions& options, Progress& progress) {
+std::unique_ptr<const PointSolver> prepareBiharmonic(const HandleSet& handles, const Points&,
+                                                     const BindOptions& options, Progress& progress) {
   const Points& positions = handles.positions;
-  FilledDomain domain =
-      filledDomain(enlargedHull(positions, 1 + options.parameters.get(kMargin) / 100), positions,
-                   options.parameters.get(kResolution), "bounded biharmonic weights", options, progress);
+  FilledDomain domain = filledDomain(enlargedHull(positions, 1 + options.parameters.get(kMargin) / 100),
+                                     positions, options.parameters.get(kBiharmonicResolution),
+                                     "bounded biharmonic weights", options, progress);
   SolidMesh scaled = domain.solid; // In units of its size, so that residuals mean the same for every organ.
   scaled.points /= boundsOf(scaled.points).diagonal();
   SimplexProgram program;
@@ -124,8 +124,8 @@ std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Point
     program.fixed.push_back(domain.onSurface + handle);
   const SimplexLimits limits;
   const SimplexSolution solution = solveOnSimplex(program, limits, options.threads, progress);
-  return std::make_unique<Solver>(positions, TetrahedraField(std::move(domain.solid), solution.weights),
-                                  notesOn(solution, limits));
+  return std::make_unique<BoundedBiharmonicSolver>(
+      positions, TetrahedraField(std::move(domain.solid), solution.weights), notesOn(solution, limits));
 }
 
 } // namespace
@@ -143,7 +143,7 @@ BoundedBiharmonic::BoundedBiharmonic()
                       .rotationInvariant = false,
                       .smooth = false,
                       .affine = false},
-           .parameters = {kResolution, kMargin}},
-          prepare) {}
+           .parameters = {kBiharmonicResolution, kMargin}},
+          prepareBiharmonic) {}
 
 } // namespace viscera::coordinates

@@ -14,14 +14,14 @@
 namespace viscera::coordinates {
 namespace {
 
-const Parameter kResolution = resolutionParameter(32, 20);
+const Parameter kHarmonicResolution = resolutionParameter(32, 20);
 
 /// Of the cage's size, and of barycentric coordinates: a point so near to a triangle lies on it.
-constexpr double kOnTriangle = 1e-9;
+constexpr double kOnCageFace = 1e-9;
 
-class Solver final : public PointSolver {
+class HarmonicSolver final : public PointSolver {
 public:
-  explicit Solver(TetrahedraField field) : field_(std::move(field)) {}
+  explicit HarmonicSolver(TetrahedraField field) : field_(std::move(field)) {}
 
   bool solve(const Vec3& point, Values& weights) const override {
     const auto place = field_.locate(point);
@@ -51,11 +51,11 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
     const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
     const Vec3 area = (b - a).cross(c - a), way = point - a;
     const double twice = area.norm();
-    if (std::abs(way.dot(area)) > kOnTriangle * size * twice)
+    if (std::abs(way.dot(area)) > kOnCageFace * size * twice)
       continue;
     const double ofB = way.cross(c - a).dot(area) / (twice * twice);
     const double ofC = (b - a).cross(way).dot(area) / (twice * twice);
-    if (std::min({ofB, ofC, 1 - ofB - ofC}) < -kOnTriangle)
+    if (std::min({ofB, ofC, 1 - ofB - ofC}) < -kOnCageFace)
       continue;
     row[cage(t, 0)] = 1 - ofB - ofC;
     row[cage(t, 1)] = ofB;
@@ -66,8 +66,8 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
               "try another resolution, or a cage without needle-like triangles");
 }
 
-std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points&,
-                                           const BindOptions& options, Progress& progress) {
+std::unique_ptr<const PointSolver> prepareHarmonic(const HandleSet& handles, const Points&,
+                                                   const BindOptions& options, Progress& progress) {
   const Triangles cage = cageOf(handles);
   // Handles that are no corners of the cage are none of the domain's either.
   std::vector<int> corners(cage.data(), cage.data() + cage.size());
@@ -81,7 +81,7 @@ std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Point
     return static_cast<std::int32_t>(std::lower_bound(corners.begin(), corners.end(), corner) -
                                      corners.begin());
   });
-  FilledDomain domain = filledDomain(surface, Points(0, 3), options.parameters.get(kResolution),
+  FilledDomain domain = filledDomain(surface, Points(0, 3), options.parameters.get(kHarmonicResolution),
                                      "harmonic coordinates", options, progress);
   std::vector<Eigen::Index> fixed(static_cast<std::size_t>(domain.onSurface));
   std::iota(fixed.begin(), fixed.end(), 0);
@@ -90,7 +90,7 @@ std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Point
     given.row(i) = onCage(domain.solid.points.row(i).transpose(), handles.positions, cage);
   const Eigen::MatrixXd values =
       leastEnergy(stiffness(domain.solid), fixed, given, options.threads, progress);
-  return std::make_unique<Solver>(TetrahedraField(std::move(domain.solid), values));
+  return std::make_unique<HarmonicSolver>(TetrahedraField(std::move(domain.solid), values));
 }
 
 } // namespace
@@ -107,7 +107,7 @@ Harmonic::Harmonic()
                       .closedFormGradient = true,
                       .rotationInvariant = false,
                       .smooth = false},
-           .parameters = {kResolution}},
-          prepare) {}
+           .parameters = {kHarmonicResolution}},
+          prepareHarmonic) {}
 
 } // namespace viscera::coordinates

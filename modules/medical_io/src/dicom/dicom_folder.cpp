@@ -10,7 +10,7 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr int kDeepest = 4;
+constexpr int kDeepestFolder = 4;
 constexpr std::size_t kMostFiles = 100'000;
 
 /// "slice_2" before "slice_10".
@@ -50,7 +50,7 @@ void visitFiles(const std::filesystem::path& folder,
   for (Walk entry(folder, std::filesystem::directory_options::skip_permission_denied, error), end;
        !error && entry != end; entry.increment(error)) {
     std::error_code ignored;
-    if (entry.depth() >= kDeepest)
+    if (entry.depth() >= kDeepestFolder)
       entry.disable_recursion_pending();
     if (entry->is_regular_file(ignored) && !visit(entry->path()))
       return;

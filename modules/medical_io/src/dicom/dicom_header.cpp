@@ -55,7 +55,7 @@ std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
 }
 
 /// The seconds of a time "hhmmss.ffffff", or of a date with a time behind it.
-std::optional<double> secondsOf(std::string_view text) {
+std::optional<double> secondsOfTime(std::string_view text) {
   const std::size_t whole = std::min(text.find('.'), text.size());
   if (whole == 14)
     text.remove_prefix(8);
@@ -119,9 +119,9 @@ private:
   DcmItem& dataset_;
 };
 
-class HeaderReader {
+class ElementReader {
 public:
-  explicit HeaderReader(const std::filesystem::path& file) : file_{file, {}} { header_.file = file; }
+  explicit ElementReader(const std::filesystem::path& file) : file_{file, {}} { header_.file = file; }
 
   DicomHeader run() {
     load();
@@ -309,11 +309,12 @@ private:
     if (!frame.triggerMs)
       frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_TriggerTime);
     frame.percent = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalPercentageOfCardiacPhase);
-    frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_FrameAcquisitionDateTime));
+    frame.acquisitionSeconds =
+        secondsOfTime(items.text(DCM_FrameContentSequence, DCM_FrameAcquisitionDateTime));
     if (!frame.acquisitionSeconds)
-      frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_AcquisitionDateTime));
+      frame.acquisitionSeconds = secondsOfTime(items.text(DCM_FrameContentSequence, DCM_AcquisitionDateTime));
     if (!frame.acquisitionSeconds)
-      frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_AcquisitionTime));
+      frame.acquisitionSeconds = secondsOfTime(items.text(DCM_FrameContentSequence, DCM_AcquisitionTime));
     frame.instance = static_cast<std::int64_t>(
         items.number(DCM_FrameContentSequence, DCM_InstanceNumber).value_or(0) + frame.frame);
     frame.echo = items.text(DCM_MREchoSequence, DCM_EchoNumbers);
@@ -345,7 +346,7 @@ private:
 } // namespace
 
 DicomHeader readDicomHeader(const std::filesystem::path& file) {
-  return HeaderReader(file).run();
+  return ElementReader(file).run();
 }
 
 } // namespace viscera::medical_io

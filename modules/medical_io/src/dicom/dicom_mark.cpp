@@ -11,18 +11,18 @@ namespace viscera::medical_io {
 namespace {
 
 /// The group before the data set, which names the class, is a few hundred bytes long.
-constexpr std::size_t kBegin = 1024;
+constexpr std::size_t kMarkWithin = 1024;
 constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 /// Classes of storage; what else there is (a table of contents, a work list) has another beginning.
 constexpr std::string_view kStorage = "1.2.840.10008.5.1.4.1.1.";
 /// Classes of storage without pixels: reports, presentation states, contours, waveforms, plans.
 constexpr std::array<std::string_view, 8> kWithoutPixels = {"88.", "11.",  "481.3", "481.5",
                                                             "9.",  "104.", "66",    "67"};
-constexpr std::string_view kTag("\x02\x00\x02\x00UI", 6); // Media Storage SOP Class UID.
+constexpr std::string_view kClassTag("\x02\x00\x02\x00UI", 6); // Media Storage SOP Class UID.
 
 /// The class that the file says it is of; empty when it does not.
 std::string_view classIn(std::string_view begin) {
-  const std::size_t tag = begin.find(kTag);
+  const std::size_t tag = begin.find(kClassTag);
   if (tag == begin.npos || tag + 8 > begin.size())
     return {};
   const std::size_t length = static_cast<unsigned char>(begin[tag + 6]) +
@@ -36,7 +36,7 @@ std::string_view classIn(std::string_view begin) {
 } // namespace
 
 DicomKind dicomKind(const std::filesystem::path& file) {
-  std::array<char, kBegin> bytes = {};
+  std::array<char, kMarkWithin> bytes = {};
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     return DicomKind::none;

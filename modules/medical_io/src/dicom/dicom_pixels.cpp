@@ -20,8 +20,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr Uint32 kLongestLoaded =
-    4096; ///< Bytes of a value; longer ones stay on the disk until they are read.
+/// Bytes of a value; longer ones stay on the disk until they are read.
+constexpr Uint32 kLongestLoadedPixels = 4096;
 
 void registerCodecs() {
   static std::once_flag once;
@@ -134,7 +134,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header) {
   silenceDcmtk();
   const auto format = std::make_shared<DcmFileFormat>();
   const OFCondition loaded =
-      format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
+      format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedPixels, ERM_autoDetect);
   if (loaded.bad())
     FileBytes{header.file, {}}.fail("is damaged or no DICOM file: " + std::string(loaded.text()));
   source_ = sourceOf(header, format);

@@ -20,8 +20,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 64;
-constexpr std::size_t kMostSegments = 15;
+constexpr std::size_t kRleHeaderBytes = 64;
+constexpr std::size_t kMostRleSegments = 15;
 
 /// Unpacks one segment into every `step`-th byte from `out` on; false when it ends too early or holds too
 /// much.
@@ -78,7 +78,7 @@ private:
                  std::to_string(frame + 1) + " is damaged");
     };
     std::string bytes;
-    if (packed.size() < kHeaderBytes || depth > kMostSegments ||
+    if (packed.size() < kRleHeaderBytes || depth > kMostRleSegments ||
         loadValue<std::uint32_t>(packed.data(), std::endian::little) != depth)
       damaged();
     bytes.resize(pixels * depth);
@@ -89,7 +89,7 @@ private:
       };
       const std::size_t begin = offset(segment), end = offset(segment + 1);
       const std::size_t place = std::endian::native == std::endian::little ? depth - 1 - segment : segment;
-      if (begin < kHeaderBytes || end < begin || end > packed.size() ||
+      if (begin < kRleHeaderBytes || end < begin || end > packed.size() ||
           !unpackSegment(packed.substr(begin, end - begin), pixels, depth, bytes.data() + place))
         damaged();
     }

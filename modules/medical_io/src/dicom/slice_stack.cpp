@@ -16,16 +16,16 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr double kSameDirection = 1e-3; ///< Of unit vectors.
-constexpr double kSameSpacing = 1e-3;   ///< Of pixels, relative.
-constexpr double kEven = 0.01;          ///< Of the distance of slices.
+constexpr double kSameSliceDirection = 1e-3; ///< Of unit vectors.
+constexpr double kSamePixelSpacing = 1e-3;   ///< Of pixels, relative.
+constexpr double kEven = 0.01;               ///< Of the distance of slices.
 /// Many scanners write positions with two digits; that is no unevenness as long as slices are not as close.
 constexpr double kRoundedMm = 0.0101, kMostOfRounding = 0.05;
 constexpr double kSamePlaceMm = 1e-3;
 /// Tilts below this angle come from rounded directions, and so does a shift below this part of a pixel.
 constexpr double kLeastTiltDegrees = 0.05, kLeastShift = 0.1;
-constexpr double kWholeNumber =
-    0.05; ///< How far a gap is off a multiple of the distance to be missing slices.
+/// How far a gap is off a multiple of the distance to be missing slices.
+constexpr double kWholeNumber = 0.05;
 constexpr std::size_t kMostNamed = 3; ///< Gaps that are named one by one.
 constexpr double kMsPerSecond = 1000;
 
@@ -58,15 +58,16 @@ public:
   bool together(std::size_t a, std::size_t b) const {
     const DicomFrame &x = list_.frames[a], &y = list_.frames[b];
     const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
-    return sameSize(f, g) && sameDirections(x, y) && near(x.betweenRows, y.betweenRows, kSameSpacing) &&
-           near(x.betweenColumns, y.betweenColumns, kSameSpacing) && x.echo == y.echo;
+    return sameSize(f, g) && sameDirections(x, y) && near(x.betweenRows, y.betweenRows, kSamePixelSpacing) &&
+           near(x.betweenColumns, y.betweenColumns, kSamePixelSpacing) && x.echo == y.echo;
   }
 
   static bool sameSize(const DicomHeader& f, const DicomHeader& g) {
     return f.rows == g.rows && f.columns == g.columns;
   }
   static bool sameDirections(const DicomFrame& x, const DicomFrame& y) {
-    return (x.row - y.row).norm() <= kSameDirection && (x.column - y.column).norm() <= kSameDirection;
+    return (x.row - y.row).norm() <= kSameSliceDirection &&
+           (x.column - y.column).norm() <= kSameSliceDirection;
   }
 
   /// Why the pictures of `other` are not in `group`.
@@ -203,12 +204,12 @@ bool sameStep(const Vec3& a, const Vec3& b) {
 }
 
 /// Slices [first, last] whose steps are equal.
-struct Run {
+struct EvenRun {
   std::size_t first = 0, last = 0;
 };
 
-Run longestEvenRun(const FrameList& list, const std::vector<std::size_t>& slices) {
-  Run best;
+EvenRun longestEvenRun(const FrameList& list, const std::vector<std::size_t>& slices) {
+  EvenRun best;
   for (std::size_t first = 0; first + 1 < slices.size();) {
     const Vec3 step = stepOf(list, slices, first);
     std::size_t last = first + 1;
@@ -237,7 +238,7 @@ ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::
 }
 
 /// Names the gaps that end the even part.
-void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, const Run& run,
+void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, const EvenRun& run,
                 std::vector<ScanFinding>& findings) {
   if (run.last - run.first + 1 == slices.size())
     return;
@@ -370,7 +371,7 @@ SliceStack stackSlices(const FrameList& list, const SlicePhase& phase) {
   if (!namesInOrder(slices))
     stack.findings.push_back({ScanFinding::Kind::order, "The files' names are not in the order of the "
                                                         "slices; they were put in order by position"});
-  const Run run = longestEvenRun(list, slices);
+  const EvenRun run = longestEvenRun(list, slices);
   reportGaps(list, slices, run, stack.findings);
   stack.frames.assign(slices.begin() + std::ptrdiff_t(run.first),
                       slices.begin() + std::ptrdiff_t(run.last) + 1);

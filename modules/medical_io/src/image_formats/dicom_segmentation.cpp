@@ -29,7 +29,7 @@ constexpr double kSliceTolerance = 0.05;
 /// Frames without voxels may be left out of the file, but a volume of more voxels than this a byte is an
 /// error in a position, not a patient.
 constexpr double kMostVoxelsPerByte = 4096;
-constexpr double kSameDirection = 1e-4;
+constexpr double kSameFrameDirection = 1e-4;
 
 constexpr double kLargestLab = 65535;
 
@@ -176,7 +176,7 @@ private:
     if (frame == 0) {
       raw_.indexToLps.linear() = linear;
       statedSpacing_ = betweenSlices;
-    } else if (!((linear - raw_.indexToLps.linear()).norm() <= kSameDirection * linear.norm())) {
+    } else if (!((linear - raw_.indexToLps.linear()).norm() <= kSameFrameDirection * linear.norm())) {
       file_.fail("its frames lie in different directions", "convert it to .seg.nrrd");
     }
   }

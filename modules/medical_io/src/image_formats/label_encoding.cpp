@@ -11,7 +11,7 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20U; ///< Values between two looks at the progress.
+constexpr std::size_t kEncodedBlock = std::size_t{1} << 20U; ///< Values between two looks at the progress.
 
 /// Numbers the labels of one layer after another in the order in which they come.
 class Encoder {
@@ -29,11 +29,11 @@ public:
                         count = static_cast<std::size_t>(raw_.layers);
       const std::size_t step = width_ * (raw_.layersFirst ? count : 1);
       const char* data = raw_.values().data() + width_ * (raw_.layersFirst ? number : number * voxels);
-      for (std::size_t begin = 0; begin < voxels; begin += kBlock) {
+      for (std::size_t begin = 0; begin < voxels; begin += kEncodedBlock) {
         progress.report(static_cast<double>(number * voxels + begin) / static_cast<double>(count * voxels),
                         "labels");
         progress.throwIfCancelled();
-        for (std::size_t v = begin; v < std::min(voxels, begin + kBlock); ++v)
+        for (std::size_t v = begin; v < std::min(voxels, begin + kEncodedBlock); ++v)
           layer[v] = numberOf(data + v * step);
       }
       lastNumber_.reset();

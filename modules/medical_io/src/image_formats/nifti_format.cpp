@@ -23,9 +23,9 @@ struct Layout {
 };
 constexpr Layout kNifti1 = {348, 344, 40, 76, 70, 108, 112, 116, 123, 252, 254, 256, 268, 280, "ni1"};
 constexpr Layout kNifti2 = {540, 4, 16, 104, 12, 168, 176, 184, 500, 344, 348, 352, 376, 400, "ni2"};
-constexpr int kMostDimensions = 7;
+constexpr int kMostNiftiDimensions = 7;
 /// Of a packed header with its extensions: tables of names take some ten kilobytes.
-constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 22U;
+constexpr std::uint64_t kMostNiftiHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
 
@@ -36,8 +36,8 @@ constexpr double kHalfTurn = 1e-7;
 struct Header {
   std::size_t bytes = 0;
   std::endian order = std::endian::little;
-  std::array<std::int64_t, kMostDimensions + 1> dim = {};
-  std::array<double, kMostDimensions + 1> pixdim = {};
+  std::array<std::int64_t, kMostNiftiDimensions + 1> dim = {};
+  std::array<double, kMostNiftiDimensions + 1> pixdim = {};
   int datatype = 0;
   double dataOffset = 0, slope = 0, intercept = 0;
   int qformCode = 0, sformCode = 0, units = 0;
@@ -68,7 +68,7 @@ Header headerBy(const Layout& layout, std::string_view bytes, std::endian order)
   const auto real = [&](std::size_t first, std::size_t i = 0) -> double {
     return at<Real>(bytes, first + sizeof(Real) * i, order);
   };
-  for (std::size_t d = 0; d <= kMostDimensions; ++d) {
+  for (std::size_t d = 0; d <= kMostNiftiDimensions; ++d) {
     h.dim[d] = at<Size>(bytes, layout.dim + sizeof(Size) * d, order);
     h.pixdim[d] = real(layout.pixdim, d);
   }
@@ -109,7 +109,7 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
 
 /// `axes` of the grid: three, or four where volumes are phases.
 std::array<int, 3> gridOf(const FileBytes& file, const Header& h, std::size_t axes) {
-  if (h.dim[0] < 2 || h.dim[0] > kMostDimensions)
+  if (h.dim[0] < 2 || h.dim[0] > kMostNiftiDimensions)
     file.fail(phrase("its header is damaged: an image has 2 to 7 dimensions, not %1", h.dim[0]));
   for (std::size_t d = axes + 1; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
@@ -361,7 +361,7 @@ ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
     result.stored.packing = isPacked(file.view()) ? Packing::zlib : Packing::none;
   result.stored.skippedBytes = dataOffset(file, h);
   const std::uint64_t most =
-      h.twoFiles ? kMostHeaderBytes : std::min(result.stored.skippedBytes, kMostHeaderBytes);
+      h.twoFiles ? kMostNiftiHeaderBytes : std::min(result.stored.skippedBytes, kMostNiftiHeaderBytes);
   readExtensions(beginOf(file, most), h, raw);
   return result;
 }

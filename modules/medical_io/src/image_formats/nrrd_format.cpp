@@ -12,8 +12,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kMostDimensions = 16;
-constexpr std::size_t kMostSegments = 65535;
+constexpr std::size_t kMostNrrdDimensions = 16;
+constexpr std::size_t kMostNrrdSegments = 65535;
 
 struct Fields {
   std::map<std::string, std::string> fields; ///< In lower case: "space directions".
@@ -182,7 +182,7 @@ private:
     std::string_view text = need("sizes");
     for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
       const auto size = parseInteger(word);
-      if (!size || *size < 1 || sizes.size() == kMostDimensions)
+      if (!size || *size < 1 || sizes.size() == kMostNrrdDimensions)
         file_.fail("its header is damaged: " + inQuotes(word) + " is not a size of an axis");
       sizes.push_back(*size);
     }
@@ -291,7 +291,7 @@ private:
   }
 
   void readSegments() {
-    for (std::size_t n = 0; n < kMostSegments; ++n) {
+    for (std::size_t n = 0; n < kMostNrrdSegments; ++n) {
       const std::string prefix = "Segment" + std::to_string(n) + "_";
       const auto id = header_.key(prefix + "ID"), name = header_.key(prefix + "Name");
       if (!id && !name)

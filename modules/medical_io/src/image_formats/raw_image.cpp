@@ -8,7 +8,7 @@ namespace viscera::medical_io {
 namespace {
 
 constexpr std::int64_t kLongestAxis = 65535;
-constexpr double kFarthestMm = 1e9;
+constexpr double kFarthestVoxelMm = 1e9;
 /// Of the volume of a box with the same edges: less is no volume any more.
 constexpr double kFlattest = 1e-6;
 
@@ -46,7 +46,7 @@ void requireUsableGrid(const RawImage& raw, const FileBytes& file) {
   if (!(std::abs(grid.linear().determinant()) > kFlattest * edges))
     file.fail("the directions and spacing of its voxels enclose no volume");
   const Vec3 last = grid * Vec3(raw.size[0], raw.size[1], raw.size[2]);
-  if (last.norm() > kFarthestMm || grid.translation().norm() > kFarthestMm)
+  if (last.norm() > kFarthestVoxelMm || grid.translation().norm() > kFarthestVoxelMm)
     file.fail("its voxels are more than 1000 km away");
 }
 

@@ -40,7 +40,7 @@ constexpr int kFan = 6;
 
 /// A node may be below another one only once, so that as many steps as there are nodes are enough; the number
 /// of triangles that a scene of instances may unfold to is limited.
-constexpr std::size_t kMostCorners = 300'000'000;
+constexpr std::size_t kMostGltfCorners = 300'000'000;
 
 double encodedFromLinear(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -260,7 +260,7 @@ private:
     std::vector<std::int64_t> list = cornersOf(primitive, raw_.pointCount() - before, mesh);
     for (std::int64_t& corner : list)
       corner += static_cast<std::int64_t>(before);
-    if (raw_.corners.size() + 3 * list.size() > kMostCorners)
+    if (raw_.corners.size() + 3 * list.size() > kMostGltfCorners)
       document_.fail("unfolds to too many triangles");
     addTriangles(list, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
@@ -270,7 +270,7 @@ private:
     const std::vector<double> values = document_.numbers(document_.whole(attributes, "POSITION"), components);
     if (components != 3)
       document_.fail("its points have " + std::to_string(components) + " coordinates, not 3");
-    if (raw_.coordinates.size() + values.size() > kMostCorners)
+    if (raw_.coordinates.size() + values.size() > kMostGltfCorners)
       document_.fail("unfolds to too many points");
     const bool moved = !transform.isIdentity(0);
     for (std::size_t i = 0; i < values.size(); i += 3) {

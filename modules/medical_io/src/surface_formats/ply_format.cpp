@@ -26,14 +26,14 @@ struct ValueType {
   double fullColor; ///< The value of a colour channel at its brightest.
 };
 
-constexpr std::array<ValueType, 8> kTypes = {{{{"char", "int8"}, Scalar::int8, 127},
-                                              {{"uchar", "uint8"}, Scalar::uint8, 255},
-                                              {{"short", "int16"}, Scalar::int16, 32767},
-                                              {{"ushort", "uint16"}, Scalar::uint16, 65535},
-                                              {{"int", "int32"}, Scalar::int32, 255},
-                                              {{"uint", "uint32"}, Scalar::uint32, 255},
-                                              {{"float", "float32"}, Scalar::float32, 1},
-                                              {{"double", "float64"}, Scalar::float64, 1}}};
+constexpr std::array<ValueType, 8> kPlyTypes = {{{{"char", "int8"}, Scalar::int8, 127},
+                                                 {{"uchar", "uint8"}, Scalar::uint8, 255},
+                                                 {{"short", "int16"}, Scalar::int16, 32767},
+                                                 {{"ushort", "uint16"}, Scalar::uint16, 65535},
+                                                 {{"int", "int32"}, Scalar::int32, 255},
+                                                 {{"uint", "uint32"}, Scalar::uint32, 255},
+                                                 {{"float", "float32"}, Scalar::float32, 1},
+                                                 {{"double", "float64"}, Scalar::float64, 1}}};
 
 struct Property {
   std::string name;
@@ -136,7 +136,7 @@ private:
   }
 
   const ValueType& typeNamed(std::string_view name) const {
-    for (const ValueType& type : kTypes)
+    for (const ValueType& type : kPlyTypes)
       if (type.names[0] == name || type.names[1] == name)
         return type;
     text_.fail(inQuotes(name) + " is not a type of a PLY file");

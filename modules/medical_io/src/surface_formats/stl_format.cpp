@@ -14,8 +14,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80;
-constexpr std::size_t kPrefixBytes = kHeaderBytes + 4;
+constexpr std::size_t kStlHeaderBytes = 80;
+constexpr std::size_t kPrefixBytes = kStlHeaderBytes + 4;
 constexpr std::size_t kFacetBytes = 50;
 
 bool isAscii(const FileBytes& file) {
@@ -30,7 +30,7 @@ bool isAscii(const FileBytes& file) {
 std::optional<std::uint64_t> binaryCount(const FileBytes& file) {
   if (file.bytes.size() < kPrefixBytes)
     return std::nullopt;
-  return loadValue<std::uint32_t>(file.bytes.data() + kHeaderBytes, std::endian::little);
+  return loadValue<std::uint32_t>(file.bytes.data() + kStlHeaderBytes, std::endian::little);
 }
 
 bool hasBinarySize(const FileBytes& file) {
@@ -60,7 +60,7 @@ RawSurface readBinary(const FileBytes& file) {
   RawSurface raw;
   raw.pointsAreShared = false;
   const std::uint64_t count = requireBinaryCount(file, raw);
-  const std::string_view header = std::string_view(file.bytes).substr(0, kHeaderBytes);
+  const std::string_view header = std::string_view(file.bytes).substr(0, kStlHeaderBytes);
   const std::string_view text = header.substr(0, header.find('\0'));
   raw.takeComment(text);
   raw.coordinates.reserve(count * 9);
@@ -138,8 +138,8 @@ RawSurface readStl(const FileBytes& file) {
 }
 
 void writeStl(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
-  std::string bytes = writtenComment(options, kHeaderBytes);
-  bytes.resize(kHeaderBytes, '\0');
+  std::string bytes = writtenComment(options, kStlHeaderBytes);
+  bytes.resize(kStlHeaderBytes, '\0');
   bytes.reserve(kPrefixBytes + kFacetBytes * static_cast<std::size_t>(mesh.triangles.rows()));
   appendValue(bytes, static_cast<std::uint32_t>(mesh.triangles.rows()));
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {

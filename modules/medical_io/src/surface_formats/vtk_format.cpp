@@ -28,22 +28,22 @@ namespace {
 /// The type of an array; none for texts.
 using Type = std::optional<Scalar>;
 
-constexpr std::array<std::pair<std::string_view, Type>, 16> kTypes = {{{"unsigned_char", Scalar::uint8},
-                                                                       {"char", Scalar::int8},
-                                                                       {"signed_char", Scalar::int8},
-                                                                       {"unsigned_short", Scalar::uint16},
-                                                                       {"short", Scalar::int16},
-                                                                       {"unsigned_int", Scalar::uint32},
-                                                                       {"int", Scalar::int32},
-                                                                       {"unsigned_long", Scalar::uint64},
-                                                                       {"long", Scalar::int64},
-                                                                       {"vtktypeint64", Scalar::int64},
-                                                                       {"vtktypeuint64", Scalar::uint64},
-                                                                       {"vtkidtype", Scalar::int32},
-                                                                       {"float", Scalar::float32},
-                                                                       {"double", Scalar::float64},
-                                                                       {"string", std::nullopt},
-                                                                       {"utf8_string", std::nullopt}}};
+constexpr std::array<std::pair<std::string_view, Type>, 16> kVtkTypes = {{{"unsigned_char", Scalar::uint8},
+                                                                          {"char", Scalar::int8},
+                                                                          {"signed_char", Scalar::int8},
+                                                                          {"unsigned_short", Scalar::uint16},
+                                                                          {"short", Scalar::int16},
+                                                                          {"unsigned_int", Scalar::uint32},
+                                                                          {"int", Scalar::int32},
+                                                                          {"unsigned_long", Scalar::uint64},
+                                                                          {"long", Scalar::int64},
+                                                                          {"vtktypeint64", Scalar::int64},
+                                                                          {"vtktypeuint64", Scalar::uint64},
+                                                                          {"vtkidtype", Scalar::int32},
+                                                                          {"float", Scalar::float32},
+                                                                          {"double", Scalar::float64},
+                                                                          {"string", std::nullopt},
+                                                                          {"utf8_string", std::nullopt}}};
 
 /// Attributes of which every element has a fixed number of values, behind "KEYWORD name type".
 constexpr std::array<std::pair<std::string_view, std::uint64_t>, 9> kFixedAttributes = {
@@ -124,7 +124,7 @@ private:
 
   Type readType() {
     const std::string_view word = scanner_.word();
-    const auto type = lookUp(kTypes, lowered(word));
+    const auto type = lookUp(kVtkTypes, lowered(word));
     if (!type)
       scanner_.fail(inQuotes(word) + " is not a type of numbers");
     return *type;

@@ -21,23 +21,23 @@ namespace {
 constexpr std::uint64_t kMostInflation = 1100;
 constexpr std::uint64_t kLargestArray = std::uint64_t{1} << 32U;
 
-constexpr std::array<std::pair<std::string_view, Scalar>, 11> kTypes = {{{"Int8", Scalar::int8},
-                                                                         {"UInt8", Scalar::uint8},
-                                                                         {"Int16", Scalar::int16},
-                                                                         {"UInt16", Scalar::uint16},
-                                                                         {"Int32", Scalar::int32},
-                                                                         {"UInt32", Scalar::uint32},
-                                                                         {"Int64", Scalar::int64},
-                                                                         {"UInt64", Scalar::uint64},
-                                                                         {"String", Scalar::int8},
-                                                                         {"Float32", Scalar::float32},
-                                                                         {"Float64", Scalar::float64}}};
+constexpr std::array<std::pair<std::string_view, Scalar>, 11> kVtpTypes = {{{"Int8", Scalar::int8},
+                                                                            {"UInt8", Scalar::uint8},
+                                                                            {"Int16", Scalar::int16},
+                                                                            {"UInt16", Scalar::uint16},
+                                                                            {"Int32", Scalar::int32},
+                                                                            {"UInt32", Scalar::uint32},
+                                                                            {"Int64", Scalar::int64},
+                                                                            {"UInt64", Scalar::uint64},
+                                                                            {"String", Scalar::int8},
+                                                                            {"Float32", Scalar::float32},
+                                                                            {"Float64", Scalar::float64}}};
 
 class ArrayReader {
 public:
   ArrayReader(const VtpStorage& storage, const XmlElement& array) : storage_(storage), array_(array) {
     const std::string_view name = array.attribute("type");
-    const auto type = lookUp(kTypes, name);
+    const auto type = lookUp(kVtpTypes, name);
     if (!type)
       fail("It has the unknown type " + inQuotes(name));
     type_ = *type;

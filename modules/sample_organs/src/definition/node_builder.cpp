@@ -16,7 +16,6 @@ using nlohmann::json;
 
 constexpr int kHighestLevel = 2;
 constexpr int kMostOctaves = 8;
-constexpr int kMostSeed = 1'000'000;
 constexpr double kSkew = 0.02; // how far from orthonormal written axes may be; they carry two or three digits
 
 /// The rotation of `rotate_deg` (about x, then y, then z) or of `axes` (the local axes in the outer frame).

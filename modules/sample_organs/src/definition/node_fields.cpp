@@ -10,7 +10,6 @@ using nlohmann::json;
 constexpr double kCoincident = 1e-3; // mm
 constexpr int kMostTaeniae = 12;
 constexpr int kMostFolds = 100;
-constexpr int kMostSeed = 1'000'000;
 
 double shareOfRadius(Fields& part, const char* key, double otherwise) {
   const double share = part.number(key, otherwise);

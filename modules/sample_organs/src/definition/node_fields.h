@@ -8,6 +8,9 @@
 /// Fields that nodes and paths have in common.
 namespace viscera::sample_organs {
 
+/// Seeds of random shapes go to that number.
+inline constexpr int kMostSeed = 1'000'000;
+
 /// Whether something that says `lod` is there at that level (0 low, 1 medium, 2 high).
 bool presentAt(Fields& fields, int level);
 

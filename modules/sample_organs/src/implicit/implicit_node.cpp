@@ -6,9 +6,9 @@
 
 namespace viscera::sample_organs {
 namespace {
-constexpr double kDifferenceStep = 0.05; // mm; the finest detail of a definition is ten times wider
-constexpr double kLongestStep = 3.0;     // mm; distances are only trusted near the surface
-constexpr double kSmallestSlope2 = 0.05; // squared; keeps steps finite where blends flatten the field
+constexpr double kDifferenceStep = 0.05;     // mm; the finest detail of a definition is ten times wider
+constexpr double kLongestNodeStep = 3.0;     // mm; distances are only trusted near the surface
+constexpr double kSmallestNodeSlope2 = 0.05; // squared; keeps steps finite where blends flatten the field
 constexpr int kMottleSeed = 7;
 constexpr double kOnSurface = 1e-4; // mm
 } // namespace
@@ -43,10 +43,10 @@ Vec3 projected(const ImplicitNode& node, Vec3 point, int steps) {
     if (std::abs(distance) < kOnSurface)
       break;
     const Vec3 slope = gradient(node, point);
-    Vec3 move = -distance / std::max(slope.squaredNorm(), kSmallestSlope2) * slope;
+    Vec3 move = -distance / std::max(slope.squaredNorm(), kSmallestNodeSlope2) * slope;
     const double length = move.norm();
-    if (length > kLongestStep)
-      move *= kLongestStep / length;
+    if (length > kLongestNodeStep)
+      move *= kLongestNodeStep / length;
     point += move;
   }
   return point;

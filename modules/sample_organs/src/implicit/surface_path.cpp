@@ -7,12 +7,12 @@
 namespace viscera::sample_organs {
 namespace {
 
-constexpr double kPathStep = 3.0;       // mm between points that are projected
-constexpr double kClosest = 1.0;        // mm; nearer neighbours make the tube's axis shake
-constexpr double kLongestStep = 4.0;    // mm
-constexpr double kSmallestSlope2 = 0.1; // squared
-constexpr double kSunk = -1.3;          // lift in radii at which nothing is seen of a vessel
-constexpr double kThinnest = 0.45;      // share of its radius that is left where it has sunk
+constexpr double kPathStep = 3.0;           // mm between points that are projected
+constexpr double kClosest = 1.0;            // mm; nearer neighbours make the tube's axis shake
+constexpr double kLongestPathStep = 4.0;    // mm
+constexpr double kSmallestPathSlope2 = 0.1; // squared
+constexpr double kSunk = -1.3;              // lift in radii at which nothing is seen of a vessel
+constexpr double kThinnest = 0.45;          // share of its radius that is left where it has sunk
 constexpr int kGrooveSteps = 8;
 constexpr int kSurfaceSteps = 8;
 
@@ -21,10 +21,10 @@ Vec3 intoGroove(const ImplicitNode& base, const NodePtr (&between)[2], Vec3 poin
   for (int step = 0; step < kGrooveSteps; ++step) {
     const double difference = between[0]->distance(point) - between[1]->distance(point);
     const Vec3 slope = gradient(*between[0], point) - gradient(*between[1], point);
-    Vec3 move = -difference / std::max(slope.squaredNorm(), kSmallestSlope2) * slope;
+    Vec3 move = -difference / std::max(slope.squaredNorm(), kSmallestPathSlope2) * slope;
     const double length = move.norm();
-    if (length > kLongestStep)
-      move *= kLongestStep / length;
+    if (length > kLongestPathStep)
+      move *= kLongestPathStep / length;
     point = projected(base, point + move, 2);
   }
   return point;

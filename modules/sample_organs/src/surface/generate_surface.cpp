@@ -14,12 +14,11 @@ namespace {
 
 using geometry::TriangleMesh;
 
-constexpr double kTriangleArea = 0.433; // of an equilateral triangle with edges of length 1
 constexpr double kSpacingPerEdge =
     1.05; // a raw mesh about as fine as the result keeps what the result can show
 constexpr int kTries = 4;
 constexpr double kFiner = 0.93; // a grid that is not aligned with the one before
-constexpr Eigen::Index kGrain = 512;
+constexpr Eigen::Index kProjectedAtOnce = 512;
 
 /// Two sheets that pass through one cell can touch along an edge; another spacing tells them apart.
 TriangleMesh manifoldRaw(const ImplicitNode& node, double spacing, Threads threads, Progress& progress) {
@@ -48,7 +47,7 @@ TriangleMesh rawSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threa
 
 void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
   mesh.colors.resize(mesh.points.rows(), 3);
-  parallelRanges(mesh.points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(mesh.points.rows(), kProjectedAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index v = begin; v < end; ++v) {
       const Vec3 color = node.shade(mesh.points.row(v)).color;
       for (int k = 0; k < 3; ++k)

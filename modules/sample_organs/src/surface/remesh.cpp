@@ -16,7 +16,6 @@ using Index = EditableSurface::Index;
 
 constexpr double kSplitAbove = 4.0 / 3.0;
 constexpr double kCollapseBelow = 4.0 / 5.0;
-constexpr double kTriangleArea = 0.433; // of an equilateral triangle with edges of length 1
 constexpr int kFewestRounds = 7;
 constexpr int kMostRounds = 16;
 constexpr int kSettlingRounds = 2; // before the count says anything about the length
@@ -28,7 +27,7 @@ constexpr double kGrowth = 1.25; // edge scale from one vertex to the next
 constexpr int kGradingPasses = 4;
 constexpr double kSlopeProbe = 0.02; // mm
 constexpr double kLeastSlope = 0.25; // below this the mesh's normal is no direction to search along
-constexpr Eigen::Index kGrain = 512;
+constexpr Eigen::Index kRemeshedAtOnce = 512;
 
 std::size_t at(Index index) {
   return static_cast<std::size_t>(index);
@@ -139,11 +138,12 @@ private:
 
   template <class Body>
   void forEachVertex(const Body& body) const {
-    parallelRanges(surface_.vertexCount(), kGrain, threads_, [&](Eigen::Index begin, Eigen::Index end) {
-      for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
-        if (surface_.exists(v))
-          body(v);
-    });
+    parallelRanges(surface_.vertexCount(), kRemeshedAtOnce, threads_,
+                   [&](Eigen::Index begin, Eigen::Index end) {
+                     for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
+                       if (surface_.exists(v))
+                         body(v);
+                   });
   }
 
   void relax(double share, Onto onto) {

@@ -7,6 +7,9 @@
 
 namespace viscera::sample_organs {
 
+/// Of an equilateral triangle with edges of length 1.
+inline constexpr double kTriangleArea = 0.433;
+
 /// Rebuilds a closed manifold surface of `node` from about equilateral triangles, about `triangles` of them
 /// (within a few per cent), whose vertices lie on the surface; where the node asks for another edge scale the
 /// triangles follow it. Incremental remeshing (Botsch and Kobbelt 2004, 10.1145/1057432.1057457): split above

@@ -13,6 +13,9 @@
 /// back to the same picture and the same numbers.
 namespace viscera::document {
 
+/// What the names of session files end in.
+inline constexpr const char* kSessionEnding = ".viscera";
+
 /// An organ of a session whose surface was not found when the session was opened. It is not in the document,
 /// but it is written again as it was, so that it comes back when its file does.
 struct MissingOrgan {
