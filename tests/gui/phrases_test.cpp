@@ -26,8 +26,8 @@ using app::InstalledLanguage;
 using app::messageInWords;
 
 /// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
-constexpr const char* kSpeaking[] = {"coordinates", "deformation", "document", "geometry",
-                                     "live",        "motion",      "scene"};
+constexpr const char* kSpeaking[] = {"contour", "coordinates", "deformation", "document", "geometry",
+                                     "live",    "medical_io",  "motion",      "scene"};
 
 /// Files of these modules that no window shows: measurements for the documentation, and TetGen's own program.
 constexpr const char* kSilent[] = {"/coordinates/src/measure/", "/motion/src/taught_quantities.cpp",
@@ -71,9 +71,11 @@ std::set<QString> patternsIn(const QString& source) {
 std::set<QString> textsIn(const QString& source) {
   static const QRegularExpression token(
       QStringLiteral(R"re(//[^\n]*|R"\([\s\S]*?\)"|'(?:[^'\\\n]|\\.)'|((?:"(?:[^"\\\n]|\\.)*"\s*)+))re"));
-  static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"])"));
+  static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"]|^an? [a-z]+$)"));
   static const QRegularExpression none(QStringLiteral(
-      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"));
+      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"
+      R"(|\\n|^# |^element face|^(axis mins|(byte|line) skip|data file|space (directions|origin|units))$)"
+      R"(|^((un)?signed|short|long) [a-z ]+$|^kidney (left|right)$|^label map$)"));
   static const QRegularExpression forDevelopers(
       QStringLiteral(R"((static_assert|logic_error|assert|invalid_argument)\([^;]*$)"));
   std::set<QString> texts;
