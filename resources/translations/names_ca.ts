@@ -2031,8 +2031,24 @@
         <translation>Pàncrees</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Pic de: %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Pic del teixit plegat</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Pic de l’estirament màxim</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Pic de la tensió rotacional</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Pic de l’estirament mínim</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Pic de la raó de volums</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2961,7 +2977,7 @@
         <translation>Punts testimoni de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no és de mida natural: %3</translation>
     </message>
     <message>
@@ -3101,6 +3117,10 @@
         <translation>un fotograma no té espaiat</translation>
     </message>
     <message>
+        <source>a gallbladder</source>
+        <translation>una vesícula biliar</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>una escena glTF</translation>
     </message>
@@ -3113,6 +3133,14 @@
         <translation>un tirador d’una clau registrada</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un cor</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un ronyó</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un fitxer VTK antic</translation>
     </message>
@@ -3121,8 +3149,16 @@
         <translation>una llista de triangles acaba enmig d’un</translation>
     </message>
     <message>
+        <source>a liver</source>
+        <translation>un fetge</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volum bloquejat ha de ser positiu</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un miocardi</translation>
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
@@ -3139,6 +3175,10 @@
     <message>
         <source>a number</source>
         <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un pàncrees</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -3203,6 +3243,14 @@
     <message>
         <source>a scan</source>
         <translation>una exploració</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>una melsa</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estómac</translation>
     </message>
     <message>
         <source>a surface</source>

@@ -2031,8 +2031,24 @@
         <translation>Bauchspeicheldrüse</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Spitze: %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Spitze des gefalteten Gewebes</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Spitze der größten Streckung</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Spitze des Rotationsstresses</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Spitze der kleinsten Streckung</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Spitze des Volumenverhältnisses</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2961,7 +2977,7 @@
         <translation>Messpunkte von %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 mit %2 ml ist nicht lebensgroß: %3</translation>
     </message>
     <message>
@@ -3101,6 +3117,10 @@
         <translation>ein Einzelbild hat keinen Pixelabstand</translation>
     </message>
     <message>
+        <source>a gallbladder</source>
+        <translation>eine Gallenblase</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>eine glTF-Szene</translation>
     </message>
@@ -3113,6 +3133,14 @@
         <translation>ein Griff eines aufgezeichneten Schlüssels</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>ein Herz</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>eine Niere</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>eine alte VTK-Datei</translation>
     </message>
@@ -3121,8 +3149,16 @@
         <translation>eine Liste von Dreiecken endet mitten in einem</translation>
     </message>
     <message>
+        <source>a liver</source>
+        <translation>eine Leber</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>ein gesperrtes Volumen muss positiv sein</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>ein Myokard</translation>
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
@@ -3139,6 +3175,10 @@
     <message>
         <source>a number</source>
         <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>eine Bauchspeicheldrüse</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -3203,6 +3243,14 @@
     <message>
         <source>a scan</source>
         <translation>ein Scan</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>eine Milz</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>ein Magen</translation>
     </message>
     <message>
         <source>a surface</source>

@@ -2031,8 +2031,24 @@
         <translation>Páncreas</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Máximo de %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Máximo del tejido plegado</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Máximo del estiramiento máximo</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Máximo del estrés rotacional</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Máximo del estiramiento mínimo</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Máximo de la razón de volúmenes</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2961,7 +2977,7 @@
         <translation>Puntos testigo de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no es de tamaño natural: %3</translation>
     </message>
     <message>
@@ -3101,6 +3117,10 @@
         <translation>un fotograma no tiene espaciado</translation>
     </message>
     <message>
+        <source>a gallbladder</source>
+        <translation>una vesícula biliar</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>una escena glTF</translation>
     </message>
@@ -3113,6 +3133,14 @@
         <translation>un tirador de una clave registrada</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un corazón</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un riñón</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un archivo VTK antiguo</translation>
     </message>
@@ -3121,8 +3149,16 @@
         <translation>una lista de triángulos termina en medio de uno</translation>
     </message>
     <message>
+        <source>a liver</source>
+        <translation>un hígado</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volumen bloqueado debe ser positivo</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un miocardio</translation>
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
@@ -3139,6 +3175,10 @@
     <message>
         <source>a number</source>
         <translation>un número</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un páncreas</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -3203,6 +3243,14 @@
     <message>
         <source>a scan</source>
         <translation>un estudio</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>un bazo</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estómago</translation>
     </message>
     <message>
         <source>a surface</source>

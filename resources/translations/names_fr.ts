@@ -2031,8 +2031,24 @@
         <translation>Pancréas</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Pic de : %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Pic du tissu replié</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Pic du plus grand étirement</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Pic de la contrainte rotationnelle</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Pic du plus petit étirement</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Pic du rapport de volume</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2961,7 +2977,7 @@
         <translation>Points témoins de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml n’est pas de taille réelle : %3</translation>
     </message>
     <message>
@@ -3101,6 +3117,10 @@
         <translation>une image n’a pas d’espacement</translation>
     </message>
     <message>
+        <source>a gallbladder</source>
+        <translation>une vésicule biliaire</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>une scène glTF</translation>
     </message>
@@ -3113,6 +3133,14 @@
         <translation>une poignée d’une clé enregistrée</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un cœur</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un rein</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un ancien fichier VTK</translation>
     </message>
@@ -3121,8 +3149,16 @@
         <translation>une liste de triangles se termine au milieu de l’un d’eux</translation>
     </message>
     <message>
+        <source>a liver</source>
+        <translation>un foie</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volume verrouillé doit être positif</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un myocarde</translation>
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
@@ -3139,6 +3175,10 @@
     <message>
         <source>a number</source>
         <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un pancréas</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -3203,6 +3243,14 @@
     <message>
         <source>a scan</source>
         <translation>un examen</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>une rate</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estomac</translation>
     </message>
     <message>
         <source>a surface</source>

@@ -15,6 +15,8 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/medical_io/organ_norms.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/widgets/message_bar.h"
@@ -136,6 +138,20 @@ TEST(PhraseTranslator, KnowsThePatternOfATextAndTranslatesItsParts) {
             QStringLiteral("2 von 800 Eckpunkten haben keine Koordinaten: 1 liegen außerhalb der Hülle der "
                            "Griffe, bis zu 4,5 mm"));
   EXPECT_EQ(messageInWords("beat.csv, line 3"), QStringLiteral("beat.csv, Zeile 3"));
+}
+
+TEST(PhraseTranslator, NamesOrgansInSentencesAsTheLanguageDoes) {
+  const std::string doubt =
+      medical_io::doubtAboutVolume("liver", 5).value_or("5 ml are the volume of a liver");
+  {
+    const InstalledLanguage german(QStringLiteral("de"));
+    EXPECT_TRUE(
+        app::asSentence(doubt).startsWith(QStringLiteral("Eine Leber mit 5 ml ist nicht lebensgroß")));
+    EXPECT_EQ(app::inWords(live::describe(live::StressQuantity::rotationalStress).peakName),
+              QStringLiteral("Spitze des Rotationsstresses"));
+  }
+  const InstalledLanguage spanish(QStringLiteral("es"));
+  EXPECT_TRUE(app::asSentence(doubt).startsWith(QStringLiteral("Un hígado de 5 ml no es")));
 }
 
 TEST(PhraseTranslator, TakesAJoiningPatternOnlyWhereNoWordsAreKnown) {

@@ -25,14 +25,15 @@ constexpr double kAwayFromAverages = 3;
 
 /// What organs are called, where they lie, and their row in the table of normal ranges.
 const std::array<OrganNorm, 8>& knownOrgans() {
-  static const std::array<OrganNorm, 8> kOrgans = {{{"liver", "liver.volume", BodySide::right},
-                                                    {"spleen", "spleen.volume", BodySide::left},
-                                                    {"kidney", "kidney.left", BodySide::middle},
-                                                    {"heart", "heart.volume", BodySide::middle},
-                                                    {"myocardium", "heart.muscle", BodySide::middle},
-                                                    {"stomach", {}, BodySide::left},
-                                                    {"gallbladder", {}, BodySide::right},
-                                                    {"pancreas", "pancreas.volume", BodySide::middle}}};
+  static const std::array<OrganNorm, 8> kOrgans = {
+      {{"liver", "a liver", "liver.volume", BodySide::right},
+       {"spleen", "a spleen", "spleen.volume", BodySide::left},
+       {"kidney", "a kidney", "kidney.left", BodySide::middle},
+       {"heart", "a heart", "heart.volume", BodySide::middle},
+       {"myocardium", "a myocardium", "heart.muscle", BodySide::middle},
+       {"stomach", "a stomach", {}, BodySide::left},
+       {"gallbladder", "a gallbladder", {}, BodySide::right},
+       {"pancreas", "a pancreas", "pancreas.volume", BodySide::middle}}};
   return kOrgans;
 }
 
@@ -98,7 +99,7 @@ std::optional<std::string> doubtAboutVolume(std::string_view name, double volume
   const auto norm = organNorm(name);
   if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
-  return phrase("a %1 of %2 ml is not life-sized: %3", norm->name, rounded(volumeMl),
+  return phrase("%1 of %2 ml is not life-sized: %3", norm->one, rounded(volumeMl),
                 whatAdultsHave(norms::norm(norm->volume)));
 }
 
