@@ -352,6 +352,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n tirador no és en cap grup i no mou res</numerusform>
+            <numerusform>%n tiradors no són en cap grup i no mouen res</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle is|handles are} too few</source>
         <translation>
             <numerusform>%n tirador és massa poc</numerusform>
@@ -1155,6 +1162,14 @@
         <translation>Tiradors interns de cada capa</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Error intern de tipus desconegut</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Error intern: %1</translation>
+    </message>
+    <message>
         <source>It announces %1 points, but holds %2 coordinates</source>
         <translation>Anuncia %1 punts, però conté %2 coordenades</translation>
     </message>
@@ -1185,6 +1200,14 @@
     <message>
         <source>It cannot be unpacked: zlib does not start</source>
         <translation>No es pot descomprimir: zlib no s’inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>No es pot escriure: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>No es pot escriure: és una carpeta</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
@@ -1264,6 +1287,13 @@
         <translation>
             <numerusform>Té %n tirador en lloc de %2</numerusform>
             <numerusform>Té %n tiradors en lloc de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Té %n tirador; una regió en necessita almenys 4</numerusform>
+            <numerusform>Té %n tiradors; una regió en necessita almenys 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1647,6 +1677,10 @@
         <translation>Necessita l’extensió de glTF %1, que Viscera no coneix</translation>
     </message>
     <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Es refereix al tirador %1, però n’hi ha %2</translation>
+    </message>
+    <message>
         <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
         <translation>Es refereix al número %1 de «%2», però n’hi ha %3 (comptats des de 0)</translation>
     </message>
@@ -1958,6 +1992,14 @@
     <message>
         <source>No cavity is a ventricle by its name</source>
         <translation>Cap cavitat és un ventricle pel seu nom</translation>
+    </message>
+    <message>
+        <source>No channel to another program</source>
+        <translation>No hi ha canal amb un altre programa</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>No hi ha fitxer per als missatges d’un programa</translation>
     </message>
     <message>
         <source>No scan has %1 voxels along an axis</source>
@@ -2818,6 +2860,10 @@
         <source>There is no volume in it</source>
         <translation>No conté cap volum</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>No hi ha prou memòria</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -3321,6 +3367,14 @@
         <translation>afegiu un grup que els envolti, o poseu en un grup tiradors que els envoltin</translation>
     </message>
     <message>
+        <source>add a handle off that plane</source>
+        <translation>afegiu un tirador fora d’aquest pla</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>afegiu-hi tiradors</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>afegiu tiradors, o col·loqueu-los automàticament</translation>
     </message>
@@ -3337,12 +3391,20 @@
         <translation>afegit per l’agrupació automàtica</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>tots els tiradors</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>tots els tiradors són en un pla</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>tots els tiradors són en una recta</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>tots els seus tiradors són en un pla, de manera que la seva regió és plana</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -3553,6 +3615,10 @@
         <translation>comproveu si una d’elles està mal etiquetada, o ometeu-la</translation>
     </message>
     <message>
+        <source>child process</source>
+        <translation>programa auxiliar</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>trieu de %1 a %2</translation>
     </message>
@@ -3575,6 +3641,10 @@
     <message>
         <source>choose a file with a triangle surface</source>
         <translation>trieu un fitxer amb una superfície de triangles</translation>
+    </message>
+    <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>trieu una carpeta que existeixi, on es pugui escriure i que tingui espai</translation>
     </message>
     <message>
         <source>choose a larger spacing</source>
@@ -3655,6 +3725,10 @@
     <message>
         <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
         <translation>tanqueu-ne els forats, per exemple amb viscera convert ENTRADA SORTIDA --fill-holes; una superfície oberta no té volum per conservar</translation>
+    </message>
+    <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>tanqueu altres programes, o feu servir menys tiradors o òrgans més petits</translation>
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
@@ -3939,6 +4013,10 @@
     <message>
         <source>group %1</source>
         <translation>grup %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>grup «%1»</translation>
     </message>
     <message>
         <source>handle</source>
@@ -4650,6 +4728,10 @@
     <message>
         <source>load a closed surface</source>
         <translation>carregueu una superfície tancada</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordenades localitzades</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -5655,6 +5737,10 @@
     <message>
         <source>the number of values</source>
         <translation>el nombre de valors</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>el desplaçament de la regió «%1» es retalla a %2 mm, la distància del seu tirador més proper a una zona</translation>
     </message>
     <message>
         <source>the offsets of its cells (%1) do not fit their points</source>

@@ -352,6 +352,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n Griff ist in keiner Gruppe und bewegt nichts</numerusform>
+            <numerusform>%n Griffe sind in keiner Gruppe und bewegen nichts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle is|handles are} too few</source>
         <translation>
             <numerusform>%n Griff ist zu wenig</numerusform>
@@ -1155,6 +1162,14 @@
         <translation>Innere Griffe jeder Lage</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Interner Fehler unbekannter Art</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Interner Fehler: %1</translation>
+    </message>
+    <message>
         <source>It announces %1 points, but holds %2 coordinates</source>
         <translation>Die Datei kündigt %1 Punkte an, enthält aber %2 Koordinaten</translation>
     </message>
@@ -1185,6 +1200,14 @@
     <message>
         <source>It cannot be unpacked: zlib does not start</source>
         <translation>Es kann nicht entpackt werden: zlib startet nicht</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>Die Datei kann nicht geschrieben werden: es ist ein Ordner</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
@@ -1264,6 +1287,13 @@
         <translation>
             <numerusform>Sie hat %n Griff statt %2</numerusform>
             <numerusform>Sie hat %n Griffe statt %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Sie hat %n Griff; eine Region braucht mindestens 4</numerusform>
+            <numerusform>Sie hat %n Griffe; eine Region braucht mindestens 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1647,6 +1677,10 @@
         <translation>Die Datei braucht die glTF-Erweiterung %1, die Viscera nicht kennt</translation>
     </message>
     <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Sie verweist auf Griff %1, es gibt aber %2</translation>
+    </message>
+    <message>
         <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
         <translation>Sie verweist auf Nummer %1 von „%2“, es gibt aber %3 (von 0 an gezählt)</translation>
     </message>
@@ -1958,6 +1992,14 @@
     <message>
         <source>No cavity is a ventricle by its name</source>
         <translation>Kein Hohlraum ist seinem Namen nach ein Ventrikel</translation>
+    </message>
+    <message>
+        <source>No channel to another program</source>
+        <translation>Kein Kanal zu einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>Keine Datei für die Meldungen eines Programms</translation>
     </message>
     <message>
         <source>No scan has %1 voxels along an axis</source>
@@ -2818,6 +2860,10 @@
         <source>There is no volume in it</source>
         <translation>Die Datei enthält kein Volumen</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>Der Speicher reicht nicht</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -3321,6 +3367,14 @@
         <translation>fügen Sie eine Gruppe hinzu, die sie umschließt, oder nehmen Sie Griffe um sie herum in eine Gruppe auf</translation>
     </message>
     <message>
+        <source>add a handle off that plane</source>
+        <translation>fügen Sie einen Griff außerhalb dieser Ebene hinzu</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>fügen Sie ihr Griffe hinzu</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>fügen Sie Griffe hinzu, oder setzen Sie sie automatisch</translation>
     </message>
@@ -3337,12 +3391,20 @@
         <translation>durch automatisches Gruppieren hinzugefügt</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>alle Griffe</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>alle Griffe liegen in einer Ebene</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>alle Griffe liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>alle ihre Griffe liegen in einer Ebene, darum ist ihre Region flach</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -3553,6 +3615,10 @@
         <translation>prüfen Sie, ob eine davon falsch gekennzeichnet ist, oder lassen Sie sie weg</translation>
     </message>
     <message>
+        <source>child process</source>
+        <translation>Hilfsprogramm</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>wählen Sie %1 bis %2</translation>
     </message>
@@ -3575,6 +3641,10 @@
     <message>
         <source>choose a file with a triangle surface</source>
         <translation>wählen Sie eine Datei mit einer Oberfläche aus Dreiecken</translation>
+    </message>
+    <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>wählen Sie einen Ordner, den es gibt, der beschreibbar ist und Platz hat</translation>
     </message>
     <message>
         <source>choose a larger spacing</source>
@@ -3655,6 +3725,10 @@
     <message>
         <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
         <translation>schließen Sie seine Löcher, etwa mit viscera convert EIN AUS --fill-holes; eine offene Oberfläche hat kein Volumen, das zu erhalten wäre</translation>
+    </message>
+    <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>schließen Sie andere Programme, oder verwenden Sie weniger Griffe oder kleinere Organe</translation>
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
@@ -3939,6 +4013,10 @@
     <message>
         <source>group %1</source>
         <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>Gruppe „%1“</translation>
     </message>
     <message>
         <source>handle</source>
@@ -4650,6 +4728,10 @@
     <message>
         <source>load a closed surface</source>
         <translation>laden Sie eine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>lokalisierte Koordinaten</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -5655,6 +5737,10 @@
     <message>
         <source>the number of values</source>
         <translation>die Zahl der Werte</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>der Versatz der Region „%1“ ist auf %2 mm gekürzt, den Abstand ihres nächsten Griffs von einer Zone</translation>
     </message>
     <message>
         <source>the offsets of its cells (%1) do not fit their points</source>

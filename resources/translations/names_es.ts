@@ -352,6 +352,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n tirador no está en ningún grupo y no mueve nada</numerusform>
+            <numerusform>%n tiradores no están en ningún grupo y no mueven nada</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle is|handles are} too few</source>
         <translation>
             <numerusform>%n tirador es demasiado poco</numerusform>
@@ -1155,6 +1162,14 @@
         <translation>Tiradores interiores de cada capa</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Error interno de tipo desconocido</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Error interno: %1</translation>
+    </message>
+    <message>
         <source>It announces %1 points, but holds %2 coordinates</source>
         <translation>Anuncia %1 puntos, pero contiene %2 coordenadas</translation>
     </message>
@@ -1185,6 +1200,14 @@
     <message>
         <source>It cannot be unpacked: zlib does not start</source>
         <translation>No se puede descomprimir: zlib no se inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>No se puede escribir: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>No se puede escribir: es una carpeta</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
@@ -1264,6 +1287,13 @@
         <translation>
             <numerusform>Tiene %n tirador en lugar de %2</numerusform>
             <numerusform>Tiene %n tiradores en lugar de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Tiene %n tirador; una región necesita al menos 4</numerusform>
+            <numerusform>Tiene %n tiradores; una región necesita al menos 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1647,6 +1677,10 @@
         <translation>Necesita la extensión de glTF %1, que Viscera no conoce</translation>
     </message>
     <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Se refiere al tirador %1, pero hay %2</translation>
+    </message>
+    <message>
         <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
         <translation>Se refiere al número %1 de «%2», pero hay %3 (contados desde 0)</translation>
     </message>
@@ -1958,6 +1992,14 @@
     <message>
         <source>No cavity is a ventricle by its name</source>
         <translation>Ninguna cavidad es un ventrículo por su nombre</translation>
+    </message>
+    <message>
+        <source>No channel to another program</source>
+        <translation>No hay canal con otro programa</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>No hay archivo para los mensajes de un programa</translation>
     </message>
     <message>
         <source>No scan has %1 voxels along an axis</source>
@@ -2818,6 +2860,10 @@
         <source>There is no volume in it</source>
         <translation>No contiene ningún volumen</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>No hay memoria suficiente</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -3321,6 +3367,14 @@
         <translation>añada un grupo que los encierre, o ponga en un grupo tiradores que los rodeen</translation>
     </message>
     <message>
+        <source>add a handle off that plane</source>
+        <translation>añada un tirador fuera de ese plano</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>añádale tiradores</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>añada tiradores, o colóquelos automáticamente</translation>
     </message>
@@ -3337,12 +3391,20 @@
         <translation>añadido por la agrupación automática</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>todos los tiradores</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>todos los tiradores están en un plano</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>todos los tiradores están en una recta</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>todos sus tiradores están en un plano, así que su región es plana</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -3553,6 +3615,10 @@
         <translation>compruebe si una de ellas está mal etiquetada, u omítala</translation>
     </message>
     <message>
+        <source>child process</source>
+        <translation>programa auxiliar</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>elija de %1 a %2</translation>
     </message>
@@ -3575,6 +3641,10 @@
     <message>
         <source>choose a file with a triangle surface</source>
         <translation>elija un archivo con una superficie de triángulos</translation>
+    </message>
+    <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>elija una carpeta que exista, en la que se pueda escribir y que tenga espacio</translation>
     </message>
     <message>
         <source>choose a larger spacing</source>
@@ -3655,6 +3725,10 @@
     <message>
         <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
         <translation>cierre sus agujeros, por ejemplo con viscera convert ENTRADA SALIDA --fill-holes; una superficie abierta no tiene volumen que conservar</translation>
+    </message>
+    <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>cierre otros programas, o use menos tiradores u órganos más pequeños</translation>
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
@@ -3939,6 +4013,10 @@
     <message>
         <source>group %1</source>
         <translation>grupo %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>grupo «%1»</translation>
     </message>
     <message>
         <source>handle</source>
@@ -4650,6 +4728,10 @@
     <message>
         <source>load a closed surface</source>
         <translation>cargue una superficie cerrada</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordenadas localizadas</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -5655,6 +5737,10 @@
     <message>
         <source>the number of values</source>
         <translation>el número de valores</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>el desplazamiento de la región «%1» se recorta a %2 mm, la distancia de su tirador más próximo a una zona</translation>
     </message>
     <message>
         <source>the offsets of its cells (%1) do not fit their points</source>

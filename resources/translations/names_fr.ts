@@ -352,6 +352,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n poignée n’est dans aucun groupe et ne déplace rien</numerusform>
+            <numerusform>%n poignées ne sont dans aucun groupe et ne déplacent rien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {handle is|handles are} too few</source>
         <translation>
             <numerusform>%n poignée, c’est trop peu</numerusform>
@@ -1155,6 +1162,14 @@
         <translation>Poignées internes de chaque couche</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Erreur interne d’un genre inconnu</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Erreur interne : %1</translation>
+    </message>
+    <message>
         <source>It announces %1 points, but holds %2 coordinates</source>
         <translation>Il annonce %1 points, mais contient %2 coordonnées</translation>
     </message>
@@ -1185,6 +1200,14 @@
     <message>
         <source>It cannot be unpacked: zlib does not start</source>
         <translation>Impossible de décompresser : zlib ne démarre pas</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>Impossible de l’écrire : %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>Impossible de l’écrire : c’est un dossier</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
@@ -1264,6 +1287,13 @@
         <translation>
             <numerusform>Elle a %n poignée au lieu de %2</numerusform>
             <numerusform>Elle a %n poignées au lieu de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Il a %n poignée ; une région en demande au moins 4</numerusform>
+            <numerusform>Il a %n poignées ; une région en demande au moins 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1647,6 +1677,10 @@
         <translation>Il demande l’extension glTF %1, que Viscera ne connaît pas</translation>
     </message>
     <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Il renvoie à la poignée %1, mais il y en a %2</translation>
+    </message>
+    <message>
         <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
         <translation>Il renvoie au numéro %1 de « %2 », mais il y en a %3 (comptés à partir de 0)</translation>
     </message>
@@ -1958,6 +1992,14 @@
     <message>
         <source>No cavity is a ventricle by its name</source>
         <translation>Aucune cavité n’est un ventricule d’après son nom</translation>
+    </message>
+    <message>
+        <source>No channel to another program</source>
+        <translation>Pas de canal vers un autre programme</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>Pas de fichier pour les messages d’un programme</translation>
     </message>
     <message>
         <source>No scan has %1 voxels along an axis</source>
@@ -2818,6 +2860,10 @@
         <source>There is no volume in it</source>
         <translation>Il ne contient aucun volume</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>Il n’y a pas assez de mémoire</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -3321,6 +3367,14 @@
         <translation>ajoutez un groupe qui les entoure, ou mettez dans un groupe des poignées autour d’eux</translation>
     </message>
     <message>
+        <source>add a handle off that plane</source>
+        <translation>ajoutez une poignée hors de ce plan</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>ajoutez-lui des poignées</translation>
+    </message>
+    <message>
         <source>add handles, or place them automatically</source>
         <translation>ajoutez des poignées, ou placez-les automatiquement</translation>
     </message>
@@ -3337,12 +3391,20 @@
         <translation>ajoutée par le groupement automatique</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>toutes les poignées</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>toutes les poignées sont dans un plan</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>toutes les poignées sont sur une droite</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>toutes ses poignées sont dans un plan, sa région est donc plate</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -3553,6 +3615,10 @@
         <translation>vérifiez si l’une d’elles est mal étiquetée, ou omettez-la</translation>
     </message>
     <message>
+        <source>child process</source>
+        <translation>programme auxiliaire</translation>
+    </message>
+    <message>
         <source>choose %1 to %2</source>
         <translation>choisissez de %1 à %2</translation>
     </message>
@@ -3575,6 +3641,10 @@
     <message>
         <source>choose a file with a triangle surface</source>
         <translation>choisissez un fichier avec une surface de triangles</translation>
+    </message>
+    <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>choisissez un dossier qui existe, où l’on peut écrire et qui a de la place</translation>
     </message>
     <message>
         <source>choose a larger spacing</source>
@@ -3655,6 +3725,10 @@
     <message>
         <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
         <translation>fermez ses trous, par exemple avec viscera convert ENTRÉE SORTIE --fill-holes ; une surface ouverte n’a pas de volume à conserver</translation>
+    </message>
+    <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>fermez d’autres programmes, ou utilisez moins de poignées ou des organes plus petits</translation>
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
@@ -3939,6 +4013,10 @@
     <message>
         <source>group %1</source>
         <translation>groupe %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>groupe « %1 »</translation>
     </message>
     <message>
         <source>handle</source>
@@ -4650,6 +4728,10 @@
     <message>
         <source>load a closed surface</source>
         <translation>chargez une surface fermée</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordonnées localisées</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -5655,6 +5737,10 @@
     <message>
         <source>the number of values</source>
         <translation>le nombre de valeurs</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>le décalage de la région « %1 » est réduit à %2 mm, la distance de sa poignée la plus proche d’une zone</translation>
     </message>
     <message>
         <source>the offsets of its cells (%1) do not fit their points</source>

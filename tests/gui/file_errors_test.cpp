@@ -7,6 +7,7 @@
 
 #include "dicom_slices.h"
 #include "phantom_scan.h"
+#include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_map.h"
@@ -115,6 +116,13 @@ TEST(FileErrors, OfADamagedDicomHeaderAreSaidInGerman) {
             "Ihr Kopf ist beschädigt: die Richtungen ihrer Zeilen und Spalten stehen nicht rechtwinklig");
   EXPECT_EQ(said(0x00280010, us(0)), "Ihr Kopf ist beschädigt: die Größe entlang einer Spalte ist 0");
   EXPECT_EQ(said(0x00280004, "CSRGB"), "Es ist keine Schicht eines Scans: ist ein Farbbild");
+}
+
+TEST(FileErrors, OfWritingAreSaidInGerman) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "a.stl");
+  EXPECT_EQ(germanOf([&] { medical_io::writeSurface(folder / "a.stl", sphere(1)); }),
+            "Die Datei kann nicht geschrieben werden: es ist ein Ordner");
 }
 
 TEST(FileErrors, QuoteAWordOfTheFileAsItIs) {

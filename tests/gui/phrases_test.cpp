@@ -28,8 +28,9 @@ using app::InstalledLanguage;
 using app::messageInWords;
 
 /// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
-constexpr const char* kSpeaking[] = {"contour", "coordinates", "deformation", "document", "geometry",
-                                     "live",    "medical_io",  "motion",      "scene"};
+constexpr const char* kSpeaking[] = {"contour",    "coordinates", "core", "deformation",
+                                     "document",   "geometry",    "live", "localised_scc",
+                                     "medical_io", "motion",      "scene"};
 
 /// Files of these modules that no window shows: measurements for the documentation, and TetGen's own program.
 constexpr const char* kSilent[] = {"/coordinates/src/measure/", "/motion/src/taught_quantities.cpp",
