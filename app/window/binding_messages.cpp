@@ -2,6 +2,7 @@
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -61,7 +62,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   Message message;
   message.severity = Message::Severity::warning;
   if (status.state == live::BindingStatus::State::stale) {
-    message.text = tr("%1 is not bound to these handles: binding was cancelled.").arg(text(organ.name));
+    message.text = tr("%1 is not bound to these handles: binding was cancelled.").arg(inWords(organ.name));
     message.offers.push_back(
         {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
     return message;
@@ -71,7 +72,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
     if (status.outsideCage > 0)
       message.text = tr("%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.", nullptr,
                         status.outsideCage)
-                         .arg(text(organ.name));
+                         .arg(inWords(organ.name));
     message.offers.push_back(
         {tr("Use the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
     message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
@@ -80,7 +81,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   if (!status.inNoRegion.empty()) {
     message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} in no group's region.", nullptr,
                       static_cast<int>(status.inNoRegion.size()))
-                       .arg(text(organ.name));
+                       .arg(inWords(organ.name));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
                                 mended_.perform(document::addEnclosingGroup(id, vertices));
                               }});
@@ -89,7 +90,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   if (status.outsideHull > 0) {
     message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} outside the handles' hull.", nullptr,
                       status.outsideHull)
-                       .arg(text(organ.name));
+                       .arg(inWords(organ.name));
     message.offers.push_back(
         {tr("Add enclosing handles"), [this] { mended_.perform(document::addEnclosingHandles()); }});
     return message;

@@ -11,6 +11,7 @@
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/import/arrival.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
 
@@ -318,7 +319,7 @@ void FileActions::exportOrgan(const QString& file) {
   geometry::TriangleMesh mesh = *organ->mesh;
   mesh.points = workspace_.live().points(organ->id);
   workspace_.inBackground<bool>(
-      tr("Exporting %1").arg(text(organ->name)), "export",
+      tr("Exporting %1").arg(inWords(organ->name)), "export",
       [mesh = std::move(mesh), path = file.toStdString(), name = organ->name](Progress&) {
         medical_io::writeSurface(path, mesh, {.name = name});
         return true;

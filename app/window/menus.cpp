@@ -223,12 +223,8 @@ void Menus::fillSteps(QMenu* menu) {
 void Menus::fillSamples() {
   QStringList names;
   parts_.workspace.guarded([&] { names = parts_.samples.names(); });
-  for (const QString& name : names) {
-    QString label = name;
-    label.replace(QLatin1Char('_'), QLatin1Char(' '));
-    label[0] = label[0].toUpper();
-    samples_->addAction(label, this, [this, name] { parts_.samples.load(name, true); });
-  }
+  for (const QString& name : names)
+    samples_->addAction(SampleLoader::title(name), this, [this, name] { parts_.samples.load(name, true); });
   if (samples_->isEmpty())
     samples_->addAction(tr("No sample organs are installed"))->setEnabled(false);
 }

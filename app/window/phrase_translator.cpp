@@ -14,7 +14,10 @@ namespace {
 
 constexpr const char* kContext = "viscera::presentation"; ///< In the files of translations.
 constexpr const char* kMessages = "viscera::messages";
-constexpr int kPlaceOfNumber = 0; ///< The place of `%n`, which is also the first part.
+constexpr QLatin1Char kQuote('"');
+constexpr const char* kQuoted = "\"%1\"";   ///< How the language quotes; no text is made of it.
+constexpr int kPlaceOfNumber = 0;           ///< The place of `%n`, which is also the first part.
+constexpr qulonglong kSurelySeveral = 1000; ///< Larger numbers have the plural of this one.
 
 const QRegularExpression& place() {
   static const QRegularExpression expression(QStringLiteral("%([n1-9])"));
@@ -42,7 +45,7 @@ void PhraseTranslator::readPatterns(const QString& file) {
     if (xml.readNext() != QXmlStreamReader::StartElement || xml.name() != QLatin1String("source"))
       continue;
     const QString source = xml.readElementText();
-    if (!source.contains(place()))
+    if (!source.contains(place()) || source == QLatin1String(kQuoted))
       continue;
     forms_.push_back(formOf(source, true));
     if (Form several = formOf(source, false); several.literals != forms_.back().literals)
@@ -89,7 +92,7 @@ std::optional<QStringList> PhraseTranslator::partsIn(const QString& text, const 
       return std::nullopt;
     parts.push_back(text.mid(from, end - from));
     bool number = false;
-    const int value = parts.back().toInt(&number);
+    const qulonglong value = parts.back().toULongLong(&number);
     if (form.places[i] == kPlaceOfNumber && (!number || form.one != (value == 1)))
       return std::nullopt;
     from = end + next.size();
@@ -101,7 +104,7 @@ QString PhraseTranslator::made(const Form& form, const QStringList& parts) const
   int number = form.one ? 1 : 2;
   for (int i = 0; i < parts.size(); ++i)
     if (form.places[static_cast<std::size_t>(i)] == kPlaceOfNumber)
-      number = parts[i].toInt();
+      number = static_cast<int>(std::min(parts[i].toULongLong(), kSurelySeveral));
   const QString pattern = QTranslator::translate(kContext, form.source.toUtf8().constData(), nullptr, number);
   QString text;
   int from = 0;
@@ -130,6 +133,9 @@ QString PhraseTranslator::translateWhole(const QString& text, bool joined) const
 }
 
 QString PhraseTranslator::inWords(const QString& text) const {
+  // "face" is a word of PLY.
+  if (text.size() > 2 && text.startsWith(kQuote) && text.indexOf(kQuote, 1) == text.size() - 1)
+    return QTranslator::translate(kContext, kQuoted).arg(text.mid(1, text.size() - 2));
   static const QRegularExpression number(QStringLiteral(R"(^-?\d+\.\d+$)"));
   if (number.match(text).hasMatch())
     return QString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());

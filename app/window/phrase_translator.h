@@ -45,7 +45,8 @@ private:
   /// By the exact text, else by the first pattern that gives it: of those with words, or of those that only
   /// join their parts.
   QString translateWhole(const QString& text, bool joined) const;
-  /// A part of a text: in words where it has a translation, a number with the decimal mark of the language.
+  /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
+  /// and what stands in quotes as it is, with the marks of the language.
   QString inWords(const QString& text) const;
 
   std::vector<Form> forms_; ///< Those with more letters of their own come first.

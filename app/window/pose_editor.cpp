@@ -5,6 +5,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/space_parts.h"
+#include "window/language.h"
 #include "window/phrase_translator.h"
 
 namespace viscera::app {
@@ -121,7 +122,7 @@ void PoseEditor::setLocked(document::OrganId id, bool locked) {
   message.severity = Message::Severity::warning;
   message.text = tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
                     nullptr, organ->boundaryEdges)
-                     .arg(text(organ->name));
+                     .arg(inWords(organ->name));
   message.offers.push_back({tr("Close the holes and lock"), [this, id] {
                               workspace_.perform(document::combined(
                                   tr("Close holes and lock volume").toStdString(),

@@ -1,5 +1,9 @@
 #include "window/sample_loader.h"
 
+#include <QCoreApplication>
+
+#include <map>
+
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/motion/motion_recipe.h"
@@ -19,6 +23,28 @@ SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback&
     : QObject(parent), workspace_(workspace), placer_(placer), playback_(playback),
       library_(sample_organs::standardLibrary()) {}
 
+QString SampleLoader::nameInWords(const QString& name) {
+  static const std::map<QString, const char*> kNames = {
+      {QStringLiteral("digestive_system"),
+       QT_TRANSLATE_NOOP("viscera::app::SampleNames", "digestive system")},
+      {QStringLiteral("heart"), QT_TRANSLATE_NOOP("viscera::app::SampleNames", "heart")},
+      {QStringLiteral("kidney_left"), QT_TRANSLATE_NOOP("viscera::app::SampleNames", "left kidney")},
+      {QStringLiteral("kidney_right"), QT_TRANSLATE_NOOP("viscera::app::SampleNames", "right kidney")},
+      {QStringLiteral("liver"), QT_TRANSLATE_NOOP("viscera::app::SampleNames", "liver")},
+      {QStringLiteral("stomach"), QT_TRANSLATE_NOOP("viscera::app::SampleNames", "stomach")},
+      {QStringLiteral("stomach_and_bowel"),
+       QT_TRANSLATE_NOOP("viscera::app::SampleNames", "stomach and bowel")}};
+  const auto known = kNames.find(name);
+  return known == kNames.end() ? QString(name).replace(QLatin1Char('_'), QLatin1Char(' '))
+                               : QCoreApplication::translate("viscera::app::SampleNames", known->second);
+}
+
+QString SampleLoader::title(const QString& name) {
+  QString title = nameInWords(name);
+  title[0] = title[0].toUpper();
+  return title;
+}
+
 QStringList SampleLoader::names() const {
   QStringList names;
   for (const std::string& name : sample_organs::sampleNames(library_))
@@ -28,7 +54,7 @@ QStringList SampleLoader::names() const {
 
 void SampleLoader::load(const QString& name, bool play) {
   workspace_.inBackground<Sample>(
-      tr("Sample %1").arg(name), "open",
+      tr("Sample %1").arg(nameInWords(name)), "open",
       [library = library_, id = name.toStdString()](Progress& progress) {
         return make(library, id, progress);
       },
@@ -88,7 +114,7 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
   const bool first = workspace_.undo().names().empty() && workspace_.document().organs().empty();
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
-    document::UndoStack::Step step(undo, tr("Sample %1").arg(name).toStdString());
+    document::UndoStack::Step step(undo, tr("Sample %1").arg(nameInWords(name)).toStdString());
     const document::OrganList& present = workspace_.document().organs();
     if (!present.empty())
       undo.perform(document::removeAllOrgans());

@@ -26,6 +26,10 @@ public:
 
   /// The samples there are, by name; empty when none are installed.
   QStringList names() const;
+  /// What a sample is called in the window's language, within a sentence and by itself: "left kidney" and
+  /// "Left kidney" for "kidney_left".
+  static QString nameInWords(const QString& name);
+  static QString title(const QString& name);
   /// Takes the place of everything in the document, as one undo step. With `play` its motion starts at once,
   /// in a mode that shows motions.
   void load(const QString& name, bool play);

@@ -8,12 +8,20 @@
         <translation>%1 triangles en lloc de %2; la superfície antiga dista de la nova %3 mm de mitjana i %4 mm com a màxim</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>«%1» no té forma plana</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>«%1» és %2 en lloc de «%3»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>falta «%1»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
@@ -30,6 +38,10 @@
     <message>
         <source>&quot;%1&quot; is not a text</source>
         <translation>«%1» no és un text</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 on</source>
+        <translation>«%1» no és un nombre enter a partir de 0</translation>
     </message>
     <message>
         <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
@@ -52,36 +64,104 @@
         <translation>%1 al %2 % del cicle: %3</translation>
     </message>
     <message>
+        <source>%1 cells were announced, but there are %2</source>
+        <translation>%1 cel·les anunciades, però n’hi ha %2</translation>
+    </message>
+    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 dona una superfície diferent de la desada</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a finite number</source>
+        <translation>%1 té una coordenada que no és un nombre finit</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
         <translation>%1 ha canviat des que es va desar la sessió</translation>
     </message>
     <message>
+        <source>%1 has no place (%2) and was left out</source>
+        <translation>%1 no té posició (%2) i s’omet</translation>
+    </message>
+    <message>
+        <source>%1 has no position of three numbers</source>
+        <translation>%1 no té una posició de tres nombres</translation>
+    </message>
+    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 no té volum a la %2</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels any more</source>
+        <translation>%1 ja no té vòxels</translation>
     </message>
     <message>
         <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
         <translation>%1 té a la %2 altres triangles que a la primera: les superfícies s’ajusten per les seves distàncies, que no veuen el moviment al llarg de la paret</translation>
     </message>
     <message>
+        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
+        <translation>%1 és %2, més del que cap en els %3 bytes que queden</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is no whole number from 0 on</source>
+        <translation>%1 és %2, que no és un nombre enter a partir de 0</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 és a més de mil quilòmetres</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 té un valor negatiu</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 no és un objecte JSON</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 no és un nombre finit</translation>
     </message>
     <message>
+        <source>%1 is not a number of elements</source>
+        <translation>%1 no és un nombre d’elements</translation>
+    </message>
+    <message>
+        <source>%1 is not a section of a legacy VTK surface</source>
+        <translation>%1 no és una secció d’una superfície VTK antiga</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of an OBJ file</source>
+        <translation>%1 no és una instrucció d’un fitxer OBJ</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of a PLY file</source>
+        <translation>%1 no és un tipus d’un fitxer PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of numbers</source>
+        <translation>%1 no és un tipus de nombres</translation>
+    </message>
+    <message>
         <source>%1 is not a value for parameter %2</source>
         <translation>%1 no és un valor per al paràmetre %2</translation>
     </message>
     <message>
+        <source>%1 is not a word of a PLY header</source>
+        <translation>%1 no és una paraula d’una capçalera PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of an STL file</source>
+        <translation>%1 no és una paraula d’un fitxer STL</translation>
+    </message>
+    <message>
         <source>%1 is out of range for parameter %2</source>
         <translation>%1 és fora de l’interval del paràmetre %2</translation>
+    </message>
+    <message>
+        <source>%1 is too far away</source>
+        <translation>%1 és massa lluny</translation>
     </message>
     <message>
         <source>%1 ml cannot be reached</source>
@@ -108,8 +188,16 @@
         <translation>%1 de més d’1 GB no cap en un fitxer de sessió</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
         <source>%1 rows</source>
         <translation>%1 files</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 apareix on hi hauria d’haver %2</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -226,6 +314,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {byte|bytes} after the end ignored</source>
+        <translation>
+            <numerusform>s’ignora %n byte després del final</numerusform>
+            <numerusform>s’ignoren %n bytes després del final</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {byte|bytes} after the last triangle ignored</source>
+        <translation>
+            <numerusform>s’ignora %n byte després de l’últim triangle</numerusform>
+            <numerusform>s’ignoren %n bytes després de l’últim triangle</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {edge joins|edges join} more than two triangles</source>
         <translation>
             <numerusform>%n aresta uneix més de dos triangles</numerusform>
@@ -251,6 +353,13 @@
         <translation>
             <numerusform>%n fitxer està malmès i s’omet (%2: %3)</numerusform>
             <numerusform>%n fitxers estan malmesos i s’ometen (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n tirador no és en cap grup i no mou res</numerusform>
+            <numerusform>%n tiradors no són en cap grup i no mouen res</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -293,6 +402,13 @@
         <translation>
             <numerusform>%n cel·la de línia o punt omesa</numerusform>
             <numerusform>%n cel·les de línia o punt omeses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line|lines} with points, curves or free-form surfaces ignored</source>
+        <translation>
+            <numerusform>s’ignora %n línia amb punts, corbes o superfícies de forma lliure</numerusform>
+            <numerusform>s’ignoren %n línies amb punts, corbes o superfícies de forma lliure</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -356,6 +472,13 @@
         <translation>
             <numerusform>%n segment no té vòxels (%2)</numerusform>
             <numerusform>%n segments no tenen vòxels (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {set|sets} of points or lines ignored</source>
+        <translation>
+            <numerusform>s’ignora %n conjunt de punts o línies</numerusform>
+            <numerusform>s’ignoren %n conjunts de punts o línies</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -470,6 +593,10 @@
     <message>
         <source>A wire in the space of balanced vectors; for many points it has no answer</source>
         <translation>Un fil en l’espai dels vectors equilibrats; per a molts punts no té resposta</translation>
+    </message>
+    <message>
+        <source>ASCII or BINARY</source>
+        <translation>ASCII o BINARY</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -1055,8 +1182,28 @@
         <translation>Tiradors interns de cada capa</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Error intern de tipus desconegut</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Error intern: %1</translation>
+    </message>
+    <message>
+        <source>It announces %1 points, but holds %2 coordinates</source>
+        <translation>Anuncia %1 punts, però conté %2 coordenades</translation>
+    </message>
+    <message>
+        <source>It announces cells of the kind %1, but has none</source>
+        <translation>Anuncia cel·les del tipus %1, però no en té cap</translation>
+    </message>
+    <message>
         <source>It cannot be opened: %1</source>
         <translation>No es pot obrir: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be packed: zlib does not start</source>
+        <translation>No es pot comprimir: zlib no s’inicia</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1066,12 +1213,40 @@
         <source>It cannot be read to its end</source>
         <translation>No es pot llegir fins al final</translation>
     </message>
+    <message>
+        <source>It cannot be unpacked: bzip2 does not start</source>
+        <translation>No es pot descomprimir: bzip2 no s’inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be unpacked: zlib does not start</source>
+        <translation>No es pot descomprimir: zlib no s’inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>No es pot escriure: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>No es pot escriure: és una carpeta</translation>
+    </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Es travessa ella mateixa, en %n parell de triangles</numerusform>
             <numerusform>Es travessa ella mateixa, en %n parells de triangles</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
+        <translation>No comença per «# vtk DataFile»: no és un fitxer VTK antic</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
+        <translation>No comença per «OFF»: no és un fitxer OFF</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
+        <translation>No comença per «ply»: no és un fitxer PLY</translation>
     </message>
     <message>
         <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
@@ -1084,6 +1259,10 @@
     <message>
         <source>It does not fit into memory</source>
         <translation>No cap a la memòria</translation>
+    </message>
+    <message>
+        <source>It does not say how far its slices are from each other</source>
+        <translation>No indica la distància entre els seus talls</translation>
     </message>
     <message>
         <source>It does not say how long one cycle lasts</source>
@@ -1101,18 +1280,40 @@
         <translation>No indica la unitat dels seus temps; es prenen com a mil·lisegons</translation>
     </message>
     <message>
+        <source>It has %1 colour values for %2 points</source>
+        <translation>Té %1 valors de color per a %2 punts</translation>
+    </message>
+    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Té %1 etiquetes; una màscara d’una carpeta en té una</translation>
+    </message>
+    <message>
+        <source>It has %1 moved points for %2 vertices</source>
+        <translation>Té %1 punts desplaçats per a %2 vèrtexs</translation>
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
         <translation>Té %1 volums; un mapa d’etiquetes en té un</translation>
     </message>
     <message numerus="yes">
+        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
+        <translation>
+            <numerusform>Té %n eix a l’espai; la imatge d’un òrgan en té tres</numerusform>
+            <numerusform>Té %n eixos a l’espai; la imatge d’un òrgan en té tres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>It has %n {handle|handles} in place of %2</source>
         <translation>
             <numerusform>Té %n tirador en lloc de %2</numerusform>
             <numerusform>Té %n tiradors en lloc de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Té %n tirador; una regió en necessita almenys 4</numerusform>
+            <numerusform>Té %n tiradors; una regió en necessita almenys 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1137,6 +1338,14 @@
         </translation>
     </message>
     <message>
+        <source>It has a label above 2147483647</source>
+        <translation>Té una etiqueta superior a 2147483647</translation>
+    </message>
+    <message>
+        <source>It has cells without the array %1</source>
+        <translation>Té cel·les sense la matriu %1</translation>
+    </message>
+    <message>
         <source>It has more than %1 files</source>
         <translation>Té més de %1 fitxers</translation>
     </message>
@@ -1153,12 +1362,24 @@
         <translation>No té fitxers DICOM amb imatges</translation>
     </message>
     <message>
+        <source>It has no frames</source>
+        <translation>No té fotogrames</translation>
+    </message>
+    <message>
         <source>It has no label %1</source>
         <translation>No té l’etiqueta %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>No té cap vòxel etiquetat: tots són 0</translation>
+    </message>
+    <message>
+        <source>It has no number of columns</source>
+        <translation>Hi falta el nombre de columnes</translation>
+    </message>
+    <message>
+        <source>It has no number of rows</source>
+        <translation>Hi falta el nombre de files</translation>
     </message>
     <message>
         <source>It has no phase %1; it has %2</source>
@@ -1177,6 +1398,10 @@
         <translation>No té talls d’una exploració</translation>
     </message>
     <message>
+        <source>It has no slices of a scan: &quot;%1&quot; %2</source>
+        <translation>No té talls d’una exploració: «%1» %2</translation>
+    </message>
+    <message>
         <source>It has no slices of a scan: %1 %2</source>
         <translation>No té talls d’una exploració: %1 %2</translation>
     </message>
@@ -1189,8 +1414,24 @@
         <translation>No té triangles</translation>
     </message>
     <message>
+        <source>It has no uncompressed pixels</source>
+        <translation>No té píxels sense comprimir</translation>
+    </message>
+    <message>
+        <source>It has not three dimensions</source>
+        <translation>No té tres dimensions</translation>
+    </message>
+    <message>
+        <source>It has several axes that are not of space</source>
+        <translation>Té diversos eixos que no són de l’espai</translation>
+    </message>
+    <message>
         <source>It has several labels: %1</source>
         <translation>Hi ha diverses etiquetes: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel</source>
+        <translation>Té diversos valors per vòxel</translation>
     </message>
     <message>
         <source>It has several values a voxel (%1)</source>
@@ -1203,6 +1444,22 @@
     <message>
         <source>It has to be positive</source>
         <translation>Ha de ser positiu</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a VTK surface (PolyData)</source>
+        <translation>Conté %1, no una superfície VTK (PolyData)</translation>
+    </message>
+    <message>
+        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
+        <translation>Conté un conjunt de dades VTK de tipus %1, no una superfície (POLYDATA)</translation>
+    </message>
+    <message>
+        <source>It holds a piece without points</source>
+        <translation>Conté una peça sense punts</translation>
+    </message>
+    <message>
+        <source>It holds a surface in a space of more than three dimensions</source>
+        <translation>Conté una superfície en un espai de més de tres dimensions</translation>
     </message>
     <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
@@ -1223,6 +1480,14 @@
     <message>
         <source>It holds neither surfaces nor label maps</source>
         <translation>No conté ni superfícies ni mapes d’etiquetes</translation>
+    </message>
+    <message>
+        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
+        <translation>No conté «markups»: no és un fitxer de marques de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>It holds no PolyData</source>
+        <translation>No conté PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
@@ -1249,8 +1514,20 @@
         <translation>Només conté màscares buides</translation>
     </message>
     <message>
+        <source>It holds points, but no faces</source>
+        <translation>Conté punts, però no cares</translation>
+    </message>
+    <message>
         <source>It is a DICOM file without an image</source>
         <translation>És un fitxer DICOM sense imatge</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file, but no segmentation (%1)</source>
+        <translation>És un fitxer DICOM, però no una segmentació (%1)</translation>
+    </message>
+    <message>
+        <source>It is a binary OFF file, which Viscera does not read</source>
+        <translation>És un fitxer OFF binari, que Viscera no llegeix</translation>
     </message>
     <message>
         <source>It is a folder, not a file</source>
@@ -1261,12 +1538,24 @@
         <translation>És una exploració i no un òrgan</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file</source>
+        <translation>Està malmès o no és un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>It is damaged or no DICOM file: %1</source>
+        <translation>Està malmès o no és un fitxer DICOM: %1</translation>
+    </message>
+    <message>
         <source>It is damaged: it does not hold %1</source>
         <translation>Està malmès: no conté %1</translation>
     </message>
     <message>
         <source>It is damaged: its SHA-256 is not %1</source>
         <translation>Està malmès: el seu SHA-256 no és %1</translation>
+    </message>
+    <message>
+        <source>It is glTF version %1, but only 2 can be read</source>
+        <translation>És glTF versió %1, però només es pot llegir la 2</translation>
     </message>
     <message>
         <source>It is named %1 but looks like %2</source>
@@ -1353,6 +1642,10 @@
         <translation>No és JSON complet: l’error és a la línia %1</translation>
     </message>
     <message>
+        <source>It is not complete XML: %1</source>
+        <translation>No és XML complet: %1</translation>
+    </message>
+    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>No és convexa al triangle %1</translation>
     </message>
@@ -1380,6 +1673,13 @@
         <source>It is too long</source>
         <translation>És massa llarg</translation>
     </message>
+    <message numerus="yes">
+        <source>It is too short for an STL file: %n {byte|bytes}</source>
+        <translation>
+            <numerusform>És massa curt per a un fitxer STL: %n byte</numerusform>
+            <numerusform>És massa curt per a un fitxer STL: %n bytes</numerusform>
+        </translation>
+    </message>
     <message>
         <source>It leads to more than 20 million points</source>
         <translation>Dona lloc a més de 20 milions de punts</translation>
@@ -1393,8 +1693,28 @@
         <translation>Anomena el tirador %1, que no és entre «handles»</translation>
     </message>
     <message>
+        <source>It needs the glTF extension %1, which Viscera does not know</source>
+        <translation>Necessita l’extensió de glTF %1, que Viscera no coneix</translation>
+    </message>
+    <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Es refereix al tirador %1, però n’hi ha %2</translation>
+    </message>
+    <message>
+        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
+        <translation>Es refereix al número %1 de «%2», però n’hi ha %3 (comptats des de 0)</translation>
+    </message>
+    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Sembla que és en RAS mentre que %1 és en LPS, o al revés: és a l’altra banda del centre del pacient</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many points</source>
+        <translation>Desplegat té massa punts</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many triangles</source>
+        <translation>Desplegat té massa triangles</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -1694,6 +2014,14 @@
         <translation>Cap cavitat és un ventricle pel seu nom</translation>
     </message>
     <message>
+        <source>No channel to another program</source>
+        <translation>No hi ha canal amb un altre programa</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>No hi ha fitxer per als missatges d’un programa</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Cap exploració té %1 vòxels al llarg d’un eix</translation>
     </message>
@@ -1765,8 +2093,24 @@
         <translation>Pàncrees</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Pic de: %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Pic del teixit plegat</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Pic de l’estirament màxim</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Pic de la tensió rotacional</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Pic de l’estirament mínim</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Pic de la raó de volums</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2138,6 +2482,10 @@
     <message>
         <source>Some files say that they are in RAS and this one does not say what it is in</source>
         <translation>Alguns fitxers indiquen que són en RAS i aquest no indica els seus eixos</translation>
+    </message>
+    <message>
+        <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
+        <translation>Alguns dels seus valors necessiten més de 32 bits com a nombre enter; es conserven com a decimals de set xifres</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -2532,6 +2880,10 @@
         <source>There is no volume in it</source>
         <translation>No conté cap volum</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>No hi ha prou memòria</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -2619,6 +2971,10 @@
         <translation>Fes servir l’envolupant com a gàbia</translation>
     </message>
     <message>
+        <source>VTK could not write the surface: %1</source>
+        <translation>VTK no ha pogut escriure la superfície: %1</translation>
+    </message>
+    <message>
         <source>Veins</source>
         <translation>Venes</translation>
     </message>
@@ -2691,7 +3047,7 @@
         <translation>Punts testimoni de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no és de mida natural: %3</translation>
     </message>
     <message>
@@ -2739,16 +3095,44 @@
         <translation>una escena glTF binària</translation>
     </message>
     <message>
+        <source>a buffer is at %1, but only files beside it are read</source>
+        <translation>una memòria intermèdia és a %1, però només es llegeixen fitxers del costat</translation>
+    </message>
+    <message>
+        <source>a buffer within the file is not valid base64</source>
+        <translation>una memòria intermèdia dins del fitxer no és base64 vàlid</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una gàbia és una superfície gruixuda: preneu-ne una de %1 vèrtexs com a màxim</translation>
+    </message>
+    <message>
+        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>una cel·la es refereix al punt %1, però n’hi ha %2 (comptats des de 0)</translation>
+    </message>
+    <message>
+        <source>a chunk</source>
+        <translation>un bloc</translation>
+    </message>
+    <message>
+        <source>a chunk&apos;s header</source>
+        <translation>la capçalera d’un bloc</translation>
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
         <translation>una superfície gruixuda necessita almenys quatre vèrtexs</translation>
     </message>
     <message>
+        <source>a column</source>
+        <translation>la columna</translation>
+    </message>
+    <message>
         <source>a convex hull needs at least 4 points, there are %1</source>
         <translation>una envolupant convexa necessita almenys 4 punts, n’hi ha %1</translation>
+    </message>
+    <message>
+        <source>a coordinate</source>
+        <translation>una coordenada</translation>
     </message>
     <message>
         <source>a curve needs one number for each time</source>
@@ -2767,6 +3151,46 @@
         <translation>una quadrícula de distàncies amb aquest pas és massa gran</translation>
     </message>
     <message>
+        <source>a face</source>
+        <translation>una cara</translation>
+    </message>
+    <message>
+        <source>a face has fewer corners than it claims</source>
+        <translation>una cara té menys vèrtexs dels que indica</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners</source>
+        <translation>una cara té menys de tres vèrtexs</translation>
+    </message>
+    <message>
+        <source>a face refers to point %1, but there are only %2 before it</source>
+        <translation>una cara es refereix al punt %1, però només n’hi ha %2 abans</translation>
+    </message>
+    <message>
+        <source>a face&apos;s number of corners</source>
+        <translation>el nombre de vèrtexs d’una cara</translation>
+    </message>
+    <message>
+        <source>a frame has no orientation</source>
+        <translation>un fotograma no té orientació</translation>
+    </message>
+    <message>
+        <source>a frame has no position</source>
+        <translation>un fotograma no té posició</translation>
+    </message>
+    <message>
+        <source>a frame has no segment</source>
+        <translation>un fotograma no té segment</translation>
+    </message>
+    <message>
+        <source>a frame has no spacing</source>
+        <translation>un fotograma no té espaiat</translation>
+    </message>
+    <message>
+        <source>a gallbladder</source>
+        <translation>una vesícula biliar</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>una escena glTF</translation>
     </message>
@@ -2779,12 +3203,52 @@
         <translation>un tirador d’una clau registrada</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un cor</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un ronyó</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un fitxer VTK antic</translation>
     </message>
     <message>
+        <source>a list of triangles ends within one</source>
+        <translation>una llista de triangles acaba enmig d’un</translation>
+    </message>
+    <message>
+        <source>a liver</source>
+        <translation>un fetge</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volum bloquejat ha de ser positiu</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un miocardi</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
+        <translation>«%1» d’un node no té %2 nombres</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
+        <translation>«%1» d’un node conté una cosa que no és un nombre</translation>
+    </message>
+    <message>
+        <source>a node&apos;s children are not numbers</source>
+        <translation>els fills d’un node no són nombres</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un pàncrees</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -2793,6 +3257,18 @@
     <message>
         <source>a phase has not all surfaces</source>
         <translation>una fase no té totes les superfícies</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>una imatge</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un punt</translation>
+    </message>
+    <message>
+        <source>a point has fewer than three coordinates</source>
+        <translation>un punt té menys de tres coordenades</translation>
     </message>
     <message>
         <source>a point of its surface</source>
@@ -2807,6 +3283,10 @@
         <translation>un punt de la gàbia dividida no és sobre la gàbia</translation>
     </message>
     <message>
+        <source>a point&apos;s number</source>
+        <translation>el número d’un punt</translation>
+    </message>
+    <message>
         <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
         <translation>un polígon es refereix al punt %1, però n’hi ha %2 (comptats des de 0)</translation>
     </message>
@@ -2815,12 +3295,36 @@
         <translation>una postura de %1 tiradors no correspon a punts testimoni de %2</translation>
     </message>
     <message>
+        <source>a property stands before the first element</source>
+        <translation>una propietat apareix abans del primer element</translation>
+    </message>
+    <message>
         <source>a recorded key</source>
         <translation>una clau registrada</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
         <translation>una observació sobre ell no és UTF-8</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>la fila</translation>
+    </message>
+    <message>
+        <source>a scan</source>
+        <translation>una exploració</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>una melsa</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estómac</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>una superfície</translation>
     </message>
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
@@ -2851,8 +3355,48 @@
         <translation>un triangle es refereix a un punt que no existeix</translation>
     </message>
     <message>
+        <source>a value</source>
+        <translation>un valor</translation>
+    </message>
+    <message>
+        <source>a voxel</source>
+        <translation>un vòxel</translation>
+    </message>
+    <message>
+        <source>accessor %1 has an unknown type</source>
+        <translation>l’accessor %1 té un tipus desconegut</translation>
+    </message>
+    <message>
+        <source>accessor %1 is sparse, which Viscera does not read</source>
+        <translation>l’accessor %1 és dispers, i Viscera no els llegeix</translation>
+    </message>
+    <message>
+        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
+        <translation>l’accessor %1 és més enllà del final de la seva memòria intermèdia: el fitxer està tallat o malmès</translation>
+    </message>
+    <message>
+        <source>accessor %1 refers to buffer %2, but there are %3</source>
+        <translation>l’accessor %1 es refereix a la memòria intermèdia %2, però n’hi ha %3</translation>
+    </message>
+    <message>
+        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
+        <translation>l’accessor %1 hauria de tenir %2 elements, més dels que conté la seva memòria intermèdia</translation>
+    </message>
+    <message>
+        <source>accessor %1 should hold point numbers</source>
+        <translation>l’accessor %1 hauria de contenir números de punts</translation>
+    </message>
+    <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
         <translation>afegiu un grup que els envolti, o poseu en un grup tiradors que els envoltin</translation>
+    </message>
+    <message>
+        <source>add a handle off that plane</source>
+        <translation>afegiu un tirador fora d’aquest pla</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>afegiu-hi tiradors</translation>
     </message>
     <message>
         <source>add handles, or place them automatically</source>
@@ -2871,12 +3415,20 @@
         <translation>afegit per l’agrupació automàtica</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>tots els tiradors</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>tots els tiradors són en un pla</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>tots els tiradors són en una recta</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>tots els seus tiradors són en un pla, de manera que la seva regió és plana</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -2905,6 +3457,14 @@
     <message>
         <source>an angle has three points, any other measurement two</source>
         <translation>un angle té tres punts, qualsevol altra mesura dos</translation>
+    </message>
+    <message>
+        <source>an array&apos;s name</source>
+        <translation>el nom d’una matriu</translation>
+    </message>
+    <message>
+        <source>an error without a message</source>
+        <translation>un error sense missatge</translation>
     </message>
     <message>
         <source>angle</source>
@@ -2963,6 +3523,14 @@
         <translation>pesos biharmònics acotats</translation>
     </message>
     <message>
+        <source>buffer %1 has no data</source>
+        <translation>la memòria intermèdia %1 no té dades</translation>
+    </message>
+    <message>
+        <source>buffer %1 is not a JSON object</source>
+        <translation>la memòria intermèdia %1 no és un objecte JSON</translation>
+    </message>
+    <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
         <translation>pel nom va a l’esquerra del pacient, però és a la dreta (x = %1 mm): %2</translation>
     </message>
@@ -2989,6 +3557,18 @@
     <message>
         <source>cardiac output</source>
         <translation>cabal cardíac</translation>
+    </message>
+    <message>
+        <source>cell %1 claims %2 points, but %3 numbers are left</source>
+        <translation>la cel·la %1 reclama %2 punts, però queden %3 nombres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetres</translation>
+    </message>
+    <message>
+        <source>check its ending</source>
+        <translation>comproveu-ne l’extensió</translation>
     </message>
     <message>
         <source>check its permissions</source>
@@ -3039,6 +3619,10 @@
         <translation>comproveu el camí</translation>
     </message>
     <message>
+        <source>check the space left on the disk</source>
+        <translation>comproveu l’espai lliure al disc</translation>
+    </message>
+    <message>
         <source>check their order, and the period</source>
         <translation>comproveu-ne l’ordre i el període</translation>
     </message>
@@ -3053,6 +3637,10 @@
     <message>
         <source>check whether one of them is mislabelled, or leave it out</source>
         <translation>comproveu si una d’elles està mal etiquetada, o ometeu-la</translation>
+    </message>
+    <message>
+        <source>child process</source>
+        <translation>programa auxiliar</translation>
     </message>
     <message>
         <source>choose %1 to %2</source>
@@ -3079,8 +3667,24 @@
         <translation>trieu un fitxer amb una superfície de triangles</translation>
     </message>
     <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>trieu una carpeta que existeixi, on es pugui escriure i que tingui espai</translation>
+    </message>
+    <message>
         <source>choose a larger spacing</source>
         <translation>trieu un pas més gran</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb</source>
+        <translation>trieu un nom que acabi en .glb</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtp</source>
+        <translation>trieu un nom que acabi en .vtp</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtu</source>
+        <translation>trieu un nom que acabi en .vtu</translation>
     </message>
     <message>
         <source>choose a sequence first</source>
@@ -3147,6 +3751,10 @@
         <translation>tanqueu-ne els forats, per exemple amb viscera convert ENTRADA SORTIDA --fill-holes; una superfície oberta no té volum per conservar</translation>
     </message>
     <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>tanqueu altres programes, o feu servir menys tiradors o òrgans més petits</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>tanqueu altres programes, o treballeu amb menys òrgans o superfícies més gruixudes</translation>
     </message>
@@ -3157,6 +3765,10 @@
     <message>
         <source>compensating handles</source>
         <translation>tiradors que compensen</translation>
+    </message>
+    <message>
+        <source>convert it to .seg.nrrd</source>
+        <translation>convertiu-lo a .seg.nrrd</translation>
     </message>
     <message>
         <source>coordinates need at least four handles, there are %1</source>
@@ -3203,6 +3815,10 @@
         <translation>els camps de desplaçaments no es poden escriure com a «%1»</translation>
     </message>
     <message>
+        <source>displacements are written as .vtp only</source>
+        <translation>els desplaçaments només s’escriuen com a .vtp</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distància</translation>
     </message>
@@ -3213,6 +3829,18 @@
     <message>
         <source>does not lie between 0 and 1</source>
         <translation>no és entre 0 i 1</translation>
+    </message>
+    <message>
+        <source>does not say how large its pixels are</source>
+        <translation>no indica la mida dels seus píxels</translation>
+    </message>
+    <message>
+        <source>does not say where in the patient it lies</source>
+        <translation>no indica on és en el pacient</translation>
+    </message>
+    <message>
+        <source>does not say where its frames lie</source>
+        <translation>no indica on són els seus fotogrames</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -3235,6 +3863,10 @@
         <translation>tot i així, els plecs de la superfície es toquen quan passen</translation>
     </message>
     <message>
+        <source>exchanges left and right</source>
+        <translation>intercanvia esquerra i dreta</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>espiració</translation>
     </message>
@@ -3255,12 +3887,36 @@
         <translation>exporteu-la com a superfície de triangles</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>exporteu-lo com a glTF 2.0</translation>
+    </message>
+    <message>
+        <source>export it as pixels of 16 bits</source>
+        <translation>exporteu-lo amb píxels de 16 bits</translation>
+    </message>
+    <message>
+        <source>export it as text, or as STL or PLY</source>
+        <translation>exporteu-lo com a text, o com a STL o PLY</translation>
+    </message>
+    <message>
+        <source>export it little-endian</source>
+        <translation>exporteu-lo en ordre little-endian</translation>
+    </message>
+    <message>
+        <source>export it without compression</source>
+        <translation>exporteu-lo sense compressió</translation>
+    </message>
+    <message>
         <source>export or copy the file again</source>
         <translation>torneu a exportar o copiar el fitxer</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>torneu a exportar la superfície</translation>
+    </message>
+    <message>
+        <source>extract its surface first</source>
+        <translation>extraieu-ne primer la superfície</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -3271,12 +3927,36 @@
         <translation>ompliment de l’òrgan amb tetràedres</translation>
     </message>
     <message>
+        <source>fills every hole with a cap</source>
+        <translation>tanca cada forat amb una tapa</translation>
+    </message>
+    <message>
         <source>finding landmarks</source>
         <translation>cerca de punts de referència</translation>
     </message>
     <message>
         <source>folded where it is hatched</source>
         <translation>plegat on és ratllat</translation>
+    </message>
+    <message>
+        <source>frame %1 has no orientation</source>
+        <translation>el fotograma %1 no té orientació</translation>
+    </message>
+    <message>
+        <source>frame %1 has no pixels</source>
+        <translation>el fotograma %1 no té píxels</translation>
+    </message>
+    <message>
+        <source>frame %1 has no position</source>
+        <translation>el fotograma %1 no té posició</translation>
+    </message>
+    <message>
+        <source>frame %1 has no segment</source>
+        <translation>el fotograma %1 no té segment</translation>
+    </message>
+    <message>
+        <source>frame %1 has no spacing</source>
+        <translation>el fotograma %1 no té espaiat</translation>
     </message>
     <message>
         <source>fundus</source>
@@ -3319,6 +3999,10 @@
         <translation>doneu-n’hi un</translation>
     </message>
     <message>
+        <source>give its labels smaller numbers</source>
+        <translation>doneu nombres més petits a les etiquetes</translation>
+    </message>
+    <message>
         <source>give one between 0.1 and 0.8</source>
         <translation>indiqueu-ne una entre 0,1 i 0,8</translation>
     </message>
@@ -3339,6 +4023,10 @@
         <translation>doneu a la superfície exterior també les etiquetes de les seves cavitats, com a EPI=1,2,3</translation>
     </message>
     <message>
+        <source>glTF does not say which axes a patient&apos;s are: its numbers are taken as LPS millimetres, though the format&apos;s convention is metres with y up</source>
+        <translation>glTF no diu quins són els eixos del pacient: els nombres es prenen com a mil·límetres LPS, tot i que el format preveu metres amb y cap amunt</translation>
+    </message>
+    <message>
         <source>grid inside the surface</source>
         <translation>quadrícula dins de la superfície</translation>
     </message>
@@ -3349,6 +4037,10 @@
     <message>
         <source>group %1</source>
         <translation>grup %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>grup «%1»</translation>
     </message>
     <message>
         <source>handle</source>
@@ -3386,6 +4078,14 @@
         <translation>té un volum que no és positiu</translation>
     </message>
     <message>
+        <source>has no pixels</source>
+        <translation>no té píxels</translation>
+    </message>
+    <message>
+        <source>has pixels that are fractions (Float Pixel Data), which Viscera does not read; export it as whole numbers, or as NIfTI</source>
+        <translation>té píxels decimals (Float Pixel Data), que Viscera no llegeix; exporteu-lo amb nombres enters o com a NIfTI</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>manté</translation>
     </message>
@@ -3406,6 +4106,10 @@
         <translation>entrada</translation>
     </message>
     <message>
+        <source>inches</source>
+        <translation>polzades</translation>
+    </message>
+    <message>
         <source>inspiration</source>
         <translation>inspiració</translation>
     </message>
@@ -3420,6 +4124,14 @@
     <message>
         <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
         <translation>instal·leu libegl1 i libgl1-mesa-dri, o executeu-lo amb una pantalla</translation>
+    </message>
+    <message>
+        <source>is a colour picture</source>
+        <translation>és una imatge en color</translation>
+    </message>
+    <message>
+        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <translation>és un mosaic de molts talls en una imatge, com els escriu Siemens, que Viscera no separa; convertiu-lo a NIfTI (dcm2niix ho fa)</translation>
     </message>
     <message>
         <source>is not a file that can be read</source>
@@ -3456,16 +4168,56 @@
         <translation>relaxació isovolumètrica</translation>
     </message>
     <message>
+        <source>it begins behind the end of the data: the file is cut off</source>
+        <translation>comença més enllà del final de les dades: el fitxer està tallat</translation>
+    </message>
+    <message>
+        <source>it cannot be decompressed: the file is damaged</source>
+        <translation>no es pot descomprimir: el fitxer està malmès</translation>
+    </message>
+    <message>
+        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
+        <translation>reclama %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
+    </message>
+    <message>
+        <source>it claims %1 bytes in %2: the file is damaged</source>
+        <translation>reclama %1 bytes en %2: el fitxer està malmès</translation>
+    </message>
+    <message>
+        <source>it claims a block larger than the file: the file is cut off or damaged</source>
+        <translation>reclama un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no number</source>
+        <translation>conté %1, que no és un nombre</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no whole number</source>
+        <translation>conté %1, que no és un nombre enter</translation>
+    </message>
+    <message>
         <source>it crashed</source>
         <translation>ha fallat</translation>
+    </message>
+    <message>
+        <source>it does not hold a whole number of values</source>
+        <translation>no conté un nombre enter de valors</translation>
     </message>
     <message>
         <source>it does not lie within the period</source>
         <translation>no és dins del període</translation>
     </message>
     <message>
+        <source>it does not say how large its voxels are; 1 mm is assumed</source>
+        <translation>no indica la mida dels vòxels; se suposa 1 mm</translation>
+    </message>
+    <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>no indica on són els costats del pacient; els eixos es prenen com a dreta, davant i amunt</translation>
+    </message>
+    <message>
+        <source>it does not say which axes it uses; LPS is assumed</source>
+        <translation>no indica quins eixos fa servir; se suposa LPS</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3483,6 +4235,13 @@
         <source>it has %1 triangles</source>
         <translation>té %1 triangles</translation>
     </message>
+    <message numerus="yes">
+        <source>it has %n {segment|segments}</source>
+        <translation>
+            <numerusform>té %n segment</numerusform>
+            <numerusform>té %n segments</numerusform>
+        </translation>
+    </message>
     <message>
         <source>it has no name</source>
         <translation>no té nom</translation>
@@ -3490,6 +4249,18 @@
     <message>
         <source>it has no organ for each surface, or no phases</source>
         <translation>no té un òrgan per a cada superfície, o no té fases</translation>
+    </message>
+    <message>
+        <source>it has the unknown format %1</source>
+        <translation>té el format desconegut %1</translation>
+    </message>
+    <message>
+        <source>it has the unknown type %1</source>
+        <translation>té el tipus desconegut %1</translation>
+    </message>
+    <message>
+        <source>it is compressed by %1, which Viscera does not know</source>
+        <translation>està comprimida amb %1, que Viscera no coneix</translation>
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
@@ -3500,16 +4271,68 @@
         <translation>no és un registre d’un moviment mesurat</translation>
     </message>
     <message>
+        <source>it is not valid base64: the file is damaged</source>
+        <translation>no és base64 vàlid: el fitxer està malmès</translation>
+    </message>
+    <message>
         <source>it may be mirrored</source>
         <translation>potser és reflectit</translation>
+    </message>
+    <message>
+        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
+        <translation>hauria de tenir %1 bytes, més dels que hi ha: el fitxer està tallat o malmès</translation>
+    </message>
+    <message>
+        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
+        <translation>hauria de tenir %1 bytes més, però en queden %2: el fitxer està tallat o malmès</translation>
+    </message>
+    <message>
+        <source>it should hold whole numbers</source>
+        <translation>hauria de contenir nombres enters</translation>
+    </message>
+    <message>
+        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
+        <translation>el seu JSON no té «asset»: no és un fitxer glTF</translation>
+    </message>
+    <message>
+        <source>its JSON is not an object: it is not a glTF file</source>
+        <translation>el seu JSON no és un objecte: no és un fitxer glTF</translation>
+    </message>
+    <message>
+        <source>its XML is nested too deeply</source>
+        <translation>el seu XML està imbricat massa endins</translation>
+    </message>
+    <message>
+        <source>its XML is not complete</source>
+        <translation>el seu XML no és complet</translation>
+    </message>
+    <message>
+        <source>its axes %1 are unknown; LPS is assumed</source>
+        <translation>els seus eixos %1 no es coneixen; se suposa LPS</translation>
+    </message>
+    <message>
+        <source>its buffer %1 cannot be read: %2</source>
+        <translation>no es pot llegir la seva memòria intermèdia %1: %2</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
         <translation>el seu color no és entre 0 i 1</translation>
     </message>
     <message>
+        <source>its colours do not fit its points</source>
+        <translation>els seus colors no corresponen als seus punts</translation>
+    </message>
+    <message>
         <source>its description is not UTF-8</source>
         <translation>la seva descripció no és UTF-8</translation>
+    </message>
+    <message>
+        <source>its encoding %1 is not supported</source>
+        <translation>la seva codificació %1 no s’admet</translation>
+    </message>
+    <message>
+        <source>its faces have no vertex_indices</source>
+        <translation>les seves cares no tenen vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -3520,16 +4343,136 @@
         <translation>el seu fitxer s’ha trobat com a %1</translation>
     </message>
     <message>
+        <source>its first chunk is not JSON: the file is damaged</source>
+        <translation>el seu primer bloc no és JSON: el fitxer està malmès</translation>
+    </message>
+    <message>
+        <source>its frames are too far from each other: %1 mm</source>
+        <translation>els seus fotogrames són massa lluny els uns dels altres: %1 mm</translation>
+    </message>
+    <message>
+        <source>its frames belong to a segment %1, which it does not have</source>
+        <translation>els seus fotogrames pertanyen a un segment %1, que no existeix</translation>
+    </message>
+    <message>
+        <source>its frames lie in different directions</source>
+        <translation>els seus fotogrames són en direccions diferents</translation>
+    </message>
+    <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
         <translation>els seus tiradors no són els del conjunt, cada un un cop i en el seu ordre</translation>
+    </message>
+    <message>
+        <source>its header does not say its format</source>
+        <translation>la capçalera no indica el format</translation>
+    </message>
+    <message>
+        <source>its header is cut off or damaged: it has no %1</source>
+        <translation>la capçalera està tallada o malmesa: hi falta %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 has not %2 numbers</source>
+        <translation>la capçalera està malmesa: %1 no té %2 nombres</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number for %2</source>
+        <translation>la capçalera està malmesa: %1 no és un nombre per a %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number of %2</source>
+        <translation>la capçalera està malmesa: %1 no és un nombre de %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a size of an axis</source>
+        <translation>la capçalera està malmesa: %1 no és la mida d’un eix</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a vector</source>
+        <translation>la capçalera està malmesa: %1 no és un vector</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not an origin</source>
+        <translation>la capçalera està malmesa: %1 no és un origen</translation>
+    </message>
+    <message>
+        <source>its header is damaged: DimSize has not three numbers</source>
+        <translation>la capçalera està malmesa: DimSize no té tres nombres</translation>
+    </message>
+    <message>
+        <source>its header is damaged: HeaderSize is not a number of bytes</source>
+        <translation>la capçalera està malmesa: HeaderSize no és un nombre de bytes</translation>
+    </message>
+    <message>
+        <source>its header is damaged: a vector in it has not three numbers</source>
+        <translation>la capçalera està malmesa: un vector no té tres nombres</translation>
     </message>
     <message>
         <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
         <translation>la capçalera està malmesa: una imatge té de 2 a 7 dimensions, no %1</translation>
     </message>
     <message>
+        <source>its header is damaged: it describes %1 of %2 frames</source>
+        <translation>la capçalera està malmesa: descriu %1 de %2 fotogrames</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it has %1 frames</source>
+        <translation>la capçalera està malmesa: té %1 fotogrames</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
+        <translation>
+            <numerusform>la capçalera està malmesa: té %n direcció per a %2 eixos</numerusform>
+            <numerusform>la capçalera està malmesa: té %n direccions per a %2 eixos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
+        <translation>
+            <numerusform>la capçalera està malmesa: té %n mida per a %2 dimensions</numerusform>
+            <numerusform>la capçalera està malmesa: té %n mides per a %2 dimensions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
+        <translation>la capçalera està malmesa: promet %1 bytes de píxels en un fitxer de %2 bytes</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
+        <translation>
+            <numerusform>la capçalera està malmesa: els píxels comprimits tenen %n part per a %2 fotogrames</numerusform>
+            <numerusform>la capçalera està malmesa: els píxels comprimits tenen %n parts per a %2 fotogrames</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have no parts</source>
+        <translation>la capçalera està malmesa: els píxels comprimits no tenen parts</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have not one part a frame</source>
+        <translation>la capçalera està malmesa: els píxels comprimits no tenen una part per fotograma</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its rescale slope is 0</source>
+        <translation>la capçalera està malmesa: el pendent de reescalat (Rescale Slope) és 0</translation>
+    </message>
+    <message>
         <source>its header is damaged: its size along %1 is %2</source>
         <translation>la capçalera està malmesa: la mida al llarg de %1 és %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the directions of its rows and columns are not square</source>
+        <translation>la capçalera està malmesa: les direccions de les files i columnes no són perpendiculars</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels cannot begin at byte %1</source>
+        <translation>la capçalera està malmesa: els vòxels no poden començar al byte %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
+        <translation>
+            <numerusform>la capçalera promet %n triangle, però hi ha lloc per a %2: el fitxer està malmès</numerusform>
+            <numerusform>la capçalera promet %n triangles, però hi ha lloc per a %2: el fitxer està malmès</numerusform>
+        </translation>
     </message>
     <message>
         <source>its id is another thing's, too</source>
@@ -3544,6 +4487,10 @@
         <translation>les seves etiquetes són les d’un cor: el múscul i les cambres en formen la superfície exterior, cada cambra és una cavitat</translation>
     </message>
     <message>
+        <source>its layers lie between the axes of space</source>
+        <translation>les seves capes són entre els eixos de l’espai</translation>
+    </message>
+    <message>
         <source>its name is not UTF-8</source>
         <translation>el seu nom no és UTF-8</translation>
     </message>
@@ -3552,12 +4499,48 @@
         <translation>la seva opacitat no és entre 0 i 1</translation>
     </message>
     <message>
+        <source>its packed pixels cannot be read</source>
+        <translation>no se’n poden llegir els píxels comprimits</translation>
+    </message>
+    <message>
         <source>its parent is not an organ before it</source>
         <translation>el seu òrgan superior no és abans que ell</translation>
     </message>
     <message>
+        <source>its pixels (%1) are damaged or packed in an unknown way</source>
+        <translation>els seus píxels (%1) estan malmesos o comprimits d’una manera desconeguda</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: %2</source>
+        <translation>no se’n poden descomprimir els píxels (%1): %2</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
+        <translation>no se’n poden descomprimir els píxels (%1): el fotograma %2 està malmès</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be read</source>
+        <translation>no se’n poden llegir els píxels</translation>
+    </message>
+    <message>
+        <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
+        <translation>els seus píxels de %1 bits en %2, fins al bit %3, no s’admeten</translation>
+    </message>
+    <message>
+        <source>its pixels of 32 bits in big-endian order are not supported</source>
+        <translation>els seus píxels de 32 bits en ordre big-endian no s’admeten</translation>
+    </message>
+    <message>
         <source>its points and triangles are no lists of threes</source>
         <translation>els seus punts i triangles no són llistes de trios</translation>
+    </message>
+    <message>
+        <source>its points have %1 coordinates, not 3</source>
+        <translation>els seus punts tenen %1 coordenades, no 3</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>els seus punts no tenen x, y i z</translation>
     </message>
     <message>
         <source>its position</source>
@@ -3568,12 +4551,24 @@
         <translation>la seva posició en repòs</translation>
     </message>
     <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>el seu segment %1 no té un valor o una capa vàlids</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be read</source>
+        <translation>no se’n pot llegir la segmentació</translation>
+    </message>
+    <message>
         <source>its sform and qform place the image differently; the sform is used</source>
         <translation>la sform i la qform col·loquen la imatge de manera diferent; es fa servir sform</translation>
     </message>
     <message>
         <source>its sform is singular or not finite and is not used</source>
         <translation>la sform és singular o no és finita i no es fa servir</translation>
+    </message>
+    <message>
+        <source>its slices are not equally far from each other (frame %1)</source>
+        <translation>els seus talls no són a la mateixa distància els uns dels altres (fotograma %1)</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -3623,8 +4618,28 @@
         <translation>el seu volum ja no està bloquejat: ara la superfície és oberta</translation>
     </message>
     <message>
+        <source>its voxels are in several files</source>
+        <translation>els seus vòxels són en diversos fitxers</translation>
+    </message>
+    <message>
+        <source>its voxels are in several files or in another folder (%1)</source>
+        <translation>els seus vòxels són en diversos fitxers o en una altra carpeta (%1)</translation>
+    </message>
+    <message>
         <source>its voxels are more than 1000 km away</source>
         <translation>els seus vòxels són a més de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (ElementType %1)</source>
+        <translation>els seus vòxels no són nombres simples (ElementType %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
+        <translation>els seus vòxels no són nombres simples (tipus de dades NIfTI %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (type %1)</source>
+        <translation>els seus vòxels no són nombres simples (tipus %1)</translation>
     </message>
     <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
@@ -3639,12 +4654,20 @@
         <translation>conserveu el més gran, per exemple amb viscera convert ENTRADA SORTIDA --keep-largest</translation>
     </message>
     <message>
+        <source>keeps the piece with the largest area and drops the others</source>
+        <translation>conserva la peça d’àrea més gran i descarta les altres</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clau</translation>
     </message>
     <message>
         <source>key %1</source>
         <translation>clau %1</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>quilòmetres</translation>
     </message>
     <message>
         <source>known endings: %1</source>
@@ -3699,12 +4722,40 @@
         <translation>feu que l’últim volum sigui igual al primer</translation>
     </message>
     <message>
+        <source>line %1: %2</source>
+        <translation>línia %1: %2</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>lineal</translation>
     </message>
     <message>
+        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
+        <translation>la llista %1 té la unitat %2, que Viscera no coneix; se suposen mm</translation>
+    </message>
+    <message>
+        <source>list %1 was converted from %2 to mm</source>
+        <translation>la llista %1 s’ha convertit de %2 a mm</translation>
+    </message>
+    <message>
+        <source>list %1, point %2</source>
+        <translation>llista %1, punt %2</translation>
+    </message>
+    <message>
+        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
+        <translation>llista %1: el seu sistema de coordenades %2 no és LPS ni RAS</translation>
+    </message>
+    <message>
+        <source>list %1: its points are no JSON array</source>
+        <translation>llista %1: els seus punts no són una matriu JSON</translation>
+    </message>
+    <message>
         <source>load a closed surface</source>
         <translation>carregueu una superfície tancada</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordenades localitzades</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -3713,6 +4764,14 @@
     <message>
         <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
         <translation>feu els tiradors amb aquesta gàbia: viscera handles ÒRGAN --cage FITXER</translation>
+    </message>
+    <message>
+        <source>makes a closed surface without intersections near this one; colours are lost</source>
+        <translation>fa una superfície tancada sense interseccions a prop d’aquesta; els colors es perden</translation>
+    </message>
+    <message>
+        <source>markup list %1 is not a JSON object</source>
+        <translation>la llista de marques %1 no és un objecte JSON</translation>
     </message>
     <message>
         <source>measured motion</source>
@@ -3727,8 +4786,32 @@
         <translation>mesura %1</translation>
     </message>
     <message>
+        <source>mesh %1 has a primitive without attributes</source>
+        <translation>la malla %1 té una primitiva sense atributs</translation>
+    </message>
+    <message>
+        <source>mesh %1 has no primitives</source>
+        <translation>la malla %1 no té primitives</translation>
+    </message>
+    <message>
+        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>la malla %1 es refereix al punt %2, però n’hi ha %3 (comptats des de 0)</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metres</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micròmetres</translation>
+    </message>
+    <message>
         <source>middle line</source>
         <translation>línia mitjana</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>mil·límetres</translation>
     </message>
     <message>
         <source>move it elsewhere, or remove one of the two</source>
@@ -3823,6 +4906,10 @@
         <translation>anomena un instant fora del cicle</translation>
     </message>
     <message>
+        <source>nanometres</source>
+        <translation>nanòmetres</translation>
+    </message>
+    <message>
         <source>no EGL platform works without a window system</source>
         <translation>cap plataforma EGL funciona sense sistema de finestres</translation>
     </message>
@@ -3863,8 +4950,20 @@
         <translation>cap punt testimoni és a dins</translation>
     </message>
     <message>
+        <source>node %1 is in the scene twice</source>
+        <translation>el node %1 és dues vegades a l’escena</translation>
+    </message>
+    <message>
+        <source>node %1 is moved by bones, which are ignored</source>
+        <translation>el node %1 es mou per ossos, que s’ignoren</translation>
+    </message>
+    <message>
         <source>nothing that Viscera knows</source>
         <translation>res que Viscera conegui</translation>
+    </message>
+    <message>
+        <source>of no known kind</source>
+        <translation>de cap tipus conegut</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -3896,6 +4995,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>obriu els altres fitxers després</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from it</source>
+        <translation>obriu la segmentació que se n’ha fet</translation>
     </message>
     <message>
         <source>open the segmentation that was made from the image</source>
@@ -3988,6 +5091,10 @@
     <message>
         <source>point %1 lies more than 1000 km away: the file is damaged</source>
         <translation>el punt %1 és a més de 1000 km: el fitxer està malmès</translation>
+    </message>
+    <message>
+        <source>point numbers are of a type that is not whole</source>
+        <translation>els números dels punts són d’un tipus que no és enter</translation>
     </message>
     <message>
         <source>points that coincide or are almost flat cause this</source>
@@ -4094,6 +5201,14 @@
         <translation>remostregeu les imatges en una quadrícula recta</translation>
     </message>
     <message>
+        <source>resample the segmentation, for example by saving it as .seg.nrrd</source>
+        <translation>remostregeu la segmentació, per exemple desant-la com a .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>reset the pose</source>
+        <translation>restabliu la posa</translation>
+    </message>
+    <message>
         <source>restore its definition from the installation</source>
         <translation>restaureu-ne la definició des de la instal·lació</translation>
     </message>
@@ -4122,6 +5237,30 @@
         <translation>deseu-lo com a mapa d’etiquetes</translation>
     </message>
     <message>
+        <source>save it as a segmentation</source>
+        <translation>deseu-lo com a segmentació</translation>
+    </message>
+    <message>
+        <source>save it as a volume</source>
+        <translation>deseu-la com a volum</translation>
+    </message>
+    <message>
+        <source>save it as one file</source>
+        <translation>deseu-la com un sol fitxer</translation>
+    </message>
+    <message>
+        <source>save it as one volume</source>
+        <translation>deseu-la com un sol volum</translation>
+    </message>
+    <message>
+        <source>save it with gzip or raw encoding</source>
+        <translation>deseu-lo amb la codificació gzip o raw</translation>
+    </message>
+    <message>
+        <source>save it with one number a voxel</source>
+        <translation>deseu-la amb un nombre per vòxel</translation>
+    </message>
+    <message>
         <source>save it with one value a voxel</source>
         <translation>deseu-la amb un valor per vòxel</translation>
     </message>
@@ -4134,6 +5273,14 @@
         <translation>deseu-ne un, o seguiu el moviment per tots amb viscera track</translation>
     </message>
     <message>
+        <source>save the points from Slicer as .mrk.json</source>
+        <translation>deseu els punts des de Slicer com a .mrk.json</translation>
+    </message>
+    <message>
+        <source>save the points from Slicer in LPS</source>
+        <translation>deseu els punts des de Slicer en LPS</translation>
+    </message>
+    <message>
         <source>say it with --period-ms, or the rate with --rate</source>
         <translation>indiqueu-ho amb --period-ms, o la freqüència amb --rate</translation>
     </message>
@@ -4142,8 +5289,16 @@
         <translation>indiqueu quines superfícies formen, com a --surface LV=1 --surface RV=2 --surface EPI=1,2,3, amb totes les etiquetes dins de l’exterior</translation>
     </message>
     <message>
+        <source>several surfaces are written as .glb only</source>
+        <translation>diverses superfícies només s’escriuen com a .glb</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>suau</translation>
+    </message>
+    <message>
+        <source>solids are written as .vtu only</source>
+        <translation>els sòlids només s’escriuen com a .vtu</translation>
     </message>
     <message>
         <source>sort the lines by their instants</source>
@@ -4206,6 +5361,10 @@
         <translation>preneu els tiradors propis de la seqüència</translation>
     </message>
     <message>
+        <source>takes the coordinates as %1</source>
+        <translation>pren les coordenades com a %1</translation>
+    </message>
+    <message>
         <source>terminal antral contraction</source>
         <translation>contracció antral terminal</translation>
     </message>
@@ -4218,8 +5377,24 @@
         <translation>el tetràedre %1 és pla o està invertit</translation>
     </message>
     <message>
+        <source>texts stand where numbers should</source>
+        <translation>apareixen textos on hi hauria d’haver nombres</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no es poden calcular els tetràedres de Delaunay de %1 punts</translation>
+    </message>
+    <message>
+        <source>the JSON chunk</source>
+        <translation>el bloc JSON</translation>
+    </message>
+    <message>
+        <source>the array %1 has %2 values for %3 points</source>
+        <translation>la matriu %1 té %2 valors per a %3 punts</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>la matriu %1: %2</translation>
     </message>
     <message>
         <source>the biharmonic energy cannot be factorised</source>
@@ -4230,12 +5405,24 @@
         <translation>la gàbia</translation>
     </message>
     <message>
+        <source>the cells&apos; offsets do not fit their points</source>
+        <translation>els començaments de les cel·les no corresponen als seus punts</translation>
+    </message>
+    <message>
         <source>the context cannot be used without a surface</source>
         <translation>el context no es pot fer servir sense superfície</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no es pot calcular l’envolupant convexa de %1 punts</translation>
+    </message>
+    <message>
+        <source>the coordinate %1</source>
+        <translation>la coordenada %1</translation>
+    </message>
+    <message>
+        <source>the coordinate system %1 is not LPS or RAS</source>
+        <translation>el sistema de coordenades %1 no és LPS ni RAS</translation>
     </message>
     <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
@@ -4258,8 +5445,53 @@
         <translation>l’extensió «%1» no és d’un fitxer de superfície</translation>
     </message>
     <message>
+        <source>the file does not say its axes; LPS is assumed</source>
+        <translation>el fitxer no indica els seus eixos; se suposa LPS</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el fitxer no indica els seus eixos: se suposa LPS</translation>
+    </message>
+    <message>
+        <source>the file is cut off before its data</source>
+        <translation>el fitxer està tallat abans de les dades</translation>
+    </message>
+    <message>
+        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
+        <translation>el fitxer està tallat o malmès: una llista de %1 %2 hauria de tenir més valors dels que queden</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
+        <translation>
+            <numerusform>el fitxer està tallat o no és un fitxer STL: la capçalera promet %n triangle (%2 bytes), però té %3 bytes</numerusform>
+            <numerusform>el fitxer està tallat o no és un fitxer STL: la capçalera promet %n triangles (%2 bytes), però té %3 bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
+        <translation>el fitxer està tallat: %1 hauria de tenir %2 bytes, però només en queden %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
+        <translation>
+            <numerusform>el fitxer està tallat: haurien de seguir %2 nombres, però només queda %n byte</numerusform>
+            <numerusform>el fitxer està tallat: haurien de seguir %2 nombres, però només queden %n bytes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
+        <translation>
+            <numerusform>el fitxer està tallat: es prometen %2 valors, només hi ha %n byte</numerusform>
+            <numerusform>el fitxer està tallat: es prometen %2 valors, només hi ha %n bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
+        <translation>el fitxer està tallat: la memòria intermèdia %1 hauria de tenir %2 bytes, però en té %3</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it ends where %1 should stand</source>
+        <translation>el fitxer està tallat: acaba on hi hauria d’haver %1</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
@@ -4269,8 +5501,46 @@
         </translation>
     </message>
     <message>
+        <source>the file is cut off: it has fewer lines than its header says</source>
+        <translation>el fitxer està tallat: té menys línies de les que indica la capçalera</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it should have %1 bytes, but has %2</source>
+        <translation>el fitxer està tallat: hauria de tenir %1 bytes, però en té %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
+        <translation>
+            <numerusform>el fitxer està tallat: el seu %n fotograma té massa pocs píxels</numerusform>
+            <numerusform>el fitxer està tallat: els seus %n fotogrames tenen massa pocs píxels</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its end is missing</source>
+        <translation>el fitxer està tallat: en falta el final</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header has no ElementDataFile</source>
+        <translation>el fitxer està tallat: la capçalera no té ElementDataFile</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
+        <translation>el fitxer està tallat: la capçalera promet %1 bytes de píxels, n’hi ha %2</translation>
+    </message>
+    <message>
         <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
         <translation>el fitxer està tallat: la capçalera promet %1 bytes de vòxels, n’hi ha %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
+        <translation>
+            <numerusform>el fitxer està tallat: la capçalera promet %2 de %3, més del que cap en el %n byte que queda</numerusform>
+            <numerusform>el fitxer està tallat: la capçalera promet %2 de %3, més del que cap en els %n bytes que queden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises more voxels than there are</source>
+        <translation>el fitxer està tallat: la capçalera promet més vòxels dels que hi ha</translation>
     </message>
     <message>
         <source>the file is cut off: its packed data end too early</source>
@@ -4293,6 +5563,30 @@
         <translation>el fitxer indica els seus eixos: %1</translation>
     </message>
     <message>
+        <source>the file with its voxels, %1, cannot be read: %2</source>
+        <translation>el fitxer amb els seus vòxels, %1, no es pot llegir: %2</translation>
+    </message>
+    <message>
+        <source>the file with its voxels, %1, cannot be used: %2</source>
+        <translation>el fitxer amb els seus vòxels, %1, no es pot fer servir: %2</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 meshes were joined to one surface</source>
+        <translation>les %1 malles del fitxer s’han unit en una sola superfície</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 objects were joined to one surface</source>
+        <translation>els %1 objectes del fitxer s’han unit en una sola superfície</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 solids were joined to one surface</source>
+        <translation>els %1 sòlids del fitxer s’han unit en una sola superfície</translation>
+    </message>
+    <message>
+        <source>the first chunk&apos;s header</source>
+        <translation>la capçalera del primer bloc</translation>
+    </message>
+    <message>
         <source>the first one is 0</source>
         <translation>la primera és 0</translation>
     </message>
@@ -4307,6 +5601,10 @@
     <message>
         <source>the folder for the frames cannot be written</source>
         <translation>no es pot escriure a la carpeta dels fotogrames</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>el format %1 no es coneix</translation>
     </message>
     <message>
         <source>the frame rate has to be positive</source>
@@ -4337,6 +5635,10 @@
         <translation>els tetràedres dels tiradors</translation>
     </message>
     <message>
+        <source>the header</source>
+        <translation>la capçalera</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>l’identificador %1 apareix dues vegades</translation>
     </message>
@@ -4347,6 +5649,10 @@
     <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>l’etiqueta «%1» no és un punt de referència de la seqüència %2</translation>
+    </message>
+    <message>
+        <source>the label map has no segment number %1</source>
+        <translation>el mapa d’etiquetes no té el segment número %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -4369,12 +5675,20 @@
         <translation>l’última fase és igual a la primera i s’omet: la fase %1 tornaria a ser la fase 1</translation>
     </message>
     <message>
+        <source>the layers</source>
+        <translation>les capes</translation>
+    </message>
+    <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>els límits de temps i memòria han de ser més grans que 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
         <translation>els volums bloquejats no es poden conservar</translation>
+    </message>
+    <message>
+        <source>the markup %1 of type %2 is not a list of points and was left out</source>
+        <translation>la marca %1 de tipus %2 no és una llista de punts i s’omet</translation>
     </message>
     <message>
         <source>the middle line that was computed leaves the organ</source>
@@ -4409,8 +5723,52 @@
         <translation>els noms de les seves etiquetes són els de %1</translation>
     </message>
     <message>
+        <source>the number of arrays</source>
+        <translation>el nombre de matrius</translation>
+    </message>
+    <message>
+        <source>the number of cells</source>
+        <translation>el nombre de cel·les</translation>
+    </message>
+    <message>
+        <source>the number of colour channels</source>
+        <translation>el nombre de canals de color</translation>
+    </message>
+    <message>
+        <source>the number of components</source>
+        <translation>el nombre de components</translation>
+    </message>
+    <message>
+        <source>the number of components is not positive</source>
+        <translation>el nombre de components no és positiu</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>el nombre de cares</translation>
+    </message>
+    <message>
         <source>the number of groups must be at least 1, not %1</source>
         <translation>el nombre de grups ha de ser almenys 1, no %1</translation>
+    </message>
+    <message>
+        <source>the number of points</source>
+        <translation>el nombre de punts</translation>
+    </message>
+    <message>
+        <source>the number of texture axes</source>
+        <translation>el nombre d’eixos de textura</translation>
+    </message>
+    <message>
+        <source>the number of values</source>
+        <translation>el nombre de valors</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>el desplaçament de la regió «%1» es retalla a %2 mm, la distància del seu tirador més proper a una zona</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells (%1) do not fit their points</source>
+        <translation>els començaments de les seves cel·les (%1) no corresponen als seus punts</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -4446,6 +5804,14 @@
     <message>
         <source>the packed data are damaged</source>
         <translation>les dades comprimides estan malmeses</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (%1)</source>
+        <translation>les dades comprimides estan malmeses (%1)</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (bzip2 error %1)</source>
+        <translation>les dades comprimides estan malmeses (error %1 de bzip2)</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -4491,6 +5857,10 @@
         <translation>la posició del tirador %1 a %2 no és finita</translation>
     </message>
     <message>
+        <source>the positions of its frames are not finite</source>
+        <translation>les posicions dels seus fotogrames no són finites</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>aquest tipus de pel·lícula necessita el programa ffmpeg, que no està instal·lat</translation>
     </message>
@@ -4527,8 +5897,24 @@
         <translation>la mida és plausible: %1</translation>
     </message>
     <message>
+        <source>the size of a colour table</source>
+        <translation>la mida d’una taula de colors</translation>
+    </message>
+    <message>
+        <source>the size of the cells</source>
+        <translation>la mida de les cel·les</translation>
+    </message>
+    <message>
         <source>the sizes of its voxels are missing, zero or not finite</source>
         <translation>les mides dels seus vòxels falten, són zero o no són finites</translation>
+    </message>
+    <message>
+        <source>the solid could not be written</source>
+        <translation>no s’ha pogut escriure el sòlid</translation>
+    </message>
+    <message>
+        <source>the solid could not be written: %1</source>
+        <translation>no s’ha pogut escriure el sòlid: %1</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; has two files of one phase</source>
@@ -4547,6 +5933,10 @@
         <translation>la superfície no es travessa ella mateixa</translation>
     </message>
     <message>
+        <source>the surface encloses nothing</source>
+        <translation>la superfície no tanca res</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing that witness points could lie in</source>
         <translation>la superfície no tanca res on hi pugui haver punts testimoni</translation>
     </message>
@@ -4561,6 +5951,10 @@
     <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la superfície no té triangles o és plana, així que no tanca res</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or no size</source>
+        <translation>la superfície no té triangles o no té mida</translation>
     </message>
     <message>
         <source>the surface has room for %1 of %2 handles</source>
@@ -4608,6 +6002,14 @@
         </translation>
     </message>
     <message>
+        <source>the surface is too large for GLB, which ends at 4 GB</source>
+        <translation>la superfície és massa gran per a GLB, que acaba a 4 GB</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>no es pot llegir la taula de noms que conté</translation>
+    </message>
+    <message>
         <source>the tetrahedra do not determine the coordinates</source>
         <translation>els tetràedres no determinen les coordenades</translation>
     </message>
@@ -4632,6 +6034,10 @@
         <translation>el volum no es pot mantenir aquí: %1</translation>
     </message>
     <message>
+        <source>the volumes</source>
+        <translation>la sèrie de volums</translation>
+    </message>
+    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>les ones tenen el %1 % de la profunditat que en un adult: %2</translation>
     </message>
@@ -4651,9 +6057,20 @@
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>no conté tetràedres; potser la superfície és oberta</translation>
     </message>
+    <message numerus="yes">
+        <source>there are values for %n {point|points}, but the surface has %2</source>
+        <translation>
+            <numerusform>hi ha valors per a %n punt, però la superfície en té %2</numerusform>
+            <numerusform>hi ha valors per a %n punts, però la superfície en té %2</numerusform>
+        </translation>
+    </message>
     <message>
         <source>there are: %1</source>
         <translation>hi ha: %1</translation>
+    </message>
+    <message>
+        <source>there is a second list of points</source>
+        <translation>hi ha una segona llista de punts</translation>
     </message>
     <message>
         <source>there is no %1 &quot;%2&quot;</source>
@@ -4688,6 +6105,10 @@
         <translation>no hi ha cap imatge per posar al full</translation>
     </message>
     <message>
+        <source>there is no repair &quot;%1&quot;</source>
+        <translation>no hi ha cap reparació «%1»</translation>
+    </message>
+    <message>
         <source>there is no sequence &quot;%1&quot;</source>
         <translation>no hi ha cap seqüència «%1»</translation>
     </message>
@@ -4706,6 +6127,10 @@
     <message>
         <source>there is no such slice</source>
         <translation>aquest tall no existeix</translation>
+    </message>
+    <message>
+        <source>there is no surface to write</source>
+        <translation>no hi ha cap superfície per escriure</translation>
     </message>
     <message>
         <source>there is no triangle %1</source>
@@ -4742,6 +6167,14 @@
     <message>
         <source>this is not a PNG picture</source>
         <translation>això no és una imatge PNG</translation>
+    </message>
+    <message>
+        <source>this is not a line of a MetaImage header: %1</source>
+        <translation>això no és una línia d’una capçalera MetaImage: %1</translation>
+    </message>
+    <message>
+        <source>this is not a line of an NRRD header: %1</source>
+        <translation>això no és una línia d’una capçalera NRRD: %1</translation>
     </message>
     <message>
         <source>this system has no parameters</source>
@@ -4786,6 +6219,18 @@
     <message>
         <source>turn the surface outward, or choose a target above 0 ml</source>
         <translation>orienteu la superfície cap enfora, o trieu un objectiu més gran que 0 ml</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter turn, from a model whose y axis points to the head</source>
+        <translation>gira la superfície un quart de volta, d’un model amb l’eix y cap al cap</translation>
+    </message>
+    <message>
+        <source>turns the surface by half a turn, as from RAS to LPS</source>
+        <translation>gira la superfície mitja volta, com de RAS a LPS</translation>
+    </message>
+    <message>
+        <source>turns triangles around so that all of them face outward</source>
+        <translation>gira triangles perquè tots mirin cap enfora</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -4846,6 +6291,10 @@
     <message>
         <source>use viridis or diverging</source>
         <translation>feu servir viridis o diverging</translation>
+    </message>
+    <message>
+        <source>values from the section %1 on were not understood and ignored</source>
+        <translation>els valors a partir de la secció %1 no s’han entès i s’ignoren</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -4973,6 +6422,10 @@
     <message>
         <source>women and men have on average %1 to %2 ml</source>
         <translation>dones i homes tenen de mitjana de %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>write PLY or VTP</source>
+        <translation>escriviu PLY o VTP</translation>
     </message>
     <message>
         <source>write an .ogv instead</source>

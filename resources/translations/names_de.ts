@@ -8,12 +8,20 @@
         <translation>%1 Dreiecke statt %2; die alte Oberfläche liegt im Mittel %3 mm von der neuen entfernt, höchstens %4 mm</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>„%1“ hat keine ebene Form</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>„%1“ ist %2 statt „%3“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>„%1“ fehlt</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
@@ -30,6 +38,10 @@
     <message>
         <source>&quot;%1&quot; is not a text</source>
         <translation>„%1“ ist kein Text</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 on</source>
+        <translation>„%1“ ist keine ganze Zahl ab 0</translation>
     </message>
     <message>
         <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
@@ -52,36 +64,104 @@
         <translation>%1 bei %2 % des Zyklus: %3</translation>
     </message>
     <message>
+        <source>%1 cells were announced, but there are %2</source>
+        <translation>%1 Zellen wurden angekündigt, es gibt aber %2</translation>
+    </message>
+    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 ergibt eine andere Oberfläche als die gespeicherte</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a finite number</source>
+        <translation>%1 hat eine Koordinate, die keine endliche Zahl ist</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
         <translation>%1 hat sich seit dem Speichern der Sitzung geändert</translation>
     </message>
     <message>
+        <source>%1 has no place (%2) and was left out</source>
+        <translation>%1 hat keinen Ort (%2) und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 has no position of three numbers</source>
+        <translation>%1 hat keine Position aus drei Zahlen</translation>
+    </message>
+    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 hat in %2 kein Volumen</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels any more</source>
+        <translation>%1 hat keine Voxel mehr</translation>
     </message>
     <message>
         <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
         <translation>%1 hat in %2 andere Dreiecke als in der ersten: die Oberflächen werden nach ihren Abständen angepasst, die eine Bewegung entlang der Wand nicht erkennen</translation>
     </message>
     <message>
+        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
+        <translation>%1 ist %2, mehr als in die übrigen %3 Bytes passt</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is no whole number from 0 on</source>
+        <translation>%1 ist %2, was keine ganze Zahl ab 0 ist</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 ist weiter als tausend Kilometer entfernt</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 ist negativ</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 ist kein JSON-Objekt</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 ist keine endliche Zahl</translation>
     </message>
     <message>
+        <source>%1 is not a number of elements</source>
+        <translation>%1 ist keine Zahl von Elementen</translation>
+    </message>
+    <message>
+        <source>%1 is not a section of a legacy VTK surface</source>
+        <translation>%1 ist kein Abschnitt einer alten VTK-Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of an OBJ file</source>
+        <translation>%1 ist keine Anweisung einer OBJ-Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of a PLY file</source>
+        <translation>%1 ist kein Typ einer PLY-Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of numbers</source>
+        <translation>%1 ist kein Typ von Zahlen</translation>
+    </message>
+    <message>
         <source>%1 is not a value for parameter %2</source>
         <translation>%1 ist kein Wert für den Parameter %2</translation>
     </message>
     <message>
+        <source>%1 is not a word of a PLY header</source>
+        <translation>%1 ist kein Wort eines PLY-Kopfes</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of an STL file</source>
+        <translation>%1 ist kein Wort einer STL-Datei</translation>
+    </message>
+    <message>
         <source>%1 is out of range for parameter %2</source>
         <translation>%1 liegt außerhalb des Bereichs von Parameter %2</translation>
+    </message>
+    <message>
+        <source>%1 is too far away</source>
+        <translation>%1 ist zu weit entfernt</translation>
     </message>
     <message>
         <source>%1 ml cannot be reached</source>
@@ -108,8 +188,16 @@
         <translation>%1 von mehr als 1 GB passt nicht in eine Sitzungsdatei</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
         <source>%1 rows</source>
         <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 steht, wo %2 stehen sollte</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -226,6 +314,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {byte|bytes} after the end ignored</source>
+        <translation>
+            <numerusform>%n Byte nach dem Ende ignoriert</numerusform>
+            <numerusform>%n Bytes nach dem Ende ignoriert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {byte|bytes} after the last triangle ignored</source>
+        <translation>
+            <numerusform>%n Byte nach dem letzten Dreieck ignoriert</numerusform>
+            <numerusform>%n Bytes nach dem letzten Dreieck ignoriert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {edge joins|edges join} more than two triangles</source>
         <translation>
             <numerusform>%n Kante verbindet mehr als zwei Dreiecke</numerusform>
@@ -251,6 +353,13 @@
         <translation>
             <numerusform>%n Datei ist beschädigt und wurde weggelassen (%2: %3)</numerusform>
             <numerusform>%n Dateien sind beschädigt und wurden weggelassen (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n Griff ist in keiner Gruppe und bewegt nichts</numerusform>
+            <numerusform>%n Griffe sind in keiner Gruppe und bewegen nichts</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -293,6 +402,13 @@
         <translation>
             <numerusform>%n Linien- oder Punktzelle übergangen</numerusform>
             <numerusform>%n Linien- oder Punktzellen übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line|lines} with points, curves or free-form surfaces ignored</source>
+        <translation>
+            <numerusform>%n Zeile mit Punkten, Kurven oder Freiformflächen ignoriert</numerusform>
+            <numerusform>%n Zeilen mit Punkten, Kurven oder Freiformflächen ignoriert</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -356,6 +472,13 @@
         <translation>
             <numerusform>%n Segment hat keine Voxel (%2)</numerusform>
             <numerusform>%n Segmente haben keine Voxel (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {set|sets} of points or lines ignored</source>
+        <translation>
+            <numerusform>%n Satz von Punkten oder Linien ignoriert</numerusform>
+            <numerusform>%n Sätze von Punkten oder Linien ignoriert</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -470,6 +593,10 @@
     <message>
         <source>A wire in the space of balanced vectors; for many points it has no answer</source>
         <translation>Ein Draht im Raum der Vektoren im Gleichgewicht; für viele Punkte hat er keine Lösung</translation>
+    </message>
+    <message>
+        <source>ASCII or BINARY</source>
+        <translation>ASCII oder BINARY</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -1055,8 +1182,28 @@
         <translation>Innere Griffe jeder Lage</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Interner Fehler unbekannter Art</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Interner Fehler: %1</translation>
+    </message>
+    <message>
+        <source>It announces %1 points, but holds %2 coordinates</source>
+        <translation>Die Datei kündigt %1 Punkte an, enthält aber %2 Koordinaten</translation>
+    </message>
+    <message>
+        <source>It announces cells of the kind %1, but has none</source>
+        <translation>Die Datei kündigt Zellen der Art %1 an, hat aber keine</translation>
+    </message>
+    <message>
         <source>It cannot be opened: %1</source>
         <translation>Es kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be packed: zlib does not start</source>
+        <translation>Es kann nicht gepackt werden: zlib startet nicht</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1066,12 +1213,40 @@
         <source>It cannot be read to its end</source>
         <translation>Die Datei kann nicht bis zum Ende gelesen werden</translation>
     </message>
+    <message>
+        <source>It cannot be unpacked: bzip2 does not start</source>
+        <translation>Es kann nicht entpackt werden: bzip2 startet nicht</translation>
+    </message>
+    <message>
+        <source>It cannot be unpacked: zlib does not start</source>
+        <translation>Es kann nicht entpackt werden: zlib startet nicht</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>Die Datei kann nicht geschrieben werden: es ist ein Ordner</translation>
+    </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Sie durchdringt sich selbst, an %n Paar von Dreiecken</numerusform>
             <numerusform>Sie durchdringt sich selbst, an %n Paaren von Dreiecken</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
+        <translation>Die Datei beginnt nicht mit „# vtk DataFile“: sie ist keine alte VTK-Datei</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
+        <translation>Die Datei beginnt nicht mit „OFF“: sie ist keine OFF-Datei</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
+        <translation>Die Datei beginnt nicht mit „ply“: sie ist keine PLY-Datei</translation>
     </message>
     <message>
         <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
@@ -1084,6 +1259,10 @@
     <message>
         <source>It does not fit into memory</source>
         <translation>Die Datei passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>It does not say how far its slices are from each other</source>
+        <translation>Der Abstand ihrer Schichten ist nicht angegeben</translation>
     </message>
     <message>
         <source>It does not say how long one cycle lasts</source>
@@ -1101,18 +1280,40 @@
         <translation>Die Einheit der Zeiten ist nicht angegeben; sie werden als Millisekunden genommen</translation>
     </message>
     <message>
+        <source>It has %1 colour values for %2 points</source>
+        <translation>Es gibt %1 Farbwerte für %2 Punkte</translation>
+    </message>
+    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Die Datei hat %1 Labels; eine Maske in einem Ordner hat eines</translation>
+    </message>
+    <message>
+        <source>It has %1 moved points for %2 vertices</source>
+        <translation>Es gibt %1 verschobene Punkte für %2 Eckpunkte</translation>
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
         <translation>Die Datei hat %1 Volumen; eine Labelmap hat eines</translation>
     </message>
     <message numerus="yes">
+        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
+        <translation>
+            <numerusform>Das Bild hat %n Achse im Raum; das Bild eines Organs hat drei</numerusform>
+            <numerusform>Das Bild hat %n Achsen im Raum; das Bild eines Organs hat drei</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>It has %n {handle|handles} in place of %2</source>
         <translation>
             <numerusform>Sie hat %n Griff statt %2</numerusform>
             <numerusform>Sie hat %n Griffe statt %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Sie hat %n Griff; eine Region braucht mindestens 4</numerusform>
+            <numerusform>Sie hat %n Griffe; eine Region braucht mindestens 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1137,6 +1338,14 @@
         </translation>
     </message>
     <message>
+        <source>It has a label above 2147483647</source>
+        <translation>Es hat ein Label über 2147483647</translation>
+    </message>
+    <message>
+        <source>It has cells without the array %1</source>
+        <translation>Es gibt Zellen ohne das Array %1</translation>
+    </message>
+    <message>
         <source>It has more than %1 files</source>
         <translation>Der Ordner hat mehr als %1 Dateien</translation>
     </message>
@@ -1153,12 +1362,24 @@
         <translation>Der Ordner hat keine DICOM-Dateien mit Bildern</translation>
     </message>
     <message>
+        <source>It has no frames</source>
+        <translation>Die Datei hat keine Einzelbilder</translation>
+    </message>
+    <message>
         <source>It has no label %1</source>
         <translation>Es gibt kein Label %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>Kein Voxel hat ein Label: alle sind 0</translation>
+    </message>
+    <message>
+        <source>It has no number of columns</source>
+        <translation>Die Zahl der Spalten fehlt</translation>
+    </message>
+    <message>
+        <source>It has no number of rows</source>
+        <translation>Die Zahl der Zeilen fehlt</translation>
     </message>
     <message>
         <source>It has no phase %1; it has %2</source>
@@ -1177,6 +1398,10 @@
         <translation>Es gibt keine Schichten eines Scans</translation>
     </message>
     <message>
+        <source>It has no slices of a scan: &quot;%1&quot; %2</source>
+        <translation>Es gibt keine Schichten eines Scans: „%1“ %2</translation>
+    </message>
+    <message>
         <source>It has no slices of a scan: %1 %2</source>
         <translation>Es gibt keine Schichten eines Scans: %1 %2</translation>
     </message>
@@ -1189,8 +1414,24 @@
         <translation>Die Oberfläche hat keine Dreiecke</translation>
     </message>
     <message>
+        <source>It has no uncompressed pixels</source>
+        <translation>Die Datei hat keine unkomprimierten Pixel</translation>
+    </message>
+    <message>
+        <source>It has not three dimensions</source>
+        <translation>Das Bild hat nicht drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>It has several axes that are not of space</source>
+        <translation>Das Bild hat mehrere Achsen, die keine des Raumes sind</translation>
+    </message>
+    <message>
         <source>It has several labels: %1</source>
         <translation>Es gibt mehrere Labels: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel</source>
+        <translation>Das Bild hat mehrere Werte je Voxel</translation>
     </message>
     <message>
         <source>It has several values a voxel (%1)</source>
@@ -1203,6 +1444,22 @@
     <message>
         <source>It has to be positive</source>
         <translation>Der Wert muss positiv sein</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a VTK surface (PolyData)</source>
+        <translation>Die Datei enthält %1, keine VTK-Oberfläche (PolyData)</translation>
+    </message>
+    <message>
+        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
+        <translation>Die Datei enthält einen VTK-Datensatz vom Typ %1, keine Oberfläche (POLYDATA)</translation>
+    </message>
+    <message>
+        <source>It holds a piece without points</source>
+        <translation>Die Datei enthält ein Stück ohne Punkte</translation>
+    </message>
+    <message>
+        <source>It holds a surface in a space of more than three dimensions</source>
+        <translation>Die Datei enthält eine Oberfläche in einem Raum von mehr als drei Dimensionen</translation>
     </message>
     <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
@@ -1223,6 +1480,14 @@
     <message>
         <source>It holds neither surfaces nor label maps</source>
         <translation>Der Ordner enthält weder Oberflächen noch Labelmaps</translation>
+    </message>
+    <message>
+        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
+        <translation>Die Datei enthält kein „markups“: sie ist keine Markups-Datei von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>It holds no PolyData</source>
+        <translation>Die Datei enthält keine PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
@@ -1249,8 +1514,20 @@
         <translation>Der Ordner enthält nur leere Masken</translation>
     </message>
     <message>
+        <source>It holds points, but no faces</source>
+        <translation>Die Datei enthält Punkte, aber keine Flächen</translation>
+    </message>
+    <message>
         <source>It is a DICOM file without an image</source>
         <translation>Es ist eine DICOM-Datei ohne Bild</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file, but no segmentation (%1)</source>
+        <translation>Es ist eine DICOM-Datei, aber keine Segmentierung (%1)</translation>
+    </message>
+    <message>
+        <source>It is a binary OFF file, which Viscera does not read</source>
+        <translation>Es ist eine binäre OFF-Datei, die Viscera nicht liest</translation>
     </message>
     <message>
         <source>It is a folder, not a file</source>
@@ -1261,12 +1538,24 @@
         <translation>Es ist ein Scan und kein Organ</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file</source>
+        <translation>Die Datei ist beschädigt oder keine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>It is damaged or no DICOM file: %1</source>
+        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: %1</translation>
+    </message>
+    <message>
         <source>It is damaged: it does not hold %1</source>
         <translation>Es ist beschädigt: es enthält nicht %1</translation>
     </message>
     <message>
         <source>It is damaged: its SHA-256 is not %1</source>
         <translation>Es ist beschädigt: sein SHA-256 ist nicht %1</translation>
+    </message>
+    <message>
+        <source>It is glTF version %1, but only 2 can be read</source>
+        <translation>Es ist glTF Version %1, lesbar ist aber nur 2</translation>
     </message>
     <message>
         <source>It is named %1 but looks like %2</source>
@@ -1353,6 +1642,10 @@
         <translation>Die Datei ist kein vollständiges JSON: der Fehler ist in Zeile %1</translation>
     </message>
     <message>
+        <source>It is not complete XML: %1</source>
+        <translation>Es ist kein vollständiges XML: %1</translation>
+    </message>
+    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>Er ist an seinem Dreieck %1 nicht konvex</translation>
     </message>
@@ -1380,6 +1673,13 @@
         <source>It is too long</source>
         <translation>Es ist zu lang</translation>
     </message>
+    <message numerus="yes">
+        <source>It is too short for an STL file: %n {byte|bytes}</source>
+        <translation>
+            <numerusform>Für eine STL-Datei ist sie zu kurz: %n Byte</numerusform>
+            <numerusform>Für eine STL-Datei ist sie zu kurz: %n Bytes</numerusform>
+        </translation>
+    </message>
     <message>
         <source>It leads to more than 20 million points</source>
         <translation>Das ergibt mehr als 20 Millionen Punkte</translation>
@@ -1393,8 +1693,28 @@
         <translation>Es nennt den Griff %1, der nicht unter „handles“ steht</translation>
     </message>
     <message>
+        <source>It needs the glTF extension %1, which Viscera does not know</source>
+        <translation>Die Datei braucht die glTF-Erweiterung %1, die Viscera nicht kennt</translation>
+    </message>
+    <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Sie verweist auf Griff %1, es gibt aber %2</translation>
+    </message>
+    <message>
+        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
+        <translation>Sie verweist auf Nummer %1 von „%2“, es gibt aber %3 (von 0 an gezählt)</translation>
+    </message>
+    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Es scheint in RAS zu sein, während %1 in LPS ist, oder umgekehrt: es liegt auf der anderen Seite der Körpermitte</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many points</source>
+        <translation>Ausgepackt hat sie zu viele Punkte</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many triangles</source>
+        <translation>Ausgepackt hat sie zu viele Dreiecke</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -1694,6 +2014,14 @@
         <translation>Kein Hohlraum ist seinem Namen nach ein Ventrikel</translation>
     </message>
     <message>
+        <source>No channel to another program</source>
+        <translation>Kein Kanal zu einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>Keine Datei für die Meldungen eines Programms</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Kein Scan hat %1 Voxel entlang einer Achse</translation>
     </message>
@@ -1765,8 +2093,24 @@
         <translation>Bauchspeicheldrüse</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Spitze: %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Spitze des gefalteten Gewebes</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Spitze der größten Streckung</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Spitze des Rotationsstresses</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Spitze der kleinsten Streckung</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Spitze des Volumenverhältnisses</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2138,6 +2482,10 @@
     <message>
         <source>Some files say that they are in RAS and this one does not say what it is in</source>
         <translation>Manche Dateien geben RAS an, diese gibt keine Achsen an</translation>
+    </message>
+    <message>
+        <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
+        <translation>Einige seiner Werte brauchen als ganze Zahl mehr als 32 Bit; sie werden als Dezimalzahlen mit sieben Stellen gehalten</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -2532,6 +2880,10 @@
         <source>There is no volume in it</source>
         <translation>Die Datei enthält kein Volumen</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>Der Speicher reicht nicht</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -2619,6 +2971,10 @@
         <translation>Hülle als Käfig verwenden</translation>
     </message>
     <message>
+        <source>VTK could not write the surface: %1</source>
+        <translation>VTK konnte die Oberfläche nicht schreiben: %1</translation>
+    </message>
+    <message>
         <source>Veins</source>
         <translation>Venen</translation>
     </message>
@@ -2691,7 +3047,7 @@
         <translation>Messpunkte von %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 mit %2 ml ist nicht lebensgroß: %3</translation>
     </message>
     <message>
@@ -2739,16 +3095,44 @@
         <translation>eine binäre glTF-Szene</translation>
     </message>
     <message>
+        <source>a buffer is at %1, but only files beside it are read</source>
+        <translation>ein Puffer liegt bei %1, gelesen werden aber nur Dateien daneben</translation>
+    </message>
+    <message>
+        <source>a buffer within the file is not valid base64</source>
+        <translation>ein Puffer in der Datei ist kein gültiges Base64</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>ein Käfig ist eine grobe Oberfläche: nehmen Sie eine mit höchstens %1 Eckpunkten</translation>
+    </message>
+    <message>
+        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>eine Zelle verweist auf Punkt %1, es gibt aber %2 (von 0 an gezählt)</translation>
+    </message>
+    <message>
+        <source>a chunk</source>
+        <translation>ein Block</translation>
+    </message>
+    <message>
+        <source>a chunk&apos;s header</source>
+        <translation>der Kopf eines Blocks</translation>
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
         <translation>eine grobe Oberfläche braucht mindestens vier Eckpunkte</translation>
     </message>
     <message>
+        <source>a column</source>
+        <translation>einer Spalte</translation>
+    </message>
+    <message>
         <source>a convex hull needs at least 4 points, there are %1</source>
         <translation>eine konvexe Hülle braucht mindestens 4 Punkte, es gibt %1</translation>
+    </message>
+    <message>
+        <source>a coordinate</source>
+        <translation>eine Koordinate</translation>
     </message>
     <message>
         <source>a curve needs one number for each time</source>
@@ -2767,6 +3151,46 @@
         <translation>ein Abstandsgitter mit dieser Weite ist zu groß</translation>
     </message>
     <message>
+        <source>a face</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a face has fewer corners than it claims</source>
+        <translation>eine Fläche hat weniger Ecken als angegeben</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners</source>
+        <translation>eine Fläche hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>a face refers to point %1, but there are only %2 before it</source>
+        <translation>eine Fläche verweist auf Punkt %1, vor ihr gibt es aber nur %2</translation>
+    </message>
+    <message>
+        <source>a face&apos;s number of corners</source>
+        <translation>die Zahl der Ecken einer Fläche</translation>
+    </message>
+    <message>
+        <source>a frame has no orientation</source>
+        <translation>ein Einzelbild hat keine Ausrichtung</translation>
+    </message>
+    <message>
+        <source>a frame has no position</source>
+        <translation>ein Einzelbild hat keine Position</translation>
+    </message>
+    <message>
+        <source>a frame has no segment</source>
+        <translation>ein Einzelbild hat kein Segment</translation>
+    </message>
+    <message>
+        <source>a frame has no spacing</source>
+        <translation>ein Einzelbild hat keinen Pixelabstand</translation>
+    </message>
+    <message>
+        <source>a gallbladder</source>
+        <translation>eine Gallenblase</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>eine glTF-Szene</translation>
     </message>
@@ -2779,12 +3203,52 @@
         <translation>ein Griff eines aufgezeichneten Schlüssels</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>ein Herz</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>eine Niere</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>eine alte VTK-Datei</translation>
     </message>
     <message>
+        <source>a list of triangles ends within one</source>
+        <translation>eine Liste von Dreiecken endet mitten in einem</translation>
+    </message>
+    <message>
+        <source>a liver</source>
+        <translation>eine Leber</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>ein gesperrtes Volumen muss positiv sein</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>ein Myokard</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
+        <translation>„%1“ eines Knotens hat nicht %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
+        <translation>„%1“ eines Knotens enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>a node&apos;s children are not numbers</source>
+        <translation>die Kinder eines Knotens sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>eine Bauchspeicheldrüse</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -2793,6 +3257,18 @@
     <message>
         <source>a phase has not all surfaces</source>
         <translation>eine Phase hat nicht alle Oberflächen</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>a point has fewer than three coordinates</source>
+        <translation>ein Punkt hat weniger als drei Koordinaten</translation>
     </message>
     <message>
         <source>a point of its surface</source>
@@ -2807,6 +3283,10 @@
         <translation>ein Punkt des geteilten Käfigs liegt nicht auf dem Käfig</translation>
     </message>
     <message>
+        <source>a point&apos;s number</source>
+        <translation>die Nummer eines Punktes</translation>
+    </message>
+    <message>
         <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
         <translation>ein Vieleck verweist auf Punkt %1, es gibt aber %2 (von 0 an gezählt)</translation>
     </message>
@@ -2815,12 +3295,36 @@
         <translation>eine Pose mit %1 Griffen passt nicht zu Messpunkten mit %2</translation>
     </message>
     <message>
+        <source>a property stands before the first element</source>
+        <translation>eine Eigenschaft steht vor dem ersten Element</translation>
+    </message>
+    <message>
         <source>a recorded key</source>
         <translation>ein aufgezeichneter Schlüssel</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
         <translation>eine Bemerkung dazu ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>einer Zeile</translation>
+    </message>
+    <message>
+        <source>a scan</source>
+        <translation>ein Scan</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>eine Milz</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>ein Magen</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>eine Oberfläche</translation>
     </message>
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
@@ -2851,8 +3355,48 @@
         <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a voxel</source>
+        <translation>ein Voxel</translation>
+    </message>
+    <message>
+        <source>accessor %1 has an unknown type</source>
+        <translation>Accessor %1 hat einen unbekannten Typ</translation>
+    </message>
+    <message>
+        <source>accessor %1 is sparse, which Viscera does not read</source>
+        <translation>Accessor %1 ist dünn besetzt, was Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
+        <translation>Accessor %1 liegt hinter dem Ende seines Puffers: die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>accessor %1 refers to buffer %2, but there are %3</source>
+        <translation>Accessor %1 verweist auf Puffer %2, es gibt aber %3</translation>
+    </message>
+    <message>
+        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
+        <translation>Accessor %1 sollte %2 Elemente haben, mehr als sein Puffer enthält</translation>
+    </message>
+    <message>
+        <source>accessor %1 should hold point numbers</source>
+        <translation>Accessor %1 sollte Nummern von Punkten enthalten</translation>
+    </message>
+    <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
         <translation>fügen Sie eine Gruppe hinzu, die sie umschließt, oder nehmen Sie Griffe um sie herum in eine Gruppe auf</translation>
+    </message>
+    <message>
+        <source>add a handle off that plane</source>
+        <translation>fügen Sie einen Griff außerhalb dieser Ebene hinzu</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>fügen Sie ihr Griffe hinzu</translation>
     </message>
     <message>
         <source>add handles, or place them automatically</source>
@@ -2871,12 +3415,20 @@
         <translation>durch automatisches Gruppieren hinzugefügt</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>alle Griffe</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>alle Griffe liegen in einer Ebene</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>alle Griffe liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>alle ihre Griffe liegen in einer Ebene, darum ist ihre Region flach</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -2905,6 +3457,14 @@
     <message>
         <source>an angle has three points, any other measurement two</source>
         <translation>ein Winkel hat drei Punkte, jede andere Messung zwei</translation>
+    </message>
+    <message>
+        <source>an array&apos;s name</source>
+        <translation>der Name eines Arrays</translation>
+    </message>
+    <message>
+        <source>an error without a message</source>
+        <translation>ein Fehler ohne Meldung</translation>
     </message>
     <message>
         <source>angle</source>
@@ -2963,6 +3523,14 @@
         <translation>beschränkte biharmonische Gewichte</translation>
     </message>
     <message>
+        <source>buffer %1 has no data</source>
+        <translation>Puffer %1 hat keine Daten</translation>
+    </message>
+    <message>
+        <source>buffer %1 is not a JSON object</source>
+        <translation>Puffer %1 ist kein JSON-Objekt</translation>
+    </message>
+    <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
         <translation>dem Namen nach gehört es auf die linke Seite des Patienten, es liegt aber rechts (x = %1 mm): %2</translation>
     </message>
@@ -2989,6 +3557,18 @@
     <message>
         <source>cardiac output</source>
         <translation>Herzzeitvolumen</translation>
+    </message>
+    <message>
+        <source>cell %1 claims %2 points, but %3 numbers are left</source>
+        <translation>Zelle %1 beansprucht %2 Punkte, aber %3 Zahlen sind übrig</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>check its ending</source>
+        <translation>prüfen Sie die Endung</translation>
     </message>
     <message>
         <source>check its permissions</source>
@@ -3039,6 +3619,10 @@
         <translation>prüfen Sie den Pfad</translation>
     </message>
     <message>
+        <source>check the space left on the disk</source>
+        <translation>prüfen Sie den freien Platz auf dem Datenträger</translation>
+    </message>
+    <message>
         <source>check their order, and the period</source>
         <translation>prüfen Sie ihre Reihenfolge und die Periode</translation>
     </message>
@@ -3053,6 +3637,10 @@
     <message>
         <source>check whether one of them is mislabelled, or leave it out</source>
         <translation>prüfen Sie, ob eine davon falsch gekennzeichnet ist, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>child process</source>
+        <translation>Hilfsprogramm</translation>
     </message>
     <message>
         <source>choose %1 to %2</source>
@@ -3079,8 +3667,24 @@
         <translation>wählen Sie eine Datei mit einer Oberfläche aus Dreiecken</translation>
     </message>
     <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>wählen Sie einen Ordner, den es gibt, der beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
         <source>choose a larger spacing</source>
         <translation>wählen Sie eine größere Weite</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb</source>
+        <translation>wählen Sie einen Namen, der auf .glb endet</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtp</source>
+        <translation>wählen Sie einen Namen, der auf .vtp endet</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtu</source>
+        <translation>wählen Sie einen Namen, der auf .vtu endet</translation>
     </message>
     <message>
         <source>choose a sequence first</source>
@@ -3147,6 +3751,10 @@
         <translation>schließen Sie seine Löcher, etwa mit viscera convert EIN AUS --fill-holes; eine offene Oberfläche hat kein Volumen, das zu erhalten wäre</translation>
     </message>
     <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>schließen Sie andere Programme, oder verwenden Sie weniger Griffe oder kleinere Organe</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>schließen Sie andere Programme, oder arbeiten Sie mit weniger Organen oder gröberen Oberflächen</translation>
     </message>
@@ -3157,6 +3765,10 @@
     <message>
         <source>compensating handles</source>
         <translation>ausgleichende Griffe</translation>
+    </message>
+    <message>
+        <source>convert it to .seg.nrrd</source>
+        <translation>wandeln Sie sie in .seg.nrrd um</translation>
     </message>
     <message>
         <source>coordinates need at least four handles, there are %1</source>
@@ -3203,6 +3815,10 @@
         <translation>Verschiebungsfelder können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
+        <source>displacements are written as .vtp only</source>
+        <translation>Verschiebungen werden nur als .vtp geschrieben</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>Abstand</translation>
     </message>
@@ -3213,6 +3829,18 @@
     <message>
         <source>does not lie between 0 and 1</source>
         <translation>liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>does not say how large its pixels are</source>
+        <translation>nennt die Größe ihrer Pixel nicht</translation>
+    </message>
+    <message>
+        <source>does not say where in the patient it lies</source>
+        <translation>nennt ihre Lage im Patienten nicht</translation>
+    </message>
+    <message>
+        <source>does not say where its frames lie</source>
+        <translation>nennt die Lage ihrer Einzelbilder nicht</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -3235,6 +3863,10 @@
         <translation>auch so berühren sich Falten der Oberfläche, wenn sie vorbeilaufen</translation>
     </message>
     <message>
+        <source>exchanges left and right</source>
+        <translation>vertauscht links und rechts</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>Ausatmung</translation>
     </message>
@@ -3255,12 +3887,36 @@
         <translation>exportieren Sie sie als Oberfläche aus Dreiecken</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>exportieren Sie sie als glTF 2.0</translation>
+    </message>
+    <message>
+        <source>export it as pixels of 16 bits</source>
+        <translation>exportieren Sie sie mit Pixeln von 16 Bit</translation>
+    </message>
+    <message>
+        <source>export it as text, or as STL or PLY</source>
+        <translation>exportieren Sie sie als Text oder als STL oder PLY</translation>
+    </message>
+    <message>
+        <source>export it little-endian</source>
+        <translation>exportieren Sie sie in Little-Endian-Folge</translation>
+    </message>
+    <message>
+        <source>export it without compression</source>
+        <translation>exportieren Sie sie ohne Kompression</translation>
+    </message>
+    <message>
         <source>export or copy the file again</source>
         <translation>exportieren oder kopieren Sie die Datei neu</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exportieren Sie die Oberfläche neu</translation>
+    </message>
+    <message>
+        <source>extract its surface first</source>
+        <translation>extrahieren Sie zuerst die Oberfläche</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -3271,12 +3927,36 @@
         <translation>Füllen des Organs mit Tetraedern</translation>
     </message>
     <message>
+        <source>fills every hole with a cap</source>
+        <translation>schließt jedes Loch mit einer Kappe</translation>
+    </message>
+    <message>
         <source>finding landmarks</source>
         <translation>Suche nach Landmarken</translation>
     </message>
     <message>
         <source>folded where it is hatched</source>
         <translation>gefaltet, wo es schraffiert ist</translation>
+    </message>
+    <message>
+        <source>frame %1 has no orientation</source>
+        <translation>Einzelbild %1 hat keine Ausrichtung</translation>
+    </message>
+    <message>
+        <source>frame %1 has no pixels</source>
+        <translation>Einzelbild %1 hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>frame %1 has no position</source>
+        <translation>Einzelbild %1 hat keine Position</translation>
+    </message>
+    <message>
+        <source>frame %1 has no segment</source>
+        <translation>Einzelbild %1 hat kein Segment</translation>
+    </message>
+    <message>
+        <source>frame %1 has no spacing</source>
+        <translation>Einzelbild %1 hat keinen Pixelabstand</translation>
     </message>
     <message>
         <source>fundus</source>
@@ -3319,6 +3999,10 @@
         <translation>geben Sie ihm einen</translation>
     </message>
     <message>
+        <source>give its labels smaller numbers</source>
+        <translation>geben Sie den Labels kleinere Nummern</translation>
+    </message>
+    <message>
         <source>give one between 0.1 and 0.8</source>
         <translation>geben Sie eine zwischen 0,1 und 0,8 an</translation>
     </message>
@@ -3339,6 +4023,10 @@
         <translation>geben Sie der äußeren Oberfläche auch die Labels ihrer Hohlräume, wie in EPI=1,2,3</translation>
     </message>
     <message>
+        <source>glTF does not say which axes a patient&apos;s are: its numbers are taken as LPS millimetres, though the format&apos;s convention is metres with y up</source>
+        <translation>glTF sagt nicht, welche Achsen die des Patienten sind: die Zahlen werden als LPS-Millimeter genommen, obwohl das Format Meter mit y nach oben vorsieht</translation>
+    </message>
+    <message>
         <source>grid inside the surface</source>
         <translation>Gitter in der Oberfläche</translation>
     </message>
@@ -3349,6 +4037,10 @@
     <message>
         <source>group %1</source>
         <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>Gruppe „%1“</translation>
     </message>
     <message>
         <source>handle</source>
@@ -3386,6 +4078,14 @@
         <translation>hat ein Volumen, das nicht positiv ist</translation>
     </message>
     <message>
+        <source>has no pixels</source>
+        <translation>hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>has pixels that are fractions (Float Pixel Data), which Viscera does not read; export it as whole numbers, or as NIfTI</source>
+        <translation>hat Pixel, die Dezimalzahlen sind (Float Pixel Data), was Viscera nicht liest; exportieren Sie sie mit ganzen Zahlen oder als NIfTI</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>halten</translation>
     </message>
@@ -3406,6 +4106,10 @@
         <translation>anlaufend</translation>
     </message>
     <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
         <source>inspiration</source>
         <translation>Einatmung</translation>
     </message>
@@ -3420,6 +4124,14 @@
     <message>
         <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
         <translation>installieren Sie libegl1 und libgl1-mesa-dri, oder starten Sie mit einem Bildschirm</translation>
+    </message>
+    <message>
+        <source>is a colour picture</source>
+        <translation>ist ein Farbbild</translation>
+    </message>
+    <message>
+        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <translation>ist ein Mosaik aus vielen Schichten in einem Bild, wie Siemens sie schreibt, das Viscera nicht zerlegt; wandeln Sie es in NIfTI um (dcm2niix kann das)</translation>
     </message>
     <message>
         <source>is not a file that can be read</source>
@@ -3456,16 +4168,56 @@
         <translation>isovolumetrische Relaxation</translation>
     </message>
     <message>
+        <source>it begins behind the end of the data: the file is cut off</source>
+        <translation>es beginnt hinter dem Ende der Daten: die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it cannot be decompressed: the file is damaged</source>
+        <translation>es kann nicht entpackt werden: die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
+        <translation>es beansprucht %1 Blöcke, mehr als da sind: die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it claims %1 bytes in %2: the file is damaged</source>
+        <translation>es beansprucht %1 Bytes in %2: die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it claims a block larger than the file: the file is cut off or damaged</source>
+        <translation>es beansprucht einen Block, der größer als die Datei ist: die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no number</source>
+        <translation>es enthält %1, was keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no whole number</source>
+        <translation>es enthält %1, was keine ganze Zahl ist</translation>
+    </message>
+    <message>
         <source>it crashed</source>
         <translation>es ist abgestürzt</translation>
+    </message>
+    <message>
+        <source>it does not hold a whole number of values</source>
+        <translation>es enthält keine ganze Zahl von Werten</translation>
     </message>
     <message>
         <source>it does not lie within the period</source>
         <translation>er liegt nicht innerhalb der Periode</translation>
     </message>
     <message>
+        <source>it does not say how large its voxels are; 1 mm is assumed</source>
+        <translation>die Größe der Voxel ist nicht angegeben; 1 mm wird angenommen</translation>
+    </message>
+    <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>die Seiten des Patienten sind nicht angegeben; die Achsen werden als rechts, vorn und oben genommen</translation>
+    </message>
+    <message>
+        <source>it does not say which axes it uses; LPS is assumed</source>
+        <translation>ihre Achsen sind nicht angegeben; LPS wird angenommen</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3483,6 +4235,13 @@
         <source>it has %1 triangles</source>
         <translation>sie hat %1 Dreiecke</translation>
     </message>
+    <message numerus="yes">
+        <source>it has %n {segment|segments}</source>
+        <translation>
+            <numerusform>sie hat %n Segment</numerusform>
+            <numerusform>sie hat %n Segmente</numerusform>
+        </translation>
+    </message>
     <message>
         <source>it has no name</source>
         <translation>es hat keinen Namen</translation>
@@ -3490,6 +4249,18 @@
     <message>
         <source>it has no organ for each surface, or no phases</source>
         <translation>es hat nicht für jede Oberfläche ein Organ, oder keine Phasen</translation>
+    </message>
+    <message>
+        <source>it has the unknown format %1</source>
+        <translation>es hat das unbekannte Format %1</translation>
+    </message>
+    <message>
+        <source>it has the unknown type %1</source>
+        <translation>es hat den unbekannten Typ %1</translation>
+    </message>
+    <message>
+        <source>it is compressed by %1, which Viscera does not know</source>
+        <translation>es ist mit %1 komprimiert, was Viscera nicht kennt</translation>
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
@@ -3500,16 +4271,68 @@
         <translation>es ist keine Aufzeichnung einer gemessenen Bewegung</translation>
     </message>
     <message>
+        <source>it is not valid base64: the file is damaged</source>
+        <translation>es ist kein gültiges Base64: die Datei ist beschädigt</translation>
+    </message>
+    <message>
         <source>it may be mirrored</source>
         <translation>vielleicht ist es gespiegelt</translation>
+    </message>
+    <message>
+        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
+        <translation>es sollte %1 Bytes haben, mehr als da sind: die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
+        <translation>es sollte noch %1 Bytes haben, %2 sind aber übrig: die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it should hold whole numbers</source>
+        <translation>es sollte ganze Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
+        <translation>ihr JSON hat kein „asset“: es ist keine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>its JSON is not an object: it is not a glTF file</source>
+        <translation>ihr JSON ist kein Objekt: es ist keine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>its XML is nested too deeply</source>
+        <translation>das XML ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>its XML is not complete</source>
+        <translation>das XML ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>its axes %1 are unknown; LPS is assumed</source>
+        <translation>ihre Achsen %1 sind unbekannt; LPS wird angenommen</translation>
+    </message>
+    <message>
+        <source>its buffer %1 cannot be read: %2</source>
+        <translation>ihr Puffer %1 kann nicht gelesen werden: %2</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
         <translation>seine Farbe liegt nicht zwischen 0 und 1</translation>
     </message>
     <message>
+        <source>its colours do not fit its points</source>
+        <translation>ihre Farben passen nicht zu ihren Punkten</translation>
+    </message>
+    <message>
         <source>its description is not UTF-8</source>
         <translation>seine Beschreibung ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>its encoding %1 is not supported</source>
+        <translation>ihre Kodierung %1 wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its faces have no vertex_indices</source>
+        <translation>ihre Flächen haben keine vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -3520,16 +4343,136 @@
         <translation>seine Datei wurde als %1 gefunden</translation>
     </message>
     <message>
+        <source>its first chunk is not JSON: the file is damaged</source>
+        <translation>ihr erster Block ist kein JSON: die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its frames are too far from each other: %1 mm</source>
+        <translation>ihre Einzelbilder sind zu weit voneinander entfernt: %1 mm</translation>
+    </message>
+    <message>
+        <source>its frames belong to a segment %1, which it does not have</source>
+        <translation>ihre Einzelbilder gehören zu einem Segment %1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its frames lie in different directions</source>
+        <translation>ihre Einzelbilder liegen in verschiedenen Richtungen</translation>
+    </message>
+    <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
         <translation>ihre Griffe sind nicht die Griffe des Rigs, jeder einmal und in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>its header does not say its format</source>
+        <translation>ihr Kopf nennt ihr Format nicht</translation>
+    </message>
+    <message>
+        <source>its header is cut off or damaged: it has no %1</source>
+        <translation>ihr Kopf ist abgeschnitten oder beschädigt: %1 fehlt</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 has not %2 numbers</source>
+        <translation>ihr Kopf ist beschädigt: %1 hat nicht %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number for %2</source>
+        <translation>ihr Kopf ist beschädigt: %1 ist keine Zahl für %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number of %2</source>
+        <translation>ihr Kopf ist beschädigt: %1 ist keine Zahl von %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a size of an axis</source>
+        <translation>ihr Kopf ist beschädigt: %1 ist keine Größe einer Achse</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a vector</source>
+        <translation>ihr Kopf ist beschädigt: %1 ist kein Vektor</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not an origin</source>
+        <translation>ihr Kopf ist beschädigt: %1 ist kein Ursprung</translation>
+    </message>
+    <message>
+        <source>its header is damaged: DimSize has not three numbers</source>
+        <translation>ihr Kopf ist beschädigt: DimSize hat nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>its header is damaged: HeaderSize is not a number of bytes</source>
+        <translation>ihr Kopf ist beschädigt: HeaderSize ist keine Zahl von Bytes</translation>
+    </message>
+    <message>
+        <source>its header is damaged: a vector in it has not three numbers</source>
+        <translation>ihr Kopf ist beschädigt: ein Vektor darin hat nicht drei Zahlen</translation>
     </message>
     <message>
         <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
         <translation>ihr Kopf ist beschädigt: ein Bild hat 2 bis 7 Dimensionen, nicht %1</translation>
     </message>
     <message>
+        <source>its header is damaged: it describes %1 of %2 frames</source>
+        <translation>ihr Kopf ist beschädigt: er beschreibt %1 von %2 Einzelbildern</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it has %1 frames</source>
+        <translation>ihr Kopf ist beschädigt: er hat %1 Einzelbilder</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
+        <translation>
+            <numerusform>ihr Kopf ist beschädigt: er hat %n Richtung für %2 Achsen</numerusform>
+            <numerusform>ihr Kopf ist beschädigt: er hat %n Richtungen für %2 Achsen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
+        <translation>
+            <numerusform>ihr Kopf ist beschädigt: er hat %n Größe für %2 Dimensionen</numerusform>
+            <numerusform>ihr Kopf ist beschädigt: er hat %n Größen für %2 Dimensionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
+        <translation>ihr Kopf ist beschädigt: er verspricht %1 Bytes an Pixeln in einer Datei von %2 Bytes</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
+        <translation>
+            <numerusform>ihr Kopf ist beschädigt: ihre gepackten Pixel haben %n Teil für %2 Einzelbilder</numerusform>
+            <numerusform>ihr Kopf ist beschädigt: ihre gepackten Pixel haben %n Teile für %2 Einzelbilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have no parts</source>
+        <translation>ihr Kopf ist beschädigt: ihre gepackten Pixel haben keine Teile</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have not one part a frame</source>
+        <translation>ihr Kopf ist beschädigt: ihre gepackten Pixel haben nicht einen Teil je Einzelbild</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its rescale slope is 0</source>
+        <translation>ihr Kopf ist beschädigt: die Reskalierungssteigung (Rescale Slope) ist 0</translation>
+    </message>
+    <message>
         <source>its header is damaged: its size along %1 is %2</source>
         <translation>ihr Kopf ist beschädigt: die Größe entlang %1 ist %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the directions of its rows and columns are not square</source>
+        <translation>ihr Kopf ist beschädigt: die Richtungen ihrer Zeilen und Spalten stehen nicht rechtwinklig</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels cannot begin at byte %1</source>
+        <translation>ihr Kopf ist beschädigt: die Voxel können nicht bei Byte %1 beginnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
+        <translation>
+            <numerusform>ihr Kopf verspricht %n Dreieck, es ist aber Platz für %2: die Datei ist beschädigt</numerusform>
+            <numerusform>ihr Kopf verspricht %n Dreiecke, es ist aber Platz für %2: die Datei ist beschädigt</numerusform>
+        </translation>
     </message>
     <message>
         <source>its id is another thing's, too</source>
@@ -3544,6 +4487,10 @@
         <translation>seine Labels sind die eines Herzens: Muskel und Kammern bilden die äußere Oberfläche, jede Kammer ist ein Hohlraum</translation>
     </message>
     <message>
+        <source>its layers lie between the axes of space</source>
+        <translation>ihre Lagen liegen zwischen den Achsen des Raumes</translation>
+    </message>
+    <message>
         <source>its name is not UTF-8</source>
         <translation>sein Name ist kein UTF-8</translation>
     </message>
@@ -3552,12 +4499,48 @@
         <translation>seine Deckkraft liegt nicht zwischen 0 und 1</translation>
     </message>
     <message>
+        <source>its packed pixels cannot be read</source>
+        <translation>ihre gepackten Pixel können nicht gelesen werden</translation>
+    </message>
+    <message>
         <source>its parent is not an organ before it</source>
         <translation>sein übergeordnetes Organ steht nicht vor ihm</translation>
     </message>
     <message>
+        <source>its pixels (%1) are damaged or packed in an unknown way</source>
+        <translation>ihre Pixel (%1) sind beschädigt oder auf unbekannte Weise gepackt</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: %2</source>
+        <translation>ihre Pixel (%1) können nicht entpackt werden: %2</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
+        <translation>ihre Pixel (%1) können nicht entpackt werden: Einzelbild %2 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be read</source>
+        <translation>ihre Pixel können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
+        <translation>ihre Pixel mit %1 Bits in %2, bis Bit %3, werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its pixels of 32 bits in big-endian order are not supported</source>
+        <translation>ihre Pixel mit 32 Bits in Big-Endian-Folge werden nicht unterstützt</translation>
+    </message>
+    <message>
         <source>its points and triangles are no lists of threes</source>
         <translation>seine Punkte und Dreiecke sind keine Listen von Dreiergruppen</translation>
+    </message>
+    <message>
+        <source>its points have %1 coordinates, not 3</source>
+        <translation>ihre Punkte haben %1 Koordinaten, nicht 3</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>ihre Punkte haben kein x, y und z</translation>
     </message>
     <message>
         <source>its position</source>
@@ -3568,12 +4551,24 @@
         <translation>seine Ruheposition</translation>
     </message>
     <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>ihr Segment %1 hat keinen gültigen Wert oder keine gültige Lage</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be read</source>
+        <translation>ihre Segmentierung kann nicht gelesen werden</translation>
+    </message>
+    <message>
         <source>its sform and qform place the image differently; the sform is used</source>
         <translation>sform und qform legen das Bild verschieden; verwendet wird sform</translation>
     </message>
     <message>
         <source>its sform is singular or not finite and is not used</source>
         <translation>sform ist singulär oder nicht endlich und wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>its slices are not equally far from each other (frame %1)</source>
+        <translation>ihre Schichten sind nicht gleich weit voneinander entfernt (Einzelbild %1)</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -3623,8 +4618,28 @@
         <translation>sein Volumen ist nicht mehr gesperrt: die Oberfläche ist jetzt offen</translation>
     </message>
     <message>
+        <source>its voxels are in several files</source>
+        <translation>ihre Voxel liegen in mehreren Dateien</translation>
+    </message>
+    <message>
+        <source>its voxels are in several files or in another folder (%1)</source>
+        <translation>ihre Voxel liegen in mehreren Dateien oder in einem anderen Ordner (%1)</translation>
+    </message>
+    <message>
         <source>its voxels are more than 1000 km away</source>
         <translation>die Voxel sind mehr als 1000 km entfernt</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (ElementType %1)</source>
+        <translation>ihre Voxel sind keine einfachen Zahlen (ElementType %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
+        <translation>ihre Voxel sind keine einfachen Zahlen (NIfTI-Datentyp %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (type %1)</source>
+        <translation>ihre Voxel sind keine einfachen Zahlen (Typ %1)</translation>
     </message>
     <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
@@ -3639,12 +4654,20 @@
         <translation>behalten Sie das größte, etwa mit viscera convert EIN AUS --keep-largest</translation>
     </message>
     <message>
+        <source>keeps the piece with the largest area and drops the others</source>
+        <translation>behält das Stück mit der größten Fläche und lässt die anderen weg</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>Schlüssel</translation>
     </message>
     <message>
         <source>key %1</source>
         <translation>Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
     </message>
     <message>
         <source>known endings: %1</source>
@@ -3699,12 +4722,40 @@
         <translation>machen Sie das letzte Volumen gleich dem ersten</translation>
     </message>
     <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>linear</translation>
     </message>
     <message>
+        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
+        <translation>Liste %1 hat die Einheit %2, die Viscera nicht kennt; mm werden angenommen</translation>
+    </message>
+    <message>
+        <source>list %1 was converted from %2 to mm</source>
+        <translation>Liste %1 wurde von %2 in mm umgerechnet</translation>
+    </message>
+    <message>
+        <source>list %1, point %2</source>
+        <translation>Liste %1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
+        <translation>Liste %1: ihr Koordinatensystem %2 ist weder LPS noch RAS</translation>
+    </message>
+    <message>
+        <source>list %1: its points are no JSON array</source>
+        <translation>Liste %1: ihre Punkte sind kein JSON-Array</translation>
+    </message>
+    <message>
         <source>load a closed surface</source>
         <translation>laden Sie eine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>lokalisierte Koordinaten</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -3713,6 +4764,14 @@
     <message>
         <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
         <translation>erzeugen Sie die Griffe aus diesem Käfig: viscera handles ORGAN --cage DATEI</translation>
+    </message>
+    <message>
+        <source>makes a closed surface without intersections near this one; colours are lost</source>
+        <translation>macht eine geschlossene Oberfläche ohne Durchdringungen nahe dieser; Farben gehen verloren</translation>
+    </message>
+    <message>
+        <source>markup list %1 is not a JSON object</source>
+        <translation>die Markup-Liste %1 ist kein JSON-Objekt</translation>
     </message>
     <message>
         <source>measured motion</source>
@@ -3727,8 +4786,32 @@
         <translation>Messung %1</translation>
     </message>
     <message>
+        <source>mesh %1 has a primitive without attributes</source>
+        <translation>Netz %1 hat ein Primitiv ohne Attribute</translation>
+    </message>
+    <message>
+        <source>mesh %1 has no primitives</source>
+        <translation>Netz %1 hat keine Primitive</translation>
+    </message>
+    <message>
+        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>Netz %1 verweist auf Punkt %2, es gibt aber %3 (von 0 an gezählt)</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
         <source>middle line</source>
         <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>move it elsewhere, or remove one of the two</source>
@@ -3823,6 +4906,10 @@
         <translation>nennt einen Zeitpunkt außerhalb des Zyklus</translation>
     </message>
     <message>
+        <source>nanometres</source>
+        <translation>Nanometer</translation>
+    </message>
+    <message>
         <source>no EGL platform works without a window system</source>
         <translation>keine EGL-Plattform arbeitet ohne Fenstersystem</translation>
     </message>
@@ -3863,8 +4950,20 @@
         <translation>kein Messpunkt liegt innen</translation>
     </message>
     <message>
+        <source>node %1 is in the scene twice</source>
+        <translation>Knoten %1 ist zweimal in der Szene</translation>
+    </message>
+    <message>
+        <source>node %1 is moved by bones, which are ignored</source>
+        <translation>Knoten %1 wird von Knochen bewegt, die ignoriert werden</translation>
+    </message>
+    <message>
         <source>nothing that Viscera knows</source>
         <translation>nichts, was Viscera kennt</translation>
+    </message>
+    <message>
+        <source>of no known kind</source>
+        <translation>von keiner bekannten Art</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -3896,6 +4995,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>öffnen Sie die anderen Dateien danach</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from it</source>
+        <translation>öffnen Sie die daraus gemachte Segmentierung</translation>
     </message>
     <message>
         <source>open the segmentation that was made from the image</source>
@@ -3988,6 +5091,10 @@
     <message>
         <source>point %1 lies more than 1000 km away: the file is damaged</source>
         <translation>Punkt %1 liegt mehr als 1000 km entfernt: die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>point numbers are of a type that is not whole</source>
+        <translation>Nummern von Punkten sind von einem Typ, der nicht ganzzahlig ist</translation>
     </message>
     <message>
         <source>points that coincide or are almost flat cause this</source>
@@ -4094,6 +5201,14 @@
         <translation>rechnen Sie die Bilder auf ein rechtwinkliges Gitter um</translation>
     </message>
     <message>
+        <source>resample the segmentation, for example by saving it as .seg.nrrd</source>
+        <translation>rechnen Sie die Segmentierung um, zum Beispiel durch Speichern als .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>reset the pose</source>
+        <translation>setzen Sie die Pose zurück</translation>
+    </message>
+    <message>
         <source>restore its definition from the installation</source>
         <translation>stellen Sie seine Definition aus der Installation wieder her</translation>
     </message>
@@ -4122,6 +5237,30 @@
         <translation>speichern Sie sie als Labelmap</translation>
     </message>
     <message>
+        <source>save it as a segmentation</source>
+        <translation>speichern Sie sie als Segmentierung</translation>
+    </message>
+    <message>
+        <source>save it as a volume</source>
+        <translation>speichern Sie es als Volumen</translation>
+    </message>
+    <message>
+        <source>save it as one file</source>
+        <translation>speichern Sie es als eine Datei</translation>
+    </message>
+    <message>
+        <source>save it as one volume</source>
+        <translation>speichern Sie es als ein Volumen</translation>
+    </message>
+    <message>
+        <source>save it with gzip or raw encoding</source>
+        <translation>speichern Sie sie mit der Kodierung gzip oder raw</translation>
+    </message>
+    <message>
+        <source>save it with one number a voxel</source>
+        <translation>speichern Sie es mit einer Zahl je Voxel</translation>
+    </message>
+    <message>
         <source>save it with one value a voxel</source>
         <translation>speichern Sie es mit einem Wert je Voxel</translation>
     </message>
@@ -4134,6 +5273,14 @@
         <translation>speichern Sie eines davon, oder verfolgen Sie die Bewegung über alle mit viscera track</translation>
     </message>
     <message>
+        <source>save the points from Slicer as .mrk.json</source>
+        <translation>speichern Sie die Punkte in Slicer als .mrk.json</translation>
+    </message>
+    <message>
+        <source>save the points from Slicer in LPS</source>
+        <translation>speichern Sie die Punkte in Slicer in LPS</translation>
+    </message>
+    <message>
         <source>say it with --period-ms, or the rate with --rate</source>
         <translation>geben Sie die Dauer eines Zyklus mit --period-ms an, oder die Rate mit --rate</translation>
     </message>
@@ -4142,8 +5289,16 @@
         <translation>geben Sie an, welche Oberflächen sie bilden, wie in --surface LV=1 --surface RV=2 --surface EPI=1,2,3, die äußere mit allen Labels darin</translation>
     </message>
     <message>
+        <source>several surfaces are written as .glb only</source>
+        <translation>mehrere Oberflächen werden nur als .glb geschrieben</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>weich</translation>
+    </message>
+    <message>
+        <source>solids are written as .vtu only</source>
+        <translation>Volumenkörper werden nur als .vtu geschrieben</translation>
     </message>
     <message>
         <source>sort the lines by their instants</source>
@@ -4206,6 +5361,10 @@
         <translation>nehmen Sie die eigenen Griffe der Sequenz</translation>
     </message>
     <message>
+        <source>takes the coordinates as %1</source>
+        <translation>nimmt die Koordinaten als %1</translation>
+    </message>
+    <message>
         <source>terminal antral contraction</source>
         <translation>terminale Antrumkontraktion</translation>
     </message>
@@ -4218,8 +5377,24 @@
         <translation>Tetraeder %1 ist flach oder umgekehrt</translation>
     </message>
     <message>
+        <source>texts stand where numbers should</source>
+        <translation>Texte stehen, wo Zahlen stehen sollten</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>die Delaunay-Tetraeder von %1 Punkten können nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>the JSON chunk</source>
+        <translation>der JSON-Block</translation>
+    </message>
+    <message>
+        <source>the array %1 has %2 values for %3 points</source>
+        <translation>das Array %1 hat %2 Werte für %3 Punkte</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>das Array %1: %2</translation>
     </message>
     <message>
         <source>the biharmonic energy cannot be factorised</source>
@@ -4230,12 +5405,24 @@
         <translation>der Käfig</translation>
     </message>
     <message>
+        <source>the cells&apos; offsets do not fit their points</source>
+        <translation>die Anfänge der Zellen passen nicht zu ihren Punkten</translation>
+    </message>
+    <message>
         <source>the context cannot be used without a surface</source>
         <translation>der Kontext kann nicht ohne Oberfläche verwendet werden</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>die konvexe Hülle von %1 Punkten kann nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>the coordinate %1</source>
+        <translation>die Koordinate %1</translation>
+    </message>
+    <message>
+        <source>the coordinate system %1 is not LPS or RAS</source>
+        <translation>das Koordinatensystem %1 ist weder LPS noch RAS</translation>
     </message>
     <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
@@ -4258,8 +5445,53 @@
         <translation>die Endung „%1“ ist keine einer Oberflächendatei</translation>
     </message>
     <message>
+        <source>the file does not say its axes; LPS is assumed</source>
+        <translation>die Datei nennt ihre Achsen nicht; LPS wird angenommen</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>die Datei nennt ihre Achsen nicht: LPS wird angenommen</translation>
+    </message>
+    <message>
+        <source>the file is cut off before its data</source>
+        <translation>die Datei ist vor ihren Daten abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt: eine Liste von %1 %2 sollte mehr Werte haben, als übrig sind</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht %n Dreieck (%2 Bytes), sie hat aber %3 Bytes</numerusform>
+            <numerusform>die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht %n Dreiecke (%2 Bytes), sie hat aber %3 Bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
+        <translation>die Datei ist abgeschnitten: %1 sollte %2 Bytes haben, aber nur %3 sind übrig</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten: %2 Zahlen sollten folgen, aber nur %n Byte ist übrig</numerusform>
+            <numerusform>die Datei ist abgeschnitten: %2 Zahlen sollten folgen, aber nur %n Bytes sind übrig</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten: %2 Werte sind versprochen, es gibt nur %n Byte</numerusform>
+            <numerusform>die Datei ist abgeschnitten: %2 Werte sind versprochen, es gibt nur %n Bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
+        <translation>die Datei ist abgeschnitten: Puffer %1 sollte %2 Bytes haben, hat aber %3</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it ends where %1 should stand</source>
+        <translation>die Datei ist abgeschnitten: sie endet, wo %1 stehen sollte</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
@@ -4269,8 +5501,46 @@
         </translation>
     </message>
     <message>
+        <source>the file is cut off: it has fewer lines than its header says</source>
+        <translation>die Datei ist abgeschnitten: sie hat weniger Zeilen, als ihr Kopf sagt</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it should have %1 bytes, but has %2</source>
+        <translation>die Datei ist abgeschnitten: sie sollte %1 Bytes haben, hat aber %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten: ihr %n Einzelbild hat zu wenige Pixel</numerusform>
+            <numerusform>die Datei ist abgeschnitten: ihre %n Einzelbilder haben zu wenige Pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its end is missing</source>
+        <translation>die Datei ist abgeschnitten: ihr Ende fehlt</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header has no ElementDataFile</source>
+        <translation>die Datei ist abgeschnitten: ihr Kopf hat kein ElementDataFile</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
+        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht %1 Bytes an Pixeln, %2 sind da</translation>
+    </message>
+    <message>
         <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
         <translation>die Datei ist abgeschnitten: ihr Kopf verspricht %1 Bytes an Voxeln, %2 sind da</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
+        <translation>
+            <numerusform>die Datei ist abgeschnitten: ihr Kopf verspricht %2 von %3, mehr als in das übrige %n Byte passt</numerusform>
+            <numerusform>die Datei ist abgeschnitten: ihr Kopf verspricht %2 von %3, mehr als in die übrigen %n Bytes passt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises more voxels than there are</source>
+        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht mehr Voxel, als es gibt</translation>
     </message>
     <message>
         <source>the file is cut off: its packed data end too early</source>
@@ -4293,6 +5563,30 @@
         <translation>die Datei nennt ihre Achsen: %1</translation>
     </message>
     <message>
+        <source>the file with its voxels, %1, cannot be read: %2</source>
+        <translation>die Datei mit ihren Voxeln, %1, kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>the file with its voxels, %1, cannot be used: %2</source>
+        <translation>die Datei mit ihren Voxeln, %1, kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 meshes were joined to one surface</source>
+        <translation>die %1 Netze der Datei wurden zu einer Oberfläche verbunden</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 objects were joined to one surface</source>
+        <translation>die %1 Objekte der Datei wurden zu einer Oberfläche verbunden</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 solids were joined to one surface</source>
+        <translation>die %1 Körper der Datei wurden zu einer Oberfläche verbunden</translation>
+    </message>
+    <message>
+        <source>the first chunk&apos;s header</source>
+        <translation>der Kopf des ersten Blocks</translation>
+    </message>
+    <message>
         <source>the first one is 0</source>
         <translation>die erste ist 0</translation>
     </message>
@@ -4307,6 +5601,10 @@
     <message>
         <source>the folder for the frames cannot be written</source>
         <translation>in den Ordner für die Einzelbilder kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>das Format %1 ist nicht bekannt</translation>
     </message>
     <message>
         <source>the frame rate has to be positive</source>
@@ -4337,6 +5635,10 @@
         <translation>die Tetraeder der Griffe</translation>
     </message>
     <message>
+        <source>the header</source>
+        <translation>der Kopf</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>die Kennung %1 kommt zweimal vor</translation>
     </message>
@@ -4347,6 +5649,10 @@
     <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>die Bezeichnung „%1“ ist keine Landmarke der Sequenz %2</translation>
+    </message>
+    <message>
+        <source>the label map has no segment number %1</source>
+        <translation>die Labelmap hat kein Segment Nummer %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -4369,12 +5675,20 @@
         <translation>die letzte Phase gleicht der ersten und wird weggelassen: Phase %1 wäre wieder Phase 1</translation>
     </message>
     <message>
+        <source>the layers</source>
+        <translation>der Lagen</translation>
+    </message>
+    <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>die Grenzen von Zeit und Speicher müssen über 0 liegen</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
         <translation>die gesperrten Volumina können nicht erhalten werden</translation>
+    </message>
+    <message>
+        <source>the markup %1 of type %2 is not a list of points and was left out</source>
+        <translation>das Markup %1 vom Typ %2 ist keine Liste von Punkten und wurde weggelassen</translation>
     </message>
     <message>
         <source>the middle line that was computed leaves the organ</source>
@@ -4409,8 +5723,52 @@
         <translation>die Namen der Labels sind die aus %1</translation>
     </message>
     <message>
+        <source>the number of arrays</source>
+        <translation>die Zahl der Arrays</translation>
+    </message>
+    <message>
+        <source>the number of cells</source>
+        <translation>die Zahl der Zellen</translation>
+    </message>
+    <message>
+        <source>the number of colour channels</source>
+        <translation>die Zahl der Farbkanäle</translation>
+    </message>
+    <message>
+        <source>the number of components</source>
+        <translation>die Zahl der Komponenten</translation>
+    </message>
+    <message>
+        <source>the number of components is not positive</source>
+        <translation>die Zahl der Komponenten ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>die Zahl der Flächen</translation>
+    </message>
+    <message>
         <source>the number of groups must be at least 1, not %1</source>
         <translation>die Zahl der Gruppen muss mindestens 1 sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>the number of points</source>
+        <translation>die Zahl der Punkte</translation>
+    </message>
+    <message>
+        <source>the number of texture axes</source>
+        <translation>die Zahl der Texturachsen</translation>
+    </message>
+    <message>
+        <source>the number of values</source>
+        <translation>die Zahl der Werte</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>der Versatz der Region „%1“ ist auf %2 mm gekürzt, den Abstand ihres nächsten Griffs von einer Zone</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells (%1) do not fit their points</source>
+        <translation>die Anfänge ihrer Zellen (%1) passen nicht zu deren Punkten</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -4446,6 +5804,14 @@
     <message>
         <source>the packed data are damaged</source>
         <translation>die gepackten Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (%1)</source>
+        <translation>die gepackten Daten sind beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (bzip2 error %1)</source>
+        <translation>die gepackten Daten sind beschädigt (bzip2-Fehler %1)</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -4491,6 +5857,10 @@
         <translation>die Position des Griffs %1 in %2 ist nicht endlich</translation>
     </message>
     <message>
+        <source>the positions of its frames are not finite</source>
+        <translation>die Positionen ihrer Einzelbilder sind nicht endlich</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>für diese Art von Film wird das Programm ffmpeg gebraucht, das nicht installiert ist</translation>
     </message>
@@ -4527,8 +5897,24 @@
         <translation>die Größe ist plausibel: %1</translation>
     </message>
     <message>
+        <source>the size of a colour table</source>
+        <translation>die Größe einer Farbtabelle</translation>
+    </message>
+    <message>
+        <source>the size of the cells</source>
+        <translation>die Größe der Zellen</translation>
+    </message>
+    <message>
         <source>the sizes of its voxels are missing, zero or not finite</source>
         <translation>die Größen der Voxel fehlen, sind null oder nicht endlich</translation>
+    </message>
+    <message>
+        <source>the solid could not be written</source>
+        <translation>der Volumenkörper konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the solid could not be written: %1</source>
+        <translation>der Volumenkörper konnte nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; has two files of one phase</source>
@@ -4547,6 +5933,10 @@
         <translation>die Oberfläche durchdringt sich nicht</translation>
     </message>
     <message>
+        <source>the surface encloses nothing</source>
+        <translation>die Oberfläche umschließt nichts</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing that witness points could lie in</source>
         <translation>die Oberfläche umschließt nichts, worin Messpunkte liegen könnten</translation>
     </message>
@@ -4561,6 +5951,10 @@
     <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>die Oberfläche hat keine Dreiecke oder ist flach und umschließt daher nichts</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or no size</source>
+        <translation>die Oberfläche hat keine Dreiecke oder keine Ausdehnung</translation>
     </message>
     <message>
         <source>the surface has room for %1 of %2 handles</source>
@@ -4608,6 +6002,14 @@
         </translation>
     </message>
     <message>
+        <source>the surface is too large for GLB, which ends at 4 GB</source>
+        <translation>die Oberfläche ist zu groß für GLB, das bei 4 GB endet</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>die Namenstabelle darin kann nicht gelesen werden</translation>
+    </message>
+    <message>
         <source>the tetrahedra do not determine the coordinates</source>
         <translation>die Tetraeder bestimmen die Koordinaten nicht</translation>
     </message>
@@ -4632,6 +6034,10 @@
         <translation>das Volumen kann hier nicht gehalten werden: %1</translation>
     </message>
     <message>
+        <source>the volumes</source>
+        <translation>der Volumina</translation>
+    </message>
+    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>die Wellen sind %1 % so tief wie bei einem Erwachsenen: %2</translation>
     </message>
@@ -4651,9 +6057,20 @@
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>es sind keine Tetraeder darin; vielleicht ist die Oberfläche offen</translation>
     </message>
+    <message numerus="yes">
+        <source>there are values for %n {point|points}, but the surface has %2</source>
+        <translation>
+            <numerusform>es gibt Werte für %n Punkt, aber die Oberfläche hat %2</numerusform>
+            <numerusform>es gibt Werte für %n Punkte, aber die Oberfläche hat %2</numerusform>
+        </translation>
+    </message>
     <message>
         <source>there are: %1</source>
         <translation>es gibt: %1</translation>
+    </message>
+    <message>
+        <source>there is a second list of points</source>
+        <translation>es gibt eine zweite Liste von Punkten</translation>
     </message>
     <message>
         <source>there is no %1 &quot;%2&quot;</source>
@@ -4688,6 +6105,10 @@
         <translation>es gibt kein Bild für den Bogen</translation>
     </message>
     <message>
+        <source>there is no repair &quot;%1&quot;</source>
+        <translation>es gibt keine Reparatur „%1“</translation>
+    </message>
+    <message>
         <source>there is no sequence &quot;%1&quot;</source>
         <translation>es gibt keine Sequenz „%1“</translation>
     </message>
@@ -4706,6 +6127,10 @@
     <message>
         <source>there is no such slice</source>
         <translation>diesen Schnitt gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no surface to write</source>
+        <translation>es gibt keine Oberfläche zu schreiben</translation>
     </message>
     <message>
         <source>there is no triangle %1</source>
@@ -4742,6 +6167,14 @@
     <message>
         <source>this is not a PNG picture</source>
         <translation>dies ist kein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>this is not a line of a MetaImage header: %1</source>
+        <translation>das ist keine Zeile eines MetaImage-Kopfes: %1</translation>
+    </message>
+    <message>
+        <source>this is not a line of an NRRD header: %1</source>
+        <translation>das ist keine Zeile eines NRRD-Kopfes: %1</translation>
     </message>
     <message>
         <source>this system has no parameters</source>
@@ -4786,6 +6219,18 @@
     <message>
         <source>turn the surface outward, or choose a target above 0 ml</source>
         <translation>drehen Sie die Oberfläche nach außen, oder wählen Sie ein Ziel über 0 ml</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter turn, from a model whose y axis points to the head</source>
+        <translation>dreht die Oberfläche um eine Vierteldrehung, von einem Modell, dessen y-Achse zum Kopf zeigt</translation>
+    </message>
+    <message>
+        <source>turns the surface by half a turn, as from RAS to LPS</source>
+        <translation>dreht die Oberfläche um eine halbe Drehung, wie von RAS nach LPS</translation>
+    </message>
+    <message>
+        <source>turns triangles around so that all of them face outward</source>
+        <translation>dreht Dreiecke um, sodass alle nach außen zeigen</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -4846,6 +6291,10 @@
     <message>
         <source>use viridis or diverging</source>
         <translation>verwenden Sie viridis oder diverging</translation>
+    </message>
+    <message>
+        <source>values from the section %1 on were not understood and ignored</source>
+        <translation>Werte ab dem Abschnitt %1 wurden nicht verstanden und ignoriert</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -4973,6 +6422,10 @@
     <message>
         <source>women and men have on average %1 to %2 ml</source>
         <translation>Frauen und Männer haben im Mittel %1 bis %2 ml</translation>
+    </message>
+    <message>
+        <source>write PLY or VTP</source>
+        <translation>schreiben Sie PLY oder VTP</translation>
     </message>
     <message>
         <source>write an .ogv instead</source>

@@ -8,12 +8,20 @@
         <translation>%1 triángulos en lugar de %2; la superficie antigua dista de la nueva %3 mm de media y %4 mm como máximo</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>«%1» no tiene forma plana</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>«%1» es %2 en lugar de «%3»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>falta «%1»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
@@ -30,6 +38,10 @@
     <message>
         <source>&quot;%1&quot; is not a text</source>
         <translation>«%1» no es un texto</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 on</source>
+        <translation>«%1» no es un número entero a partir de 0</translation>
     </message>
     <message>
         <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
@@ -52,36 +64,104 @@
         <translation>%1 al %2 % del ciclo: %3</translation>
     </message>
     <message>
+        <source>%1 cells were announced, but there are %2</source>
+        <translation>%1 celdas anunciadas, pero hay %2</translation>
+    </message>
+    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 da otra superficie que la guardada</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a finite number</source>
+        <translation>%1 tiene una coordenada que no es un número finito</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
         <translation>%1 ha cambiado desde que se guardó la sesión</translation>
     </message>
     <message>
+        <source>%1 has no place (%2) and was left out</source>
+        <translation>%1 no tiene posición (%2) y se omite</translation>
+    </message>
+    <message>
+        <source>%1 has no position of three numbers</source>
+        <translation>%1 no tiene una posición de tres números</translation>
+    </message>
+    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 no tiene volumen en la %2</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels any more</source>
+        <translation>%1 ya no tiene vóxeles</translation>
     </message>
     <message>
         <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
         <translation>%1 tiene en la %2 otros triángulos que en la primera: las superficies se ajustan por sus distancias, que no ven el movimiento a lo largo de la pared</translation>
     </message>
     <message>
+        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
+        <translation>%1 es %2, más de lo que cabe en los %3 bytes que quedan</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is no whole number from 0 on</source>
+        <translation>%1 es %2, que no es un número entero a partir de 0</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 está a más de mil kilómetros</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 es negativo</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 no es un objeto JSON</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 no es un número finito</translation>
     </message>
     <message>
+        <source>%1 is not a number of elements</source>
+        <translation>%1 no es un número de elementos</translation>
+    </message>
+    <message>
+        <source>%1 is not a section of a legacy VTK surface</source>
+        <translation>%1 no es una sección de una superficie VTK antigua</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of an OBJ file</source>
+        <translation>%1 no es una instrucción de un archivo OBJ</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of a PLY file</source>
+        <translation>%1 no es un tipo de un archivo PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of numbers</source>
+        <translation>%1 no es un tipo de números</translation>
+    </message>
+    <message>
         <source>%1 is not a value for parameter %2</source>
         <translation>%1 no es un valor para el parámetro %2</translation>
     </message>
     <message>
+        <source>%1 is not a word of a PLY header</source>
+        <translation>%1 no es una palabra de una cabecera PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of an STL file</source>
+        <translation>%1 no es una palabra de un archivo STL</translation>
+    </message>
+    <message>
         <source>%1 is out of range for parameter %2</source>
         <translation>%1 está fuera del intervalo del parámetro %2</translation>
+    </message>
+    <message>
+        <source>%1 is too far away</source>
+        <translation>%1 está demasiado lejos</translation>
     </message>
     <message>
         <source>%1 ml cannot be reached</source>
@@ -108,8 +188,16 @@
         <translation>%1 de más de 1 GB no cabe en un archivo de sesión</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
         <source>%1 rows</source>
         <translation>%1 filas</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 aparece donde debería estar %2</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -226,6 +314,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {byte|bytes} after the end ignored</source>
+        <translation>
+            <numerusform>se ignora %n byte después del final</numerusform>
+            <numerusform>se ignoran %n bytes después del final</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {byte|bytes} after the last triangle ignored</source>
+        <translation>
+            <numerusform>se ignora %n byte después del último triángulo</numerusform>
+            <numerusform>se ignoran %n bytes después del último triángulo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {edge joins|edges join} more than two triangles</source>
         <translation>
             <numerusform>%n arista une más de dos triángulos</numerusform>
@@ -251,6 +353,13 @@
         <translation>
             <numerusform>%n archivo está dañado y se omite (%2: %3)</numerusform>
             <numerusform>%n archivos están dañados y se omiten (%2: %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n tirador no está en ningún grupo y no mueve nada</numerusform>
+            <numerusform>%n tiradores no están en ningún grupo y no mueven nada</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -293,6 +402,13 @@
         <translation>
             <numerusform>%n celda de línea o punto omitida</numerusform>
             <numerusform>%n celdas de línea o punto omitidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line|lines} with points, curves or free-form surfaces ignored</source>
+        <translation>
+            <numerusform>se ignora %n línea con puntos, curvas o superficies de forma libre</numerusform>
+            <numerusform>se ignoran %n líneas con puntos, curvas o superficies de forma libre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -356,6 +472,13 @@
         <translation>
             <numerusform>%n segmento no tiene vóxeles (%2)</numerusform>
             <numerusform>%n segmentos no tienen vóxeles (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {set|sets} of points or lines ignored</source>
+        <translation>
+            <numerusform>se ignora %n conjunto de puntos o líneas</numerusform>
+            <numerusform>se ignoran %n conjuntos de puntos o líneas</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -470,6 +593,10 @@
     <message>
         <source>A wire in the space of balanced vectors; for many points it has no answer</source>
         <translation>Un hilo en el espacio de vectores equilibrados; para muchos puntos no tiene respuesta</translation>
+    </message>
+    <message>
+        <source>ASCII or BINARY</source>
+        <translation>ASCII o BINARY</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -1055,8 +1182,28 @@
         <translation>Tiradores interiores de cada capa</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Error interno de tipo desconocido</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Error interno: %1</translation>
+    </message>
+    <message>
+        <source>It announces %1 points, but holds %2 coordinates</source>
+        <translation>Anuncia %1 puntos, pero contiene %2 coordenadas</translation>
+    </message>
+    <message>
+        <source>It announces cells of the kind %1, but has none</source>
+        <translation>Anuncia celdas del tipo %1, pero no tiene ninguna</translation>
+    </message>
+    <message>
         <source>It cannot be opened: %1</source>
         <translation>No se puede abrir: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be packed: zlib does not start</source>
+        <translation>No se puede comprimir: zlib no se inicia</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1066,12 +1213,40 @@
         <source>It cannot be read to its end</source>
         <translation>No se puede leer hasta el final</translation>
     </message>
+    <message>
+        <source>It cannot be unpacked: bzip2 does not start</source>
+        <translation>No se puede descomprimir: bzip2 no se inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be unpacked: zlib does not start</source>
+        <translation>No se puede descomprimir: zlib no se inicia</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>No se puede escribir: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>No se puede escribir: es una carpeta</translation>
+    </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Se cruza consigo misma, en %n par de triángulos</numerusform>
             <numerusform>Se cruza consigo misma, en %n pares de triángulos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
+        <translation>No empieza por «# vtk DataFile»: no es un archivo VTK antiguo</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
+        <translation>No empieza por «OFF»: no es un archivo OFF</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
+        <translation>No empieza por «ply»: no es un archivo PLY</translation>
     </message>
     <message>
         <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
@@ -1084,6 +1259,10 @@
     <message>
         <source>It does not fit into memory</source>
         <translation>No cabe en la memoria</translation>
+    </message>
+    <message>
+        <source>It does not say how far its slices are from each other</source>
+        <translation>No indica la distancia entre sus cortes</translation>
     </message>
     <message>
         <source>It does not say how long one cycle lasts</source>
@@ -1101,18 +1280,40 @@
         <translation>No indica la unidad de sus tiempos; se toman como milisegundos</translation>
     </message>
     <message>
+        <source>It has %1 colour values for %2 points</source>
+        <translation>Tiene %1 valores de color para %2 puntos</translation>
+    </message>
+    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Tiene %1 etiquetas; una máscara de una carpeta tiene una</translation>
+    </message>
+    <message>
+        <source>It has %1 moved points for %2 vertices</source>
+        <translation>Tiene %1 puntos desplazados para %2 vértices</translation>
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
         <translation>Tiene %1 volúmenes; un mapa de etiquetas tiene uno</translation>
     </message>
     <message numerus="yes">
+        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
+        <translation>
+            <numerusform>Tiene %n eje en el espacio; la imagen de un órgano tiene tres</numerusform>
+            <numerusform>Tiene %n ejes en el espacio; la imagen de un órgano tiene tres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>It has %n {handle|handles} in place of %2</source>
         <translation>
             <numerusform>Tiene %n tirador en lugar de %2</numerusform>
             <numerusform>Tiene %n tiradores en lugar de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Tiene %n tirador; una región necesita al menos 4</numerusform>
+            <numerusform>Tiene %n tiradores; una región necesita al menos 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1137,6 +1338,14 @@
         </translation>
     </message>
     <message>
+        <source>It has a label above 2147483647</source>
+        <translation>Tiene una etiqueta superior a 2147483647</translation>
+    </message>
+    <message>
+        <source>It has cells without the array %1</source>
+        <translation>Tiene celdas sin la matriz %1</translation>
+    </message>
+    <message>
         <source>It has more than %1 files</source>
         <translation>Tiene más de %1 archivos</translation>
     </message>
@@ -1153,12 +1362,24 @@
         <translation>No tiene archivos DICOM con imágenes</translation>
     </message>
     <message>
+        <source>It has no frames</source>
+        <translation>No tiene fotogramas</translation>
+    </message>
+    <message>
         <source>It has no label %1</source>
         <translation>No tiene la etiqueta %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>No tiene ningún vóxel etiquetado: todos son 0</translation>
+    </message>
+    <message>
+        <source>It has no number of columns</source>
+        <translation>Falta el número de columnas</translation>
+    </message>
+    <message>
+        <source>It has no number of rows</source>
+        <translation>Falta el número de filas</translation>
     </message>
     <message>
         <source>It has no phase %1; it has %2</source>
@@ -1177,6 +1398,10 @@
         <translation>No tiene cortes de un estudio</translation>
     </message>
     <message>
+        <source>It has no slices of a scan: &quot;%1&quot; %2</source>
+        <translation>No tiene cortes de un estudio: «%1» %2</translation>
+    </message>
+    <message>
         <source>It has no slices of a scan: %1 %2</source>
         <translation>No tiene cortes de un estudio: %1 %2</translation>
     </message>
@@ -1189,8 +1414,24 @@
         <translation>No tiene triángulos</translation>
     </message>
     <message>
+        <source>It has no uncompressed pixels</source>
+        <translation>No tiene píxeles sin comprimir</translation>
+    </message>
+    <message>
+        <source>It has not three dimensions</source>
+        <translation>No tiene tres dimensiones</translation>
+    </message>
+    <message>
+        <source>It has several axes that are not of space</source>
+        <translation>Tiene varios ejes que no son del espacio</translation>
+    </message>
+    <message>
         <source>It has several labels: %1</source>
         <translation>Hay varias etiquetas: %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel</source>
+        <translation>Tiene varios valores por vóxel</translation>
     </message>
     <message>
         <source>It has several values a voxel (%1)</source>
@@ -1203,6 +1444,22 @@
     <message>
         <source>It has to be positive</source>
         <translation>Debe ser positivo</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a VTK surface (PolyData)</source>
+        <translation>Contiene %1, no una superficie VTK (PolyData)</translation>
+    </message>
+    <message>
+        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
+        <translation>Contiene un conjunto de datos VTK de tipo %1, no una superficie (POLYDATA)</translation>
+    </message>
+    <message>
+        <source>It holds a piece without points</source>
+        <translation>Contiene una pieza sin puntos</translation>
+    </message>
+    <message>
+        <source>It holds a surface in a space of more than three dimensions</source>
+        <translation>Contiene una superficie en un espacio de más de tres dimensiones</translation>
     </message>
     <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
@@ -1223,6 +1480,14 @@
     <message>
         <source>It holds neither surfaces nor label maps</source>
         <translation>No contiene ni superficies ni mapas de etiquetas</translation>
+    </message>
+    <message>
+        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
+        <translation>No contiene «markups»: no es un archivo de marcas de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>It holds no PolyData</source>
+        <translation>No contiene PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
@@ -1249,8 +1514,20 @@
         <translation>Solo contiene máscaras vacías</translation>
     </message>
     <message>
+        <source>It holds points, but no faces</source>
+        <translation>Contiene puntos, pero no caras</translation>
+    </message>
+    <message>
         <source>It is a DICOM file without an image</source>
         <translation>Es un archivo DICOM sin imagen</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file, but no segmentation (%1)</source>
+        <translation>Es un archivo DICOM, pero no una segmentación (%1)</translation>
+    </message>
+    <message>
+        <source>It is a binary OFF file, which Viscera does not read</source>
+        <translation>Es un archivo OFF binario, que Viscera no lee</translation>
     </message>
     <message>
         <source>It is a folder, not a file</source>
@@ -1261,12 +1538,24 @@
         <translation>Es un estudio y no un órgano</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file</source>
+        <translation>Está dañado o no es un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>It is damaged or no DICOM file: %1</source>
+        <translation>Está dañado o no es un archivo DICOM: %1</translation>
+    </message>
+    <message>
         <source>It is damaged: it does not hold %1</source>
         <translation>Está dañado: no contiene %1</translation>
     </message>
     <message>
         <source>It is damaged: its SHA-256 is not %1</source>
         <translation>Está dañado: su SHA-256 no es %1</translation>
+    </message>
+    <message>
+        <source>It is glTF version %1, but only 2 can be read</source>
+        <translation>Es glTF versión %1, pero solo se puede leer la 2</translation>
     </message>
     <message>
         <source>It is named %1 but looks like %2</source>
@@ -1353,6 +1642,10 @@
         <translation>No es JSON completo: el error está en la línea %1</translation>
     </message>
     <message>
+        <source>It is not complete XML: %1</source>
+        <translation>No es XML completo: %1</translation>
+    </message>
+    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>No es convexa en su triángulo %1</translation>
     </message>
@@ -1380,6 +1673,13 @@
         <source>It is too long</source>
         <translation>Es demasiado largo</translation>
     </message>
+    <message numerus="yes">
+        <source>It is too short for an STL file: %n {byte|bytes}</source>
+        <translation>
+            <numerusform>Es demasiado corto para un archivo STL: %n byte</numerusform>
+            <numerusform>Es demasiado corto para un archivo STL: %n bytes</numerusform>
+        </translation>
+    </message>
     <message>
         <source>It leads to more than 20 million points</source>
         <translation>Da lugar a más de 20 millones de puntos</translation>
@@ -1393,8 +1693,28 @@
         <translation>Nombra el tirador %1, que no está entre «handles»</translation>
     </message>
     <message>
+        <source>It needs the glTF extension %1, which Viscera does not know</source>
+        <translation>Necesita la extensión de glTF %1, que Viscera no conoce</translation>
+    </message>
+    <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Se refiere al tirador %1, pero hay %2</translation>
+    </message>
+    <message>
+        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
+        <translation>Se refiere al número %1 de «%2», pero hay %3 (contados desde 0)</translation>
+    </message>
+    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Parece estar en RAS mientras que %1 está en LPS, o al revés: está al otro lado del centro del paciente</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many points</source>
+        <translation>Desplegado tiene demasiados puntos</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many triangles</source>
+        <translation>Desplegado tiene demasiados triángulos</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -1694,6 +2014,14 @@
         <translation>Ninguna cavidad es un ventrículo por su nombre</translation>
     </message>
     <message>
+        <source>No channel to another program</source>
+        <translation>No hay canal con otro programa</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>No hay archivo para los mensajes de un programa</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Ningun estudio tiene %1 vóxeles a lo largo de un eje</translation>
     </message>
@@ -1765,8 +2093,24 @@
         <translation>Páncreas</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Máximo de %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Máximo del tejido plegado</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Máximo del estiramiento máximo</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Máximo del estrés rotacional</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Máximo del estiramiento mínimo</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Máximo de la razón de volúmenes</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2138,6 +2482,10 @@
     <message>
         <source>Some files say that they are in RAS and this one does not say what it is in</source>
         <translation>Algunos archivos indican que están en RAS y este no indica sus ejes</translation>
+    </message>
+    <message>
+        <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
+        <translation>Algunos de sus valores necesitan más de 32 bits como número entero; se conservan como decimales de siete cifras</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -2532,6 +2880,10 @@
         <source>There is no volume in it</source>
         <translation>No contiene ningún volumen</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>No hay memoria suficiente</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -2619,6 +2971,10 @@
         <translation>Usar la envolvente como jaula</translation>
     </message>
     <message>
+        <source>VTK could not write the surface: %1</source>
+        <translation>VTK no ha podido escribir la superficie: %1</translation>
+    </message>
+    <message>
         <source>Veins</source>
         <translation>Venas</translation>
     </message>
@@ -2691,7 +3047,7 @@
         <translation>Puntos testigo de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no es de tamaño natural: %3</translation>
     </message>
     <message>
@@ -2739,16 +3095,44 @@
         <translation>una escena glTF binaria</translation>
     </message>
     <message>
+        <source>a buffer is at %1, but only files beside it are read</source>
+        <translation>un búfer está en %1, pero solo se leen archivos situados al lado</translation>
+    </message>
+    <message>
+        <source>a buffer within the file is not valid base64</source>
+        <translation>un búfer dentro del archivo no es base64 válido</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una jaula es una superficie gruesa: elija una de %1 vértices como máximo</translation>
+    </message>
+    <message>
+        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>una celda se refiere al punto %1, pero hay %2 (contados desde 0)</translation>
+    </message>
+    <message>
+        <source>a chunk</source>
+        <translation>un bloque</translation>
+    </message>
+    <message>
+        <source>a chunk&apos;s header</source>
+        <translation>la cabecera de un bloque</translation>
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
         <translation>una superficie gruesa necesita al menos cuatro vértices</translation>
     </message>
     <message>
+        <source>a column</source>
+        <translation>una columna</translation>
+    </message>
+    <message>
         <source>a convex hull needs at least 4 points, there are %1</source>
         <translation>una envolvente convexa necesita al menos 4 puntos, hay %1</translation>
+    </message>
+    <message>
+        <source>a coordinate</source>
+        <translation>una coordenada</translation>
     </message>
     <message>
         <source>a curve needs one number for each time</source>
@@ -2767,6 +3151,46 @@
         <translation>una cuadrícula de distancias con este paso es demasiado grande</translation>
     </message>
     <message>
+        <source>a face</source>
+        <translation>una cara</translation>
+    </message>
+    <message>
+        <source>a face has fewer corners than it claims</source>
+        <translation>una cara tiene menos esquinas de las que indica</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners</source>
+        <translation>una cara tiene menos de tres esquinas</translation>
+    </message>
+    <message>
+        <source>a face refers to point %1, but there are only %2 before it</source>
+        <translation>una cara se refiere al punto %1, pero solo hay %2 antes</translation>
+    </message>
+    <message>
+        <source>a face&apos;s number of corners</source>
+        <translation>el número de esquinas de una cara</translation>
+    </message>
+    <message>
+        <source>a frame has no orientation</source>
+        <translation>un fotograma no tiene orientación</translation>
+    </message>
+    <message>
+        <source>a frame has no position</source>
+        <translation>un fotograma no tiene posición</translation>
+    </message>
+    <message>
+        <source>a frame has no segment</source>
+        <translation>un fotograma no tiene segmento</translation>
+    </message>
+    <message>
+        <source>a frame has no spacing</source>
+        <translation>un fotograma no tiene espaciado</translation>
+    </message>
+    <message>
+        <source>a gallbladder</source>
+        <translation>una vesícula biliar</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>una escena glTF</translation>
     </message>
@@ -2779,12 +3203,52 @@
         <translation>un tirador de una clave registrada</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un corazón</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un riñón</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un archivo VTK antiguo</translation>
     </message>
     <message>
+        <source>a list of triangles ends within one</source>
+        <translation>una lista de triángulos termina en medio de uno</translation>
+    </message>
+    <message>
+        <source>a liver</source>
+        <translation>un hígado</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volumen bloqueado debe ser positivo</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un miocardio</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
+        <translation>«%1» de un nodo no tiene %2 números</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
+        <translation>«%1» de un nodo contiene algo que no es un número</translation>
+    </message>
+    <message>
+        <source>a node&apos;s children are not numbers</source>
+        <translation>los hijos de un nodo no son números</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un páncreas</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -2793,6 +3257,18 @@
     <message>
         <source>a phase has not all surfaces</source>
         <translation>una fase no tiene todas las superficies</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>una imagen</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un punto</translation>
+    </message>
+    <message>
+        <source>a point has fewer than three coordinates</source>
+        <translation>un punto tiene menos de tres coordenadas</translation>
     </message>
     <message>
         <source>a point of its surface</source>
@@ -2807,6 +3283,10 @@
         <translation>un punto de la jaula dividida no está en la jaula</translation>
     </message>
     <message>
+        <source>a point&apos;s number</source>
+        <translation>el número de un punto</translation>
+    </message>
+    <message>
         <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
         <translation>un polígono se refiere al punto %1, pero hay %2 (contados desde 0)</translation>
     </message>
@@ -2815,12 +3295,36 @@
         <translation>una pose de %1 tiradores no corresponde a puntos testigo de %2</translation>
     </message>
     <message>
+        <source>a property stands before the first element</source>
+        <translation>una propiedad aparece antes del primer elemento</translation>
+    </message>
+    <message>
         <source>a recorded key</source>
         <translation>una clave registrada</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
         <translation>una observación sobre él no es UTF-8</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>una fila</translation>
+    </message>
+    <message>
+        <source>a scan</source>
+        <translation>un estudio</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>un bazo</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estómago</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>una superficie</translation>
     </message>
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
@@ -2851,8 +3355,48 @@
         <translation>un triángulo se refiere a un punto que no existe</translation>
     </message>
     <message>
+        <source>a value</source>
+        <translation>un valor</translation>
+    </message>
+    <message>
+        <source>a voxel</source>
+        <translation>un vóxel</translation>
+    </message>
+    <message>
+        <source>accessor %1 has an unknown type</source>
+        <translation>el accessor %1 tiene un tipo desconocido</translation>
+    </message>
+    <message>
+        <source>accessor %1 is sparse, which Viscera does not read</source>
+        <translation>el accessor %1 es disperso, y Viscera no los lee</translation>
+    </message>
+    <message>
+        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
+        <translation>el accessor %1 está más allá del final de su búfer: el archivo está cortado o dañado</translation>
+    </message>
+    <message>
+        <source>accessor %1 refers to buffer %2, but there are %3</source>
+        <translation>el accessor %1 se refiere al búfer %2, pero hay %3</translation>
+    </message>
+    <message>
+        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
+        <translation>el accessor %1 debería tener %2 elementos, más de los que contiene su búfer</translation>
+    </message>
+    <message>
+        <source>accessor %1 should hold point numbers</source>
+        <translation>el accessor %1 debería contener números de puntos</translation>
+    </message>
+    <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
         <translation>añada un grupo que los encierre, o ponga en un grupo tiradores que los rodeen</translation>
+    </message>
+    <message>
+        <source>add a handle off that plane</source>
+        <translation>añada un tirador fuera de ese plano</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>añádale tiradores</translation>
     </message>
     <message>
         <source>add handles, or place them automatically</source>
@@ -2871,12 +3415,20 @@
         <translation>añadido por la agrupación automática</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>todos los tiradores</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>todos los tiradores están en un plano</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>todos los tiradores están en una recta</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>todos sus tiradores están en un plano, así que su región es plana</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -2905,6 +3457,14 @@
     <message>
         <source>an angle has three points, any other measurement two</source>
         <translation>un ángulo tiene tres puntos, cualquier otra medida dos</translation>
+    </message>
+    <message>
+        <source>an array&apos;s name</source>
+        <translation>el nombre de una matriz</translation>
+    </message>
+    <message>
+        <source>an error without a message</source>
+        <translation>un error sin mensaje</translation>
     </message>
     <message>
         <source>angle</source>
@@ -2963,6 +3523,14 @@
         <translation>pesos biarmónicos acotados</translation>
     </message>
     <message>
+        <source>buffer %1 has no data</source>
+        <translation>el búfer %1 no tiene datos</translation>
+    </message>
+    <message>
+        <source>buffer %1 is not a JSON object</source>
+        <translation>el búfer %1 no es un objeto JSON</translation>
+    </message>
+    <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
         <translation>por su nombre va a la izquierda del paciente, pero está a la derecha (x = %1 mm): %2</translation>
     </message>
@@ -2989,6 +3557,18 @@
     <message>
         <source>cardiac output</source>
         <translation>gasto cardíaco</translation>
+    </message>
+    <message>
+        <source>cell %1 claims %2 points, but %3 numbers are left</source>
+        <translation>la celda %1 reclama %2 puntos, pero quedan %3 números</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>check its ending</source>
+        <translation>compruebe su extensión</translation>
     </message>
     <message>
         <source>check its permissions</source>
@@ -3039,6 +3619,10 @@
         <translation>compruebe la ruta</translation>
     </message>
     <message>
+        <source>check the space left on the disk</source>
+        <translation>compruebe el espacio libre en el disco</translation>
+    </message>
+    <message>
         <source>check their order, and the period</source>
         <translation>compruebe su orden y el período</translation>
     </message>
@@ -3053,6 +3637,10 @@
     <message>
         <source>check whether one of them is mislabelled, or leave it out</source>
         <translation>compruebe si una de ellas está mal etiquetada, u omítala</translation>
+    </message>
+    <message>
+        <source>child process</source>
+        <translation>programa auxiliar</translation>
     </message>
     <message>
         <source>choose %1 to %2</source>
@@ -3079,8 +3667,24 @@
         <translation>elija un archivo con una superficie de triángulos</translation>
     </message>
     <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>elija una carpeta que exista, en la que se pueda escribir y que tenga espacio</translation>
+    </message>
+    <message>
         <source>choose a larger spacing</source>
         <translation>elija un paso mayor</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb</source>
+        <translation>elija un nombre que termine en .glb</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtp</source>
+        <translation>elija un nombre que termine en .vtp</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtu</source>
+        <translation>elija un nombre que termine en .vtu</translation>
     </message>
     <message>
         <source>choose a sequence first</source>
@@ -3147,6 +3751,10 @@
         <translation>cierre sus agujeros, por ejemplo con viscera convert ENTRADA SALIDA --fill-holes; una superficie abierta no tiene volumen que conservar</translation>
     </message>
     <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>cierre otros programas, o use menos tiradores u órganos más pequeños</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>cierre otros programas, o trabaje con menos órganos o superficies más gruesas</translation>
     </message>
@@ -3157,6 +3765,10 @@
     <message>
         <source>compensating handles</source>
         <translation>tiradores que compensan</translation>
+    </message>
+    <message>
+        <source>convert it to .seg.nrrd</source>
+        <translation>conviértalo a .seg.nrrd</translation>
     </message>
     <message>
         <source>coordinates need at least four handles, there are %1</source>
@@ -3203,6 +3815,10 @@
         <translation>los campos de desplazamientos no se pueden escribir como «%1»</translation>
     </message>
     <message>
+        <source>displacements are written as .vtp only</source>
+        <translation>los desplazamientos solo se escriben como .vtp</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distancia</translation>
     </message>
@@ -3213,6 +3829,18 @@
     <message>
         <source>does not lie between 0 and 1</source>
         <translation>no está entre 0 y 1</translation>
+    </message>
+    <message>
+        <source>does not say how large its pixels are</source>
+        <translation>no indica el tamaño de sus píxeles</translation>
+    </message>
+    <message>
+        <source>does not say where in the patient it lies</source>
+        <translation>no indica dónde está en el paciente</translation>
+    </message>
+    <message>
+        <source>does not say where its frames lie</source>
+        <translation>no indica dónde están sus fotogramas</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -3235,6 +3863,10 @@
         <translation>aun así, los pliegues de la superficie se tocan cuando pasan</translation>
     </message>
     <message>
+        <source>exchanges left and right</source>
+        <translation>intercambia izquierda y derecha</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>espiración</translation>
     </message>
@@ -3255,12 +3887,36 @@
         <translation>expórtela como superficie de triángulos</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>expórtelo como glTF 2.0</translation>
+    </message>
+    <message>
+        <source>export it as pixels of 16 bits</source>
+        <translation>expórtelo con píxeles de 16 bits</translation>
+    </message>
+    <message>
+        <source>export it as text, or as STL or PLY</source>
+        <translation>expórtelo como texto, o como STL o PLY</translation>
+    </message>
+    <message>
+        <source>export it little-endian</source>
+        <translation>expórtelo en orden little-endian</translation>
+    </message>
+    <message>
+        <source>export it without compression</source>
+        <translation>expórtelo sin compresión</translation>
+    </message>
+    <message>
         <source>export or copy the file again</source>
         <translation>exporte o copie el archivo de nuevo</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exporte de nuevo la superficie</translation>
+    </message>
+    <message>
+        <source>extract its surface first</source>
+        <translation>extraiga primero su superficie</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -3271,12 +3927,36 @@
         <translation>llenado del órgano con tetraedros</translation>
     </message>
     <message>
+        <source>fills every hole with a cap</source>
+        <translation>cierra cada agujero con una tapa</translation>
+    </message>
+    <message>
         <source>finding landmarks</source>
         <translation>búsqueda de puntos de referencia</translation>
     </message>
     <message>
         <source>folded where it is hatched</source>
         <translation>plegado donde está rayado</translation>
+    </message>
+    <message>
+        <source>frame %1 has no orientation</source>
+        <translation>el fotograma %1 no tiene orientación</translation>
+    </message>
+    <message>
+        <source>frame %1 has no pixels</source>
+        <translation>el fotograma %1 no tiene píxeles</translation>
+    </message>
+    <message>
+        <source>frame %1 has no position</source>
+        <translation>el fotograma %1 no tiene posición</translation>
+    </message>
+    <message>
+        <source>frame %1 has no segment</source>
+        <translation>el fotograma %1 no tiene segmento</translation>
+    </message>
+    <message>
+        <source>frame %1 has no spacing</source>
+        <translation>el fotograma %1 no tiene espaciado</translation>
     </message>
     <message>
         <source>fundus</source>
@@ -3319,6 +3999,10 @@
         <translation>déle uno</translation>
     </message>
     <message>
+        <source>give its labels smaller numbers</source>
+        <translation>dé números más pequeños a sus etiquetas</translation>
+    </message>
+    <message>
         <source>give one between 0.1 and 0.8</source>
         <translation>indique una entre 0,1 y 0,8</translation>
     </message>
@@ -3339,6 +4023,10 @@
         <translation>dé a la superficie exterior también las etiquetas de sus cavidades, como en EPI=1,2,3</translation>
     </message>
     <message>
+        <source>glTF does not say which axes a patient&apos;s are: its numbers are taken as LPS millimetres, though the format&apos;s convention is metres with y up</source>
+        <translation>glTF no dice cuáles son los ejes del paciente: sus números se toman como milímetros LPS, aunque el formato prevé metros con y hacia arriba</translation>
+    </message>
+    <message>
         <source>grid inside the surface</source>
         <translation>cuadrícula dentro de la superficie</translation>
     </message>
@@ -3349,6 +4037,10 @@
     <message>
         <source>group %1</source>
         <translation>grupo %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>grupo «%1»</translation>
     </message>
     <message>
         <source>handle</source>
@@ -3386,6 +4078,14 @@
         <translation>tiene un volumen que no es positivo</translation>
     </message>
     <message>
+        <source>has no pixels</source>
+        <translation>no tiene píxeles</translation>
+    </message>
+    <message>
+        <source>has pixels that are fractions (Float Pixel Data), which Viscera does not read; export it as whole numbers, or as NIfTI</source>
+        <translation>tiene píxeles decimales (Float Pixel Data), que Viscera no lee; expórtelo con números enteros o como NIfTI</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>mantener</translation>
     </message>
@@ -3406,6 +4106,10 @@
         <translation>entrada</translation>
     </message>
     <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
         <source>inspiration</source>
         <translation>inspiración</translation>
     </message>
@@ -3420,6 +4124,14 @@
     <message>
         <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
         <translation>instale libegl1 y libgl1-mesa-dri, o ejecútelo con una pantalla</translation>
+    </message>
+    <message>
+        <source>is a colour picture</source>
+        <translation>es una imagen en color</translation>
+    </message>
+    <message>
+        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <translation>es un mosaico de muchos cortes en una imagen, como los escribe Siemens, que Viscera no separa; conviértalo a NIfTI (dcm2niix lo hace)</translation>
     </message>
     <message>
         <source>is not a file that can be read</source>
@@ -3456,16 +4168,56 @@
         <translation>relajación isovolumétrica</translation>
     </message>
     <message>
+        <source>it begins behind the end of the data: the file is cut off</source>
+        <translation>empieza más allá del final de los datos: el archivo está cortado</translation>
+    </message>
+    <message>
+        <source>it cannot be decompressed: the file is damaged</source>
+        <translation>no se puede descomprimir: el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
+        <translation>reclama %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
+    </message>
+    <message>
+        <source>it claims %1 bytes in %2: the file is damaged</source>
+        <translation>reclama %1 bytes en %2: el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>it claims a block larger than the file: the file is cut off or damaged</source>
+        <translation>reclama un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no number</source>
+        <translation>contiene %1, que no es un número</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no whole number</source>
+        <translation>contiene %1, que no es un número entero</translation>
+    </message>
+    <message>
         <source>it crashed</source>
         <translation>falló</translation>
+    </message>
+    <message>
+        <source>it does not hold a whole number of values</source>
+        <translation>no contiene un número entero de valores</translation>
     </message>
     <message>
         <source>it does not lie within the period</source>
         <translation>no está dentro del periodo</translation>
     </message>
     <message>
+        <source>it does not say how large its voxels are; 1 mm is assumed</source>
+        <translation>no indica el tamaño de sus vóxeles; se supone 1 mm</translation>
+    </message>
+    <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>no indica dónde están los lados del paciente; los ejes se toman como derecha, delante y arriba</translation>
+    </message>
+    <message>
+        <source>it does not say which axes it uses; LPS is assumed</source>
+        <translation>no indica qué ejes usa; se supone LPS</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3483,6 +4235,13 @@
         <source>it has %1 triangles</source>
         <translation>tiene %1 triángulos</translation>
     </message>
+    <message numerus="yes">
+        <source>it has %n {segment|segments}</source>
+        <translation>
+            <numerusform>tiene %n segmento</numerusform>
+            <numerusform>tiene %n segmentos</numerusform>
+        </translation>
+    </message>
     <message>
         <source>it has no name</source>
         <translation>no tiene nombre</translation>
@@ -3490,6 +4249,18 @@
     <message>
         <source>it has no organ for each surface, or no phases</source>
         <translation>no tiene un órgano para cada superficie, o no tiene fases</translation>
+    </message>
+    <message>
+        <source>it has the unknown format %1</source>
+        <translation>tiene el formato desconocido %1</translation>
+    </message>
+    <message>
+        <source>it has the unknown type %1</source>
+        <translation>tiene el tipo desconocido %1</translation>
+    </message>
+    <message>
+        <source>it is compressed by %1, which Viscera does not know</source>
+        <translation>está comprimida con %1, que Viscera no conoce</translation>
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
@@ -3500,16 +4271,68 @@
         <translation>no es un registro de un movimiento medido</translation>
     </message>
     <message>
+        <source>it is not valid base64: the file is damaged</source>
+        <translation>no es base64 válido: el archivo está dañado</translation>
+    </message>
+    <message>
         <source>it may be mirrored</source>
         <translation>puede estar reflejado</translation>
+    </message>
+    <message>
+        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
+        <translation>debería tener %1 bytes, más de los que hay: el archivo está cortado o dañado</translation>
+    </message>
+    <message>
+        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
+        <translation>debería tener %1 bytes más, pero quedan %2: el archivo está cortado o dañado</translation>
+    </message>
+    <message>
+        <source>it should hold whole numbers</source>
+        <translation>debería contener números enteros</translation>
+    </message>
+    <message>
+        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
+        <translation>su JSON no tiene «asset»: no es un archivo glTF</translation>
+    </message>
+    <message>
+        <source>its JSON is not an object: it is not a glTF file</source>
+        <translation>su JSON no es un objeto: no es un archivo glTF</translation>
+    </message>
+    <message>
+        <source>its XML is nested too deeply</source>
+        <translation>su XML está anidado a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>its XML is not complete</source>
+        <translation>su XML no está completo</translation>
+    </message>
+    <message>
+        <source>its axes %1 are unknown; LPS is assumed</source>
+        <translation>sus ejes %1 no se conocen; se supone LPS</translation>
+    </message>
+    <message>
+        <source>its buffer %1 cannot be read: %2</source>
+        <translation>no se puede leer su búfer %1: %2</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
         <translation>su color no está entre 0 y 1</translation>
     </message>
     <message>
+        <source>its colours do not fit its points</source>
+        <translation>sus colores no corresponden a sus puntos</translation>
+    </message>
+    <message>
         <source>its description is not UTF-8</source>
         <translation>su descripción no es UTF-8</translation>
+    </message>
+    <message>
+        <source>its encoding %1 is not supported</source>
+        <translation>su codificación %1 no se admite</translation>
+    </message>
+    <message>
+        <source>its faces have no vertex_indices</source>
+        <translation>sus caras no tienen vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -3520,16 +4343,136 @@
         <translation>su archivo se encontró como %1</translation>
     </message>
     <message>
+        <source>its first chunk is not JSON: the file is damaged</source>
+        <translation>su primer bloque no es JSON: el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>its frames are too far from each other: %1 mm</source>
+        <translation>sus fotogramas están demasiado lejos unos de otros: %1 mm</translation>
+    </message>
+    <message>
+        <source>its frames belong to a segment %1, which it does not have</source>
+        <translation>sus fotogramas pertenecen a un segmento %1, que no existe</translation>
+    </message>
+    <message>
+        <source>its frames lie in different directions</source>
+        <translation>sus fotogramas están en direcciones distintas</translation>
+    </message>
+    <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
         <translation>sus tiradores no son los del conjunto, cada uno una vez y en su orden</translation>
+    </message>
+    <message>
+        <source>its header does not say its format</source>
+        <translation>su cabecera no indica su formato</translation>
+    </message>
+    <message>
+        <source>its header is cut off or damaged: it has no %1</source>
+        <translation>su cabecera está cortada o dañada: falta %1</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 has not %2 numbers</source>
+        <translation>su cabecera está dañada: %1 no tiene %2 números</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number for %2</source>
+        <translation>su cabecera está dañada: %1 no es un número para %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number of %2</source>
+        <translation>su cabecera está dañada: %1 no es un número de %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a size of an axis</source>
+        <translation>su cabecera está dañada: %1 no es el tamaño de un eje</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a vector</source>
+        <translation>su cabecera está dañada: %1 no es un vector</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not an origin</source>
+        <translation>su cabecera está dañada: %1 no es un origen</translation>
+    </message>
+    <message>
+        <source>its header is damaged: DimSize has not three numbers</source>
+        <translation>su cabecera está dañada: DimSize no tiene tres números</translation>
+    </message>
+    <message>
+        <source>its header is damaged: HeaderSize is not a number of bytes</source>
+        <translation>su cabecera está dañada: HeaderSize no es un número de bytes</translation>
+    </message>
+    <message>
+        <source>its header is damaged: a vector in it has not three numbers</source>
+        <translation>su cabecera está dañada: un vector no tiene tres números</translation>
     </message>
     <message>
         <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
         <translation>su cabecera está dañada: una imagen tiene de 2 a 7 dimensiones, no %1</translation>
     </message>
     <message>
+        <source>its header is damaged: it describes %1 of %2 frames</source>
+        <translation>su cabecera está dañada: describe %1 de %2 fotogramas</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it has %1 frames</source>
+        <translation>su cabecera está dañada: tiene %1 fotogramas</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
+        <translation>
+            <numerusform>su cabecera está dañada: tiene %n dirección para %2 ejes</numerusform>
+            <numerusform>su cabecera está dañada: tiene %n direcciones para %2 ejes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
+        <translation>
+            <numerusform>su cabecera está dañada: tiene %n tamaño para %2 dimensiones</numerusform>
+            <numerusform>su cabecera está dañada: tiene %n tamaños para %2 dimensiones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
+        <translation>su cabecera está dañada: promete %1 bytes de píxeles en un archivo de %2 bytes</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
+        <translation>
+            <numerusform>su cabecera está dañada: sus píxeles comprimidos tienen %n parte para %2 fotogramas</numerusform>
+            <numerusform>su cabecera está dañada: sus píxeles comprimidos tienen %n partes para %2 fotogramas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have no parts</source>
+        <translation>su cabecera está dañada: sus píxeles comprimidos no tienen partes</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have not one part a frame</source>
+        <translation>su cabecera está dañada: sus píxeles comprimidos no tienen una parte por fotograma</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its rescale slope is 0</source>
+        <translation>su cabecera está dañada: la pendiente de reescalado (Rescale Slope) es 0</translation>
+    </message>
+    <message>
         <source>its header is damaged: its size along %1 is %2</source>
         <translation>su cabecera está dañada: su tamaño a lo largo de %1 es %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the directions of its rows and columns are not square</source>
+        <translation>su cabecera está dañada: las direcciones de sus filas y columnas no son perpendiculares</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels cannot begin at byte %1</source>
+        <translation>su cabecera está dañada: los vóxeles no pueden empezar en el byte %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
+        <translation>
+            <numerusform>su cabecera promete %n triángulo, pero hay sitio para %2: el archivo está dañado</numerusform>
+            <numerusform>su cabecera promete %n triángulos, pero hay sitio para %2: el archivo está dañado</numerusform>
+        </translation>
     </message>
     <message>
         <source>its id is another thing's, too</source>
@@ -3544,6 +4487,10 @@
         <translation>sus etiquetas son las de un corazón: el músculo y las cámaras forman su superficie exterior, cada cámara es una cavidad</translation>
     </message>
     <message>
+        <source>its layers lie between the axes of space</source>
+        <translation>sus capas están entre los ejes del espacio</translation>
+    </message>
+    <message>
         <source>its name is not UTF-8</source>
         <translation>su nombre no es UTF-8</translation>
     </message>
@@ -3552,12 +4499,48 @@
         <translation>su opacidad no está entre 0 y 1</translation>
     </message>
     <message>
+        <source>its packed pixels cannot be read</source>
+        <translation>no se pueden leer sus píxeles comprimidos</translation>
+    </message>
+    <message>
         <source>its parent is not an organ before it</source>
         <translation>su órgano superior no está antes que él</translation>
     </message>
     <message>
+        <source>its pixels (%1) are damaged or packed in an unknown way</source>
+        <translation>sus píxeles (%1) están dañados o comprimidos de un modo desconocido</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: %2</source>
+        <translation>no se pueden descomprimir sus píxeles (%1): %2</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
+        <translation>no se pueden descomprimir sus píxeles (%1): el fotograma %2 está dañado</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be read</source>
+        <translation>no se pueden leer sus píxeles</translation>
+    </message>
+    <message>
+        <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
+        <translation>sus píxeles de %1 bits en %2, hasta el bit %3, no se admiten</translation>
+    </message>
+    <message>
+        <source>its pixels of 32 bits in big-endian order are not supported</source>
+        <translation>sus píxeles de 32 bits en orden big-endian no se admiten</translation>
+    </message>
+    <message>
         <source>its points and triangles are no lists of threes</source>
         <translation>sus puntos y triángulos no son listas de tríos</translation>
+    </message>
+    <message>
+        <source>its points have %1 coordinates, not 3</source>
+        <translation>sus puntos tienen %1 coordenadas, no 3</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>sus puntos no tienen x, y y z</translation>
     </message>
     <message>
         <source>its position</source>
@@ -3568,12 +4551,24 @@
         <translation>su posición en reposo</translation>
     </message>
     <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>su segmento %1 no tiene un valor o una capa válidos</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be read</source>
+        <translation>no se puede leer su segmentación</translation>
+    </message>
+    <message>
         <source>its sform and qform place the image differently; the sform is used</source>
         <translation>su sform y su qform colocan la imagen de forma distinta; se usa sform</translation>
     </message>
     <message>
         <source>its sform is singular or not finite and is not used</source>
         <translation>su sform es singular o no es finita y no se usa</translation>
+    </message>
+    <message>
+        <source>its slices are not equally far from each other (frame %1)</source>
+        <translation>sus cortes no están a la misma distancia unos de otros (fotograma %1)</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -3623,8 +4618,28 @@
         <translation>su volumen ya no está bloqueado: la superficie está ahora abierta</translation>
     </message>
     <message>
+        <source>its voxels are in several files</source>
+        <translation>sus vóxeles están en varios archivos</translation>
+    </message>
+    <message>
+        <source>its voxels are in several files or in another folder (%1)</source>
+        <translation>sus vóxeles están en varios archivos o en otra carpeta (%1)</translation>
+    </message>
+    <message>
         <source>its voxels are more than 1000 km away</source>
         <translation>sus vóxeles están a más de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (ElementType %1)</source>
+        <translation>sus vóxeles no son números simples (ElementType %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
+        <translation>sus vóxeles no son números simples (tipo de datos NIfTI %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (type %1)</source>
+        <translation>sus vóxeles no son números simples (tipo %1)</translation>
     </message>
     <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
@@ -3639,12 +4654,20 @@
         <translation>conserve la mayor, por ejemplo con viscera convert ENTRADA SALIDA --keep-largest</translation>
     </message>
     <message>
+        <source>keeps the piece with the largest area and drops the others</source>
+        <translation>conserva la pieza de mayor área y descarta las demás</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clave</translation>
     </message>
     <message>
         <source>key %1</source>
         <translation>clave %1</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilómetros</translation>
     </message>
     <message>
         <source>known endings: %1</source>
@@ -3699,12 +4722,40 @@
         <translation>haga que el último volumen sea igual al primero</translation>
     </message>
     <message>
+        <source>line %1: %2</source>
+        <translation>línea %1: %2</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>lineal</translation>
     </message>
     <message>
+        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
+        <translation>la lista %1 tiene la unidad %2, que Viscera no conoce; se suponen mm</translation>
+    </message>
+    <message>
+        <source>list %1 was converted from %2 to mm</source>
+        <translation>la lista %1 se ha convertido de %2 a mm</translation>
+    </message>
+    <message>
+        <source>list %1, point %2</source>
+        <translation>lista %1, punto %2</translation>
+    </message>
+    <message>
+        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
+        <translation>lista %1: su sistema de coordenadas %2 no es LPS ni RAS</translation>
+    </message>
+    <message>
+        <source>list %1: its points are no JSON array</source>
+        <translation>lista %1: sus puntos no son una matriz JSON</translation>
+    </message>
+    <message>
         <source>load a closed surface</source>
         <translation>cargue una superficie cerrada</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordenadas localizadas</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -3713,6 +4764,14 @@
     <message>
         <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
         <translation>haga los tiradores con esta jaula: viscera handles ÓRGANO --cage ARCHIVO</translation>
+    </message>
+    <message>
+        <source>makes a closed surface without intersections near this one; colours are lost</source>
+        <translation>hace una superficie cerrada sin intersecciones cerca de esta; los colores se pierden</translation>
+    </message>
+    <message>
+        <source>markup list %1 is not a JSON object</source>
+        <translation>la lista de marcas %1 no es un objeto JSON</translation>
     </message>
     <message>
         <source>measured motion</source>
@@ -3727,8 +4786,32 @@
         <translation>medida %1</translation>
     </message>
     <message>
+        <source>mesh %1 has a primitive without attributes</source>
+        <translation>la malla %1 tiene una primitiva sin atributos</translation>
+    </message>
+    <message>
+        <source>mesh %1 has no primitives</source>
+        <translation>la malla %1 no tiene primitivas</translation>
+    </message>
+    <message>
+        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>la malla %1 se refiere al punto %2, pero hay %3 (contados desde 0)</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micrómetros</translation>
+    </message>
+    <message>
         <source>middle line</source>
         <translation>línea media</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
     </message>
     <message>
         <source>move it elsewhere, or remove one of the two</source>
@@ -3823,6 +4906,10 @@
         <translation>nombra un instante fuera del ciclo</translation>
     </message>
     <message>
+        <source>nanometres</source>
+        <translation>nanómetros</translation>
+    </message>
+    <message>
         <source>no EGL platform works without a window system</source>
         <translation>ninguna plataforma EGL funciona sin sistema de ventanas</translation>
     </message>
@@ -3863,8 +4950,20 @@
         <translation>ningún punto testigo está dentro</translation>
     </message>
     <message>
+        <source>node %1 is in the scene twice</source>
+        <translation>el nodo %1 está dos veces en la escena</translation>
+    </message>
+    <message>
+        <source>node %1 is moved by bones, which are ignored</source>
+        <translation>el nodo %1 se mueve por huesos, que se ignoran</translation>
+    </message>
+    <message>
         <source>nothing that Viscera knows</source>
         <translation>nada que Viscera conozca</translation>
+    </message>
+    <message>
+        <source>of no known kind</source>
+        <translation>de ningún tipo conocido</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -3896,6 +4995,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>abra los demás archivos después</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from it</source>
+        <translation>abra la segmentación hecha a partir de él</translation>
     </message>
     <message>
         <source>open the segmentation that was made from the image</source>
@@ -3988,6 +5091,10 @@
     <message>
         <source>point %1 lies more than 1000 km away: the file is damaged</source>
         <translation>el punto %1 está a más de 1000 km: el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>point numbers are of a type that is not whole</source>
+        <translation>los números de los puntos son de un tipo que no es entero</translation>
     </message>
     <message>
         <source>points that coincide or are almost flat cause this</source>
@@ -4094,6 +5201,14 @@
         <translation>remuestree las imágenes en una cuadrícula recta</translation>
     </message>
     <message>
+        <source>resample the segmentation, for example by saving it as .seg.nrrd</source>
+        <translation>remuestree la segmentación, por ejemplo guardándola como .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>reset the pose</source>
+        <translation>restablezca la pose</translation>
+    </message>
+    <message>
         <source>restore its definition from the installation</source>
         <translation>restaure su definición desde la instalación</translation>
     </message>
@@ -4122,6 +5237,30 @@
         <translation>guárdelo como mapa de etiquetas</translation>
     </message>
     <message>
+        <source>save it as a segmentation</source>
+        <translation>guárdelo como segmentación</translation>
+    </message>
+    <message>
+        <source>save it as a volume</source>
+        <translation>guárdela como volumen</translation>
+    </message>
+    <message>
+        <source>save it as one file</source>
+        <translation>guárdela como un solo archivo</translation>
+    </message>
+    <message>
+        <source>save it as one volume</source>
+        <translation>guárdela como un solo volumen</translation>
+    </message>
+    <message>
+        <source>save it with gzip or raw encoding</source>
+        <translation>guárdelo con la codificación gzip o raw</translation>
+    </message>
+    <message>
+        <source>save it with one number a voxel</source>
+        <translation>guárdela con un número por vóxel</translation>
+    </message>
+    <message>
         <source>save it with one value a voxel</source>
         <translation>guárdela con un valor por vóxel</translation>
     </message>
@@ -4134,6 +5273,14 @@
         <translation>guarde uno de ellos, o siga el movimiento por todos con viscera track</translation>
     </message>
     <message>
+        <source>save the points from Slicer as .mrk.json</source>
+        <translation>guarde los puntos desde Slicer como .mrk.json</translation>
+    </message>
+    <message>
+        <source>save the points from Slicer in LPS</source>
+        <translation>guarde los puntos desde Slicer en LPS</translation>
+    </message>
+    <message>
         <source>say it with --period-ms, or the rate with --rate</source>
         <translation>indíquelo con --period-ms, o la frecuencia con --rate</translation>
     </message>
@@ -4142,8 +5289,16 @@
         <translation>indique qué superficies forman, como en --surface LV=1 --surface RV=2 --surface EPI=1,2,3, con todas las etiquetas dentro de la exterior</translation>
     </message>
     <message>
+        <source>several surfaces are written as .glb only</source>
+        <translation>varias superficies solo se escriben como .glb</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>suave</translation>
+    </message>
+    <message>
+        <source>solids are written as .vtu only</source>
+        <translation>los sólidos solo se escriben como .vtu</translation>
     </message>
     <message>
         <source>sort the lines by their instants</source>
@@ -4206,6 +5361,10 @@
         <translation>use los tiradores propios de la secuencia</translation>
     </message>
     <message>
+        <source>takes the coordinates as %1</source>
+        <translation>toma las coordenadas como %1</translation>
+    </message>
+    <message>
         <source>terminal antral contraction</source>
         <translation>contracción antral terminal</translation>
     </message>
@@ -4218,8 +5377,24 @@
         <translation>el tetraedro %1 es plano o está invertido</translation>
     </message>
     <message>
+        <source>texts stand where numbers should</source>
+        <translation>aparecen textos donde debería haber números</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no se pueden calcular los tetraedros de Delaunay de %1 puntos</translation>
+    </message>
+    <message>
+        <source>the JSON chunk</source>
+        <translation>el bloque JSON</translation>
+    </message>
+    <message>
+        <source>the array %1 has %2 values for %3 points</source>
+        <translation>la matriz %1 tiene %2 valores para %3 puntos</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>la matriz %1: %2</translation>
     </message>
     <message>
         <source>the biharmonic energy cannot be factorised</source>
@@ -4230,12 +5405,24 @@
         <translation>la jaula</translation>
     </message>
     <message>
+        <source>the cells&apos; offsets do not fit their points</source>
+        <translation>los comienzos de las celdas no corresponden a sus puntos</translation>
+    </message>
+    <message>
         <source>the context cannot be used without a surface</source>
         <translation>el contexto no se puede usar sin superficie</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no se puede calcular la envolvente convexa de %1 puntos</translation>
+    </message>
+    <message>
+        <source>the coordinate %1</source>
+        <translation>la coordenada %1</translation>
+    </message>
+    <message>
+        <source>the coordinate system %1 is not LPS or RAS</source>
+        <translation>el sistema de coordenadas %1 no es LPS ni RAS</translation>
     </message>
     <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
@@ -4258,8 +5445,53 @@
         <translation>la extensión «%1» no es de un archivo de superficie</translation>
     </message>
     <message>
+        <source>the file does not say its axes; LPS is assumed</source>
+        <translation>el archivo no indica sus ejes; se supone LPS</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el archivo no indica sus ejes: se supone LPS</translation>
+    </message>
+    <message>
+        <source>the file is cut off before its data</source>
+        <translation>el archivo está cortado antes de sus datos</translation>
+    </message>
+    <message>
+        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
+        <translation>el archivo está cortado o dañado: una lista de %1 %2 debería tener más valores de los que quedan</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
+        <translation>
+            <numerusform>el archivo está cortado o no es un archivo STL: su cabecera promete %n triángulo (%2 bytes), pero tiene %3 bytes</numerusform>
+            <numerusform>el archivo está cortado o no es un archivo STL: su cabecera promete %n triángulos (%2 bytes), pero tiene %3 bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
+        <translation>el archivo está cortado: %1 debería tener %2 bytes, pero solo quedan %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
+        <translation>
+            <numerusform>el archivo está cortado: deberían seguir %2 números, pero solo queda %n byte</numerusform>
+            <numerusform>el archivo está cortado: deberían seguir %2 números, pero solo quedan %n bytes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
+        <translation>
+            <numerusform>el archivo está cortado: se prometen %2 valores, solo hay %n byte</numerusform>
+            <numerusform>el archivo está cortado: se prometen %2 valores, solo hay %n bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
+        <translation>el archivo está cortado: el búfer %1 debería tener %2 bytes, pero tiene %3</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it ends where %1 should stand</source>
+        <translation>el archivo está cortado: termina donde debería estar %1</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
@@ -4269,8 +5501,46 @@
         </translation>
     </message>
     <message>
+        <source>the file is cut off: it has fewer lines than its header says</source>
+        <translation>el archivo está cortado: tiene menos líneas de las que indica su cabecera</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it should have %1 bytes, but has %2</source>
+        <translation>el archivo está cortado: debería tener %1 bytes, pero tiene %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
+        <translation>
+            <numerusform>el archivo está cortado: su %n fotograma tiene muy pocos píxeles</numerusform>
+            <numerusform>el archivo está cortado: sus %n fotogramas tienen muy pocos píxeles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its end is missing</source>
+        <translation>el archivo está cortado: falta su final</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header has no ElementDataFile</source>
+        <translation>el archivo está cortado: su cabecera no tiene ElementDataFile</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
+        <translation>el archivo está cortado: su cabecera promete %1 bytes de píxeles, hay %2</translation>
+    </message>
+    <message>
         <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
         <translation>el archivo está cortado: su cabecera promete %1 bytes de vóxeles, hay %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
+        <translation>
+            <numerusform>el archivo está cortado: su cabecera promete %2 de %3, más de lo que cabe en el %n byte que queda</numerusform>
+            <numerusform>el archivo está cortado: su cabecera promete %2 de %3, más de lo que cabe en los %n bytes que quedan</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises more voxels than there are</source>
+        <translation>el archivo está cortado: su cabecera promete más vóxeles de los que hay</translation>
     </message>
     <message>
         <source>the file is cut off: its packed data end too early</source>
@@ -4293,6 +5563,30 @@
         <translation>el archivo indica sus ejes: %1</translation>
     </message>
     <message>
+        <source>the file with its voxels, %1, cannot be read: %2</source>
+        <translation>el archivo con sus vóxeles, %1, no se puede leer: %2</translation>
+    </message>
+    <message>
+        <source>the file with its voxels, %1, cannot be used: %2</source>
+        <translation>el archivo con sus vóxeles, %1, no se puede usar: %2</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 meshes were joined to one surface</source>
+        <translation>las %1 mallas del archivo se han unido en una sola superficie</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 objects were joined to one surface</source>
+        <translation>los %1 objetos del archivo se han unido en una sola superficie</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 solids were joined to one surface</source>
+        <translation>los %1 sólidos del archivo se han unido en una sola superficie</translation>
+    </message>
+    <message>
+        <source>the first chunk&apos;s header</source>
+        <translation>la cabecera del primer bloque</translation>
+    </message>
+    <message>
         <source>the first one is 0</source>
         <translation>la primera es 0</translation>
     </message>
@@ -4307,6 +5601,10 @@
     <message>
         <source>the folder for the frames cannot be written</source>
         <translation>no se puede escribir en la carpeta de los fotogramas</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>el formato %1 no se conoce</translation>
     </message>
     <message>
         <source>the frame rate has to be positive</source>
@@ -4337,6 +5635,10 @@
         <translation>los tetraedros de los tiradores</translation>
     </message>
     <message>
+        <source>the header</source>
+        <translation>la cabecera</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>el identificador %1 aparece dos veces</translation>
     </message>
@@ -4347,6 +5649,10 @@
     <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>la etiqueta «%1» no es un punto de referencia de la secuencia %2</translation>
+    </message>
+    <message>
+        <source>the label map has no segment number %1</source>
+        <translation>el mapa de etiquetas no tiene el segmento número %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -4369,12 +5675,20 @@
         <translation>la última fase es igual a la primera y se omite: la fase %1 sería otra vez la fase 1</translation>
     </message>
     <message>
+        <source>the layers</source>
+        <translation>las capas</translation>
+    </message>
+    <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>los límites de tiempo y memoria deben ser mayores que 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
         <translation>los volúmenes bloqueados no se pueden conservar</translation>
+    </message>
+    <message>
+        <source>the markup %1 of type %2 is not a list of points and was left out</source>
+        <translation>la marca %1 de tipo %2 no es una lista de puntos y se omite</translation>
     </message>
     <message>
         <source>the middle line that was computed leaves the organ</source>
@@ -4409,8 +5723,52 @@
         <translation>los nombres de sus etiquetas son los de %1</translation>
     </message>
     <message>
+        <source>the number of arrays</source>
+        <translation>el número de matrices</translation>
+    </message>
+    <message>
+        <source>the number of cells</source>
+        <translation>el número de celdas</translation>
+    </message>
+    <message>
+        <source>the number of colour channels</source>
+        <translation>el número de canales de color</translation>
+    </message>
+    <message>
+        <source>the number of components</source>
+        <translation>el número de componentes</translation>
+    </message>
+    <message>
+        <source>the number of components is not positive</source>
+        <translation>el número de componentes no es positivo</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>el número de caras</translation>
+    </message>
+    <message>
         <source>the number of groups must be at least 1, not %1</source>
         <translation>el número de grupos debe ser al menos 1, no %1</translation>
+    </message>
+    <message>
+        <source>the number of points</source>
+        <translation>el número de puntos</translation>
+    </message>
+    <message>
+        <source>the number of texture axes</source>
+        <translation>el número de ejes de textura</translation>
+    </message>
+    <message>
+        <source>the number of values</source>
+        <translation>el número de valores</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>el desplazamiento de la región «%1» se recorta a %2 mm, la distancia de su tirador más próximo a una zona</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells (%1) do not fit their points</source>
+        <translation>los comienzos de sus celdas (%1) no corresponden a sus puntos</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -4446,6 +5804,14 @@
     <message>
         <source>the packed data are damaged</source>
         <translation>los datos comprimidos están dañados</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (%1)</source>
+        <translation>los datos comprimidos están dañados (%1)</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (bzip2 error %1)</source>
+        <translation>los datos comprimidos están dañados (error %1 de bzip2)</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -4491,6 +5857,10 @@
         <translation>la posición del tirador %1 en %2 no es finita</translation>
     </message>
     <message>
+        <source>the positions of its frames are not finite</source>
+        <translation>las posiciones de sus fotogramas no son finitas</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>este tipo de película necesita el programa ffmpeg, que no está instalado</translation>
     </message>
@@ -4527,8 +5897,24 @@
         <translation>el tamaño es plausible: %1</translation>
     </message>
     <message>
+        <source>the size of a colour table</source>
+        <translation>el tamaño de una tabla de colores</translation>
+    </message>
+    <message>
+        <source>the size of the cells</source>
+        <translation>el tamaño de las celdas</translation>
+    </message>
+    <message>
         <source>the sizes of its voxels are missing, zero or not finite</source>
         <translation>los tamaños de sus vóxeles faltan, son cero o no son finitos</translation>
+    </message>
+    <message>
+        <source>the solid could not be written</source>
+        <translation>no se ha podido escribir el sólido</translation>
+    </message>
+    <message>
+        <source>the solid could not be written: %1</source>
+        <translation>no se ha podido escribir el sólido: %1</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; has two files of one phase</source>
@@ -4547,6 +5933,10 @@
         <translation>la superficie no se cruza consigo misma</translation>
     </message>
     <message>
+        <source>the surface encloses nothing</source>
+        <translation>la superficie no encierra nada</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing that witness points could lie in</source>
         <translation>la superficie no encierra nada donde pueda haber puntos testigo</translation>
     </message>
@@ -4561,6 +5951,10 @@
     <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la superficie no tiene triángulos o es plana, así que no encierra nada</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or no size</source>
+        <translation>la superficie no tiene triángulos o no tiene tamaño</translation>
     </message>
     <message>
         <source>the surface has room for %1 of %2 handles</source>
@@ -4608,6 +6002,14 @@
         </translation>
     </message>
     <message>
+        <source>the surface is too large for GLB, which ends at 4 GB</source>
+        <translation>la superficie es demasiado grande para GLB, que termina en 4 GB</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>no se puede leer la tabla de nombres que contiene</translation>
+    </message>
+    <message>
         <source>the tetrahedra do not determine the coordinates</source>
         <translation>los tetraedros no determinan las coordenadas</translation>
     </message>
@@ -4632,6 +6034,10 @@
         <translation>el volumen no se puede mantener aquí: %1</translation>
     </message>
     <message>
+        <source>the volumes</source>
+        <translation>los volúmenes</translation>
+    </message>
+    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>las ondas tienen el %1 % de la profundidad que en un adulto: %2</translation>
     </message>
@@ -4651,9 +6057,20 @@
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>no contiene tetraedros; la superficie puede estar abierta</translation>
     </message>
+    <message numerus="yes">
+        <source>there are values for %n {point|points}, but the surface has %2</source>
+        <translation>
+            <numerusform>hay valores para %n punto, pero la superficie tiene %2</numerusform>
+            <numerusform>hay valores para %n puntos, pero la superficie tiene %2</numerusform>
+        </translation>
+    </message>
     <message>
         <source>there are: %1</source>
         <translation>hay: %1</translation>
+    </message>
+    <message>
+        <source>there is a second list of points</source>
+        <translation>hay una segunda lista de puntos</translation>
     </message>
     <message>
         <source>there is no %1 &quot;%2&quot;</source>
@@ -4688,6 +6105,10 @@
         <translation>no hay ninguna imagen para la hoja</translation>
     </message>
     <message>
+        <source>there is no repair &quot;%1&quot;</source>
+        <translation>no hay ninguna reparación «%1»</translation>
+    </message>
+    <message>
         <source>there is no sequence &quot;%1&quot;</source>
         <translation>no hay ninguna secuencia «%1»</translation>
     </message>
@@ -4706,6 +6127,10 @@
     <message>
         <source>there is no such slice</source>
         <translation>ese corte no existe</translation>
+    </message>
+    <message>
+        <source>there is no surface to write</source>
+        <translation>no hay ninguna superficie que escribir</translation>
     </message>
     <message>
         <source>there is no triangle %1</source>
@@ -4742,6 +6167,14 @@
     <message>
         <source>this is not a PNG picture</source>
         <translation>esto no es una imagen PNG</translation>
+    </message>
+    <message>
+        <source>this is not a line of a MetaImage header: %1</source>
+        <translation>esto no es una línea de una cabecera MetaImage: %1</translation>
+    </message>
+    <message>
+        <source>this is not a line of an NRRD header: %1</source>
+        <translation>esto no es una línea de una cabecera NRRD: %1</translation>
     </message>
     <message>
         <source>this system has no parameters</source>
@@ -4786,6 +6219,18 @@
     <message>
         <source>turn the surface outward, or choose a target above 0 ml</source>
         <translation>oriente la superficie hacia fuera, o elija un objetivo mayor que 0 ml</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter turn, from a model whose y axis points to the head</source>
+        <translation>gira la superficie un cuarto de vuelta, de un modelo cuyo eje y apunta a la cabeza</translation>
+    </message>
+    <message>
+        <source>turns the surface by half a turn, as from RAS to LPS</source>
+        <translation>gira la superficie media vuelta, como de RAS a LPS</translation>
+    </message>
+    <message>
+        <source>turns triangles around so that all of them face outward</source>
+        <translation>da la vuelta a triángulos para que todos miren hacia fuera</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -4846,6 +6291,10 @@
     <message>
         <source>use viridis or diverging</source>
         <translation>use viridis o diverging</translation>
+    </message>
+    <message>
+        <source>values from the section %1 on were not understood and ignored</source>
+        <translation>los valores a partir de la sección %1 no se han entendido y se ignoran</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -4973,6 +6422,10 @@
     <message>
         <source>women and men have on average %1 to %2 ml</source>
         <translation>mujeres y hombres tienen de media de %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>write PLY or VTP</source>
+        <translation>escriba PLY o VTP</translation>
     </message>
     <message>
         <source>write an .ogv instead</source>

@@ -8,12 +8,20 @@
         <translation>%1 triangles au lieu de %2 ; l’ancienne surface est à %3 mm de la nouvelle en moyenne, à %4 mm au plus</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no planar form</source>
         <translation>« %1 » n’a pas de forme plane</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
         <translation>« %1 » est %2 au lieu de « %3 »</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>« %1 » manque</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
@@ -30,6 +38,10 @@
     <message>
         <source>&quot;%1&quot; is not a text</source>
         <translation>« %1 » n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 on</source>
+        <translation>« %1 » n’est pas un nombre entier à partir de 0</translation>
     </message>
     <message>
         <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
@@ -52,36 +64,104 @@
         <translation>%1 à %2 % du cycle : %3</translation>
     </message>
     <message>
+        <source>%1 cells were announced, but there are %2</source>
+        <translation>%1 cellules étaient annoncées, mais il y en a %2</translation>
+    </message>
+    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 donne une autre surface que celle qui a été enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a finite number</source>
+        <translation>%1 a une coordonnée qui n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
         <translation>%1 a changé depuis l’enregistrement de la session</translation>
     </message>
     <message>
+        <source>%1 has no place (%2) and was left out</source>
+        <translation>%1 n’a pas de position (%2) et est omis</translation>
+    </message>
+    <message>
+        <source>%1 has no position of three numbers</source>
+        <translation>%1 n’a pas de position de trois nombres</translation>
+    </message>
+    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 n’a pas de volume dans la %2</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels any more</source>
+        <translation>%1 n’a plus de voxels</translation>
     </message>
     <message>
         <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
         <translation>%1 a dans la %2 d’autres triangles que dans la première : les surfaces sont ajustées par leurs distances, qui ne voient pas le mouvement le long de la paroi</translation>
     </message>
     <message>
+        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
+        <translation>%1 vaut %2, plus que ne peuvent contenir les %3 octets qui restent</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is no whole number from 0 on</source>
+        <translation>%1 est %2, qui n’est pas un nombre entier à partir de 0</translation>
+    </message>
+    <message>
         <source>%1 is farther away than a thousand kilometres</source>
         <translation>%1 est à plus de mille kilomètres</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 a une valeur négative</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 n’est pas un objet JSON</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
         <translation>%1 n’est pas un nombre fini</translation>
     </message>
     <message>
+        <source>%1 is not a number of elements</source>
+        <translation>%1 n’est pas un nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>%1 is not a section of a legacy VTK surface</source>
+        <translation>%1 n’est pas une section d’une ancienne surface VTK</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of an OBJ file</source>
+        <translation>%1 n’est pas une instruction d’un fichier OBJ</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of a PLY file</source>
+        <translation>%1 n’est pas un type d’un fichier PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a type of numbers</source>
+        <translation>%1 n’est pas un type de nombres</translation>
+    </message>
+    <message>
         <source>%1 is not a value for parameter %2</source>
         <translation>%1 n’est pas une valeur du paramètre %2</translation>
     </message>
     <message>
+        <source>%1 is not a word of a PLY header</source>
+        <translation>%1 n’est pas un mot d’un en-tête PLY</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of an STL file</source>
+        <translation>%1 n’est pas un mot d’un fichier STL</translation>
+    </message>
+    <message>
         <source>%1 is out of range for parameter %2</source>
         <translation>%1 est hors limites pour le paramètre %2</translation>
+    </message>
+    <message>
+        <source>%1 is too far away</source>
+        <translation>%1 est trop loin</translation>
     </message>
     <message>
         <source>%1 ml cannot be reached</source>
@@ -108,8 +188,16 @@
         <translation>%1 de plus de 1 Go ne peut pas être gardé dans un fichier de session</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
         <source>%1 rows</source>
         <translation>%1 lignes</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 se trouve là où devrait être %2</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -226,6 +314,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n {byte|bytes} after the end ignored</source>
+        <translation>
+            <numerusform>%n octet après la fin ignoré</numerusform>
+            <numerusform>%n octets après la fin ignorés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {byte|bytes} after the last triangle ignored</source>
+        <translation>
+            <numerusform>%n octet après le dernier triangle ignoré</numerusform>
+            <numerusform>%n octets après le dernier triangle ignorés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n {edge joins|edges join} more than two triangles</source>
         <translation>
             <numerusform>%n arête joint plus de deux triangles</numerusform>
@@ -251,6 +353,13 @@
         <translation>
             <numerusform>%n fichier est endommagé et omis (%2 : %3)</numerusform>
             <numerusform>%n fichiers sont endommagés et omis (%2 : %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle is in no group and moves|handles are in no group and move} nothing</source>
+        <translation>
+            <numerusform>%n poignée n’est dans aucun groupe et ne déplace rien</numerusform>
+            <numerusform>%n poignées ne sont dans aucun groupe et ne déplacent rien</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -293,6 +402,13 @@
         <translation>
             <numerusform>%n cellule de ligne ou de point ignorée</numerusform>
             <numerusform>%n cellules de ligne ou de point ignorées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {line|lines} with points, curves or free-form surfaces ignored</source>
+        <translation>
+            <numerusform>%n ligne avec des points, courbes ou surfaces de forme libre ignorée</numerusform>
+            <numerusform>%n lignes avec des points, courbes ou surfaces de forme libre ignorées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -356,6 +472,13 @@
         <translation>
             <numerusform>%n segment n’a pas de voxels (%2)</numerusform>
             <numerusform>%n segments n’ont pas de voxels (%2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {set|sets} of points or lines ignored</source>
+        <translation>
+            <numerusform>%n ensemble de points ou de lignes ignoré</numerusform>
+            <numerusform>%n ensembles de points ou de lignes ignorés</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -470,6 +593,10 @@
     <message>
         <source>A wire in the space of balanced vectors; for many points it has no answer</source>
         <translation>Un fil dans l’espace des vecteurs équilibrés ; pour beaucoup de points il n’a pas de réponse</translation>
+    </message>
+    <message>
+        <source>ASCII or BINARY</source>
+        <translation>ASCII ou BINARY</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -1055,8 +1182,28 @@
         <translation>Poignées internes de chaque couche</translation>
     </message>
     <message>
+        <source>Internal error of an unknown kind</source>
+        <translation>Erreur interne d’un genre inconnu</translation>
+    </message>
+    <message>
+        <source>Internal error: %1</source>
+        <translation>Erreur interne : %1</translation>
+    </message>
+    <message>
+        <source>It announces %1 points, but holds %2 coordinates</source>
+        <translation>Il annonce %1 points, mais contient %2 coordonnées</translation>
+    </message>
+    <message>
+        <source>It announces cells of the kind %1, but has none</source>
+        <translation>Il annonce des cellules du genre %1, mais n’en a pas</translation>
+    </message>
+    <message>
         <source>It cannot be opened: %1</source>
         <translation>Impossible de l’ouvrir : %1</translation>
+    </message>
+    <message>
+        <source>It cannot be packed: zlib does not start</source>
+        <translation>Impossible de compresser : zlib ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1066,12 +1213,40 @@
         <source>It cannot be read to its end</source>
         <translation>Il ne peut pas être lu jusqu’à la fin</translation>
     </message>
+    <message>
+        <source>It cannot be unpacked: bzip2 does not start</source>
+        <translation>Impossible de décompresser : bzip2 ne démarre pas</translation>
+    </message>
+    <message>
+        <source>It cannot be unpacked: zlib does not start</source>
+        <translation>Impossible de décompresser : zlib ne démarre pas</translation>
+    </message>
+    <message>
+        <source>It cannot be written: %1</source>
+        <translation>Impossible de l’écrire : %1</translation>
+    </message>
+    <message>
+        <source>It cannot be written: it is a folder</source>
+        <translation>Impossible de l’écrire : c’est un dossier</translation>
+    </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
         <translation>
             <numerusform>Elle se traverse elle-même, à %n paire de triangles</numerusform>
             <numerusform>Elle se traverse elle-même, à %n paires de triangles</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
+        <translation>Il ne commence pas par « # vtk DataFile » : ce n’est pas un ancien fichier VTK</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
+        <translation>Il ne commence pas par « OFF » : ce n’est pas un fichier OFF</translation>
+    </message>
+    <message>
+        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
+        <translation>Il ne commence pas par « ply » : ce n’est pas un fichier PLY</translation>
     </message>
     <message>
         <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
@@ -1084,6 +1259,10 @@
     <message>
         <source>It does not fit into memory</source>
         <translation>Il ne tient pas en mémoire</translation>
+    </message>
+    <message>
+        <source>It does not say how far its slices are from each other</source>
+        <translation>La distance entre ses coupes n’est pas indiquée</translation>
     </message>
     <message>
         <source>It does not say how long one cycle lasts</source>
@@ -1101,18 +1280,40 @@
         <translation>L’unité de ses temps n’est pas indiquée ; ils sont pris en millisecondes</translation>
     </message>
     <message>
+        <source>It has %1 colour values for %2 points</source>
+        <translation>Il a %1 valeurs de couleur pour %2 points</translation>
+    </message>
+    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Il a %1 étiquettes ; un masque d’un dossier en a une</translation>
+    </message>
+    <message>
+        <source>It has %1 moved points for %2 vertices</source>
+        <translation>Il y a %1 points déplacés pour %2 sommets</translation>
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
         <translation>Il a %1 volumes ; une carte d’étiquettes en a un</translation>
     </message>
     <message numerus="yes">
+        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
+        <translation>
+            <numerusform>Elle a %n axe dans l’espace ; l’image d’un organe en a trois</numerusform>
+            <numerusform>Elle a %n axes dans l’espace ; l’image d’un organe en a trois</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>It has %n {handle|handles} in place of %2</source>
         <translation>
             <numerusform>Elle a %n poignée au lieu de %2</numerusform>
             <numerusform>Elle a %n poignées au lieu de %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {handle|handles}; a region needs at least 4</source>
+        <translation>
+            <numerusform>Il a %n poignée ; une région en demande au moins 4</numerusform>
+            <numerusform>Il a %n poignées ; une région en demande au moins 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1137,6 +1338,14 @@
         </translation>
     </message>
     <message>
+        <source>It has a label above 2147483647</source>
+        <translation>Elle a une étiquette au-dessus de 2147483647</translation>
+    </message>
+    <message>
+        <source>It has cells without the array %1</source>
+        <translation>Il a des cellules sans le tableau %1</translation>
+    </message>
+    <message>
         <source>It has more than %1 files</source>
         <translation>Il a plus de %1 fichiers</translation>
     </message>
@@ -1153,12 +1362,24 @@
         <translation>Il n’a pas de fichiers DICOM avec des images</translation>
     </message>
     <message>
+        <source>It has no frames</source>
+        <translation>Il n’a pas d’images</translation>
+    </message>
+    <message>
         <source>It has no label %1</source>
         <translation>Il n’y a pas d’étiquette %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>Aucun voxel n’est étiqueté : tous valent 0</translation>
+    </message>
+    <message>
+        <source>It has no number of columns</source>
+        <translation>Le nombre de colonnes manque</translation>
+    </message>
+    <message>
+        <source>It has no number of rows</source>
+        <translation>Le nombre de lignes manque</translation>
     </message>
     <message>
         <source>It has no phase %1; it has %2</source>
@@ -1177,6 +1398,10 @@
         <translation>Il n’y a pas de coupes d’un examen</translation>
     </message>
     <message>
+        <source>It has no slices of a scan: &quot;%1&quot; %2</source>
+        <translation>Il n’y a pas de coupes d’un examen : « %1 » %2</translation>
+    </message>
+    <message>
         <source>It has no slices of a scan: %1 %2</source>
         <translation>Il n’y a pas de coupes d’un examen : %1 %2</translation>
     </message>
@@ -1189,8 +1414,24 @@
         <translation>Elle n’a pas de triangles</translation>
     </message>
     <message>
+        <source>It has no uncompressed pixels</source>
+        <translation>Il n’a pas de pixels non compressés</translation>
+    </message>
+    <message>
+        <source>It has not three dimensions</source>
+        <translation>Elle n’a pas trois dimensions</translation>
+    </message>
+    <message>
+        <source>It has several axes that are not of space</source>
+        <translation>Elle a plusieurs axes qui ne sont pas de l’espace</translation>
+    </message>
+    <message>
         <source>It has several labels: %1</source>
         <translation>Il y a plusieurs étiquettes : %1</translation>
+    </message>
+    <message>
+        <source>It has several values a voxel</source>
+        <translation>Elle a plusieurs valeurs par voxel</translation>
     </message>
     <message>
         <source>It has several values a voxel (%1)</source>
@@ -1203,6 +1444,22 @@
     <message>
         <source>It has to be positive</source>
         <translation>La valeur doit être positive</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a VTK surface (PolyData)</source>
+        <translation>Il contient %1, non une surface VTK (PolyData)</translation>
+    </message>
+    <message>
+        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
+        <translation>Il contient un jeu de données VTK de type %1, non une surface (POLYDATA)</translation>
+    </message>
+    <message>
+        <source>It holds a piece without points</source>
+        <translation>Il contient un morceau sans points</translation>
+    </message>
+    <message>
+        <source>It holds a surface in a space of more than three dimensions</source>
+        <translation>Il contient une surface dans un espace de plus de trois dimensions</translation>
     </message>
     <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
@@ -1223,6 +1480,14 @@
     <message>
         <source>It holds neither surfaces nor label maps</source>
         <translation>Il ne contient ni surfaces ni cartes d’étiquettes</translation>
+    </message>
+    <message>
+        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
+        <translation>Il ne contient pas « markups » : ce n’est pas un fichier de marques de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>It holds no PolyData</source>
+        <translation>Il ne contient pas de PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
@@ -1249,8 +1514,20 @@
         <translation>Il ne contient que des masques vides</translation>
     </message>
     <message>
+        <source>It holds points, but no faces</source>
+        <translation>Il contient des points, mais pas de faces</translation>
+    </message>
+    <message>
         <source>It is a DICOM file without an image</source>
         <translation>C’est un fichier DICOM sans image</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file, but no segmentation (%1)</source>
+        <translation>C’est un fichier DICOM, mais pas une segmentation (%1)</translation>
+    </message>
+    <message>
+        <source>It is a binary OFF file, which Viscera does not read</source>
+        <translation>C’est un fichier OFF binaire, que Viscera ne lit pas</translation>
     </message>
     <message>
         <source>It is a folder, not a file</source>
@@ -1261,12 +1538,24 @@
         <translation>C’est un examen et non un organe</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file</source>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>It is damaged or no DICOM file: %1</source>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM : %1</translation>
+    </message>
+    <message>
         <source>It is damaged: it does not hold %1</source>
         <translation>Il est endommagé : il ne contient pas %1</translation>
     </message>
     <message>
         <source>It is damaged: its SHA-256 is not %1</source>
         <translation>Il est endommagé : son SHA-256 n’est pas %1</translation>
+    </message>
+    <message>
+        <source>It is glTF version %1, but only 2 can be read</source>
+        <translation>C’est du glTF version %1, mais seule la 2 peut être lue</translation>
     </message>
     <message>
         <source>It is named %1 but looks like %2</source>
@@ -1353,6 +1642,10 @@
         <translation>Ce n’est pas du JSON complet : l’erreur est à la ligne %1</translation>
     </message>
     <message>
+        <source>It is not complete XML: %1</source>
+        <translation>Ce n’est pas du XML complet : %1</translation>
+    </message>
+    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>Elle n’est pas convexe à son triangle %1</translation>
     </message>
@@ -1380,6 +1673,13 @@
         <source>It is too long</source>
         <translation>Il est trop long</translation>
     </message>
+    <message numerus="yes">
+        <source>It is too short for an STL file: %n {byte|bytes}</source>
+        <translation>
+            <numerusform>Il est trop court pour un fichier STL : %n octet</numerusform>
+            <numerusform>Il est trop court pour un fichier STL : %n octets</numerusform>
+        </translation>
+    </message>
     <message>
         <source>It leads to more than 20 million points</source>
         <translation>Cela donne plus de 20 millions de points</translation>
@@ -1393,8 +1693,28 @@
         <translation>Il nomme la poignée %1, qui n’est pas parmi « handles »</translation>
     </message>
     <message>
+        <source>It needs the glTF extension %1, which Viscera does not know</source>
+        <translation>Il demande l’extension glTF %1, que Viscera ne connaît pas</translation>
+    </message>
+    <message>
+        <source>It refers to handle %1, but there are %2</source>
+        <translation>Il renvoie à la poignée %1, mais il y en a %2</translation>
+    </message>
+    <message>
+        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
+        <translation>Il renvoie au numéro %1 de « %2 », mais il y en a %3 (comptés à partir de 0)</translation>
+    </message>
+    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse : il est de l’autre côté du milieu du patient</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many points</source>
+        <translation>Déplié, il a trop de points</translation>
+    </message>
+    <message>
+        <source>It unfolds to too many triangles</source>
+        <translation>Déplié, il a trop de triangles</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -1694,6 +2014,14 @@
         <translation>Aucune cavité n’est un ventricule d’après son nom</translation>
     </message>
     <message>
+        <source>No channel to another program</source>
+        <translation>Pas de canal vers un autre programme</translation>
+    </message>
+    <message>
+        <source>No file for a program&apos;s messages</source>
+        <translation>Pas de fichier pour les messages d’un programme</translation>
+    </message>
+    <message>
         <source>No scan has %1 voxels along an axis</source>
         <translation>Aucun examen n’a %1 voxels le long d’un axe</translation>
     </message>
@@ -1765,8 +2093,24 @@
         <translation>Pancréas</translation>
     </message>
     <message>
-        <source>Peak of %1</source>
-        <translation>Pic de : %1</translation>
+        <source>Peak of folded tissue</source>
+        <translation>Pic du tissu replié</translation>
+    </message>
+    <message>
+        <source>Peak of largest stretch</source>
+        <translation>Pic du plus grand étirement</translation>
+    </message>
+    <message>
+        <source>Peak of rotational stress</source>
+        <translation>Pic de la contrainte rotationnelle</translation>
+    </message>
+    <message>
+        <source>Peak of smallest stretch</source>
+        <translation>Pic du plus petit étirement</translation>
+    </message>
+    <message>
+        <source>Peak of volume ratio</source>
+        <translation>Pic du rapport de volume</translation>
     </message>
     <message>
         <source>Peak stress</source>
@@ -2138,6 +2482,10 @@
     <message>
         <source>Some files say that they are in RAS and this one does not say what it is in</source>
         <translation>Certains fichiers indiquent RAS et celui-ci n’indique pas ses axes</translation>
+    </message>
+    <message>
+        <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
+        <translation>Certaines de ses valeurs demandent plus de 32 bits comme nombre entier ; elles sont gardées comme décimaux de sept chiffres</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -2532,6 +2880,10 @@
         <source>There is no volume in it</source>
         <translation>Il ne contient aucun volume</translation>
     </message>
+    <message>
+        <source>There is not enough memory</source>
+        <translation>Il n’y a pas assez de mémoire</translation>
+    </message>
     <message numerus="yes">
         <source>There {is|are} %n {time|times} for %2 phases</source>
         <translation>
@@ -2619,6 +2971,10 @@
         <translation>Utiliser l’enveloppe comme cage</translation>
     </message>
     <message>
+        <source>VTK could not write the surface: %1</source>
+        <translation>VTK n’a pas pu écrire la surface : %1</translation>
+    </message>
+    <message>
         <source>Veins</source>
         <translation>Veines</translation>
     </message>
@@ -2691,7 +3047,7 @@
         <translation>Points témoins de %1</translation>
     </message>
     <message>
-        <source>a %1 of %2 ml is not life-sized: %3</source>
+        <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml n’est pas de taille réelle : %3</translation>
     </message>
     <message>
@@ -2739,16 +3095,44 @@
         <translation>une scène glTF binaire</translation>
     </message>
     <message>
+        <source>a buffer is at %1, but only files beside it are read</source>
+        <translation>un tampon est à %1, mais seuls les fichiers placés à côté sont lus</translation>
+    </message>
+    <message>
+        <source>a buffer within the file is not valid base64</source>
+        <translation>un tampon dans le fichier n’est pas du base64 valide</translation>
+    </message>
+    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>une cage est une surface grossière : prenez-en une de %1 sommets au plus</translation>
+    </message>
+    <message>
+        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
+        <translation>une cellule renvoie au point %1, mais il y en a %2 (comptés à partir de 0)</translation>
+    </message>
+    <message>
+        <source>a chunk</source>
+        <translation>un bloc</translation>
+    </message>
+    <message>
+        <source>a chunk&apos;s header</source>
+        <translation>l’en-tête d’un bloc</translation>
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
         <translation>une surface grossière demande au moins quatre sommets</translation>
     </message>
     <message>
+        <source>a column</source>
+        <translation>une colonne</translation>
+    </message>
+    <message>
         <source>a convex hull needs at least 4 points, there are %1</source>
         <translation>une enveloppe convexe demande au moins 4 points, il y en a %1</translation>
+    </message>
+    <message>
+        <source>a coordinate</source>
+        <translation>une coordonnée</translation>
     </message>
     <message>
         <source>a curve needs one number for each time</source>
@@ -2767,6 +3151,46 @@
         <translation>une grille de distances de ce pas est trop grande</translation>
     </message>
     <message>
+        <source>a face</source>
+        <translation>une face</translation>
+    </message>
+    <message>
+        <source>a face has fewer corners than it claims</source>
+        <translation>une face a moins de coins qu’elle ne l’indique</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners</source>
+        <translation>une face a moins de trois coins</translation>
+    </message>
+    <message>
+        <source>a face refers to point %1, but there are only %2 before it</source>
+        <translation>une face renvoie au point %1, mais il n’y en a que %2 avant elle</translation>
+    </message>
+    <message>
+        <source>a face&apos;s number of corners</source>
+        <translation>le nombre de coins d’une face</translation>
+    </message>
+    <message>
+        <source>a frame has no orientation</source>
+        <translation>une image n’a pas d’orientation</translation>
+    </message>
+    <message>
+        <source>a frame has no position</source>
+        <translation>une image n’a pas de position</translation>
+    </message>
+    <message>
+        <source>a frame has no segment</source>
+        <translation>une image n’a pas de segment</translation>
+    </message>
+    <message>
+        <source>a frame has no spacing</source>
+        <translation>une image n’a pas d’espacement</translation>
+    </message>
+    <message>
+        <source>a gallbladder</source>
+        <translation>une vésicule biliaire</translation>
+    </message>
+    <message>
         <source>a glTF scene</source>
         <translation>une scène glTF</translation>
     </message>
@@ -2779,12 +3203,52 @@
         <translation>une poignée d’une clé enregistrée</translation>
     </message>
     <message>
+        <source>a heart</source>
+        <translation>un cœur</translation>
+    </message>
+    <message>
+        <source>a kidney</source>
+        <translation>un rein</translation>
+    </message>
+    <message>
         <source>a legacy VTK file</source>
         <translation>un ancien fichier VTK</translation>
     </message>
     <message>
+        <source>a list of triangles ends within one</source>
+        <translation>une liste de triangles se termine au milieu de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>a liver</source>
+        <translation>un foie</translation>
+    </message>
+    <message>
         <source>a locked volume must be positive</source>
         <translation>un volume verrouillé doit être positif</translation>
+    </message>
+    <message>
+        <source>a myocardium</source>
+        <translation>un myocarde</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
+        <translation>« %1 » d’un nœud n’a pas %2 nombres</translation>
+    </message>
+    <message>
+        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
+        <translation>« %1 » d’un nœud contient quelque chose qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a node&apos;s children are not numbers</source>
+        <translation>les enfants d’un nœud ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a pancreas</source>
+        <translation>un pancréas</translation>
     </message>
     <message>
         <source>a part of the scan is on no organ</source>
@@ -2793,6 +3257,18 @@
     <message>
         <source>a phase has not all surfaces</source>
         <translation>une phase n’a pas toutes les surfaces</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>une image</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un point</translation>
+    </message>
+    <message>
+        <source>a point has fewer than three coordinates</source>
+        <translation>un point a moins de trois coordonnées</translation>
     </message>
     <message>
         <source>a point of its surface</source>
@@ -2807,6 +3283,10 @@
         <translation>un point de la cage divisée n’est pas sur la cage</translation>
     </message>
     <message>
+        <source>a point&apos;s number</source>
+        <translation>le numéro d’un point</translation>
+    </message>
+    <message>
         <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
         <translation>un polygone renvoie au point %1, mais il y en a %2 (comptés à partir de 0)</translation>
     </message>
@@ -2815,12 +3295,36 @@
         <translation>une pose de %1 poignées ne convient pas à des points témoins de %2</translation>
     </message>
     <message>
+        <source>a property stands before the first element</source>
+        <translation>une propriété se trouve avant le premier élément</translation>
+    </message>
+    <message>
         <source>a recorded key</source>
         <translation>une clé enregistrée</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
         <translation>une remarque à son sujet n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>une ligne</translation>
+    </message>
+    <message>
+        <source>a scan</source>
+        <translation>un examen</translation>
+    </message>
+    <message>
+        <source>a spleen</source>
+        <translation>une rate</translation>
+    </message>
+    <message>
+        <source>a stomach</source>
+        <translation>un estomac</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>une surface</translation>
     </message>
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
@@ -2851,8 +3355,48 @@
         <translation>un triangle renvoie à un point qui n’existe pas</translation>
     </message>
     <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>a voxel</source>
+        <translation>un voxel</translation>
+    </message>
+    <message>
+        <source>accessor %1 has an unknown type</source>
+        <translation>l’accesseur %1 a un type inconnu</translation>
+    </message>
+    <message>
+        <source>accessor %1 is sparse, which Viscera does not read</source>
+        <translation>l’accesseur %1 est creux, ce que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
+        <translation>l’accesseur %1 est au-delà de la fin de son tampon : le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>accessor %1 refers to buffer %2, but there are %3</source>
+        <translation>l’accesseur %1 renvoie au tampon %2, mais il y en a %3</translation>
+    </message>
+    <message>
+        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
+        <translation>l’accesseur %1 devrait avoir %2 éléments, plus que n’en contient son tampon</translation>
+    </message>
+    <message>
+        <source>accessor %1 should hold point numbers</source>
+        <translation>l’accesseur %1 devrait contenir des numéros de points</translation>
+    </message>
+    <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
         <translation>ajoutez un groupe qui les entoure, ou mettez dans un groupe des poignées autour d’eux</translation>
+    </message>
+    <message>
+        <source>add a handle off that plane</source>
+        <translation>ajoutez une poignée hors de ce plan</translation>
+    </message>
+    <message>
+        <source>add handles to it</source>
+        <translation>ajoutez-lui des poignées</translation>
     </message>
     <message>
         <source>add handles, or place them automatically</source>
@@ -2871,12 +3415,20 @@
         <translation>ajoutée par le groupement automatique</translation>
     </message>
     <message>
+        <source>all handles</source>
+        <translation>toutes les poignées</translation>
+    </message>
+    <message>
         <source>all handles lie in one plane</source>
         <translation>toutes les poignées sont dans un plan</translation>
     </message>
     <message>
         <source>all handles lie on one line</source>
         <translation>toutes les poignées sont sur une droite</translation>
+    </message>
+    <message>
+        <source>all its handles lie in one plane, so its region is flat</source>
+        <translation>toutes ses poignées sont dans un plan, sa région est donc plate</translation>
     </message>
     <message>
         <source>all of it is a cavity</source>
@@ -2905,6 +3457,14 @@
     <message>
         <source>an angle has three points, any other measurement two</source>
         <translation>un angle a trois points, toute autre mesure deux</translation>
+    </message>
+    <message>
+        <source>an array&apos;s name</source>
+        <translation>le nom d’un tableau</translation>
+    </message>
+    <message>
+        <source>an error without a message</source>
+        <translation>une erreur sans message</translation>
     </message>
     <message>
         <source>angle</source>
@@ -2963,6 +3523,14 @@
         <translation>poids biharmoniques bornés</translation>
     </message>
     <message>
+        <source>buffer %1 has no data</source>
+        <translation>le tampon %1 n’a pas de données</translation>
+    </message>
+    <message>
+        <source>buffer %1 is not a JSON object</source>
+        <translation>le tampon %1 n’est pas un objet JSON</translation>
+    </message>
+    <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
         <translation>d’après son nom il va à gauche du patient, mais il est à droite (x = %1 mm) : %2</translation>
     </message>
@@ -2989,6 +3557,18 @@
     <message>
         <source>cardiac output</source>
         <translation>débit cardiaque</translation>
+    </message>
+    <message>
+        <source>cell %1 claims %2 points, but %3 numbers are left</source>
+        <translation>la cellule %1 demande %2 points, mais il reste %3 nombres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>check its ending</source>
+        <translation>vérifiez son extension</translation>
     </message>
     <message>
         <source>check its permissions</source>
@@ -3039,6 +3619,10 @@
         <translation>vérifiez le chemin</translation>
     </message>
     <message>
+        <source>check the space left on the disk</source>
+        <translation>vérifiez l’espace libre sur le disque</translation>
+    </message>
+    <message>
         <source>check their order, and the period</source>
         <translation>vérifiez leur ordre et la période</translation>
     </message>
@@ -3053,6 +3637,10 @@
     <message>
         <source>check whether one of them is mislabelled, or leave it out</source>
         <translation>vérifiez si l’une d’elles est mal étiquetée, ou omettez-la</translation>
+    </message>
+    <message>
+        <source>child process</source>
+        <translation>programme auxiliaire</translation>
     </message>
     <message>
         <source>choose %1 to %2</source>
@@ -3079,8 +3667,24 @@
         <translation>choisissez un fichier avec une surface de triangles</translation>
     </message>
     <message>
+        <source>choose a folder that exists, may be written to and has room</source>
+        <translation>choisissez un dossier qui existe, où l’on peut écrire et qui a de la place</translation>
+    </message>
+    <message>
         <source>choose a larger spacing</source>
         <translation>choisissez un pas plus grand</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb</source>
+        <translation>choisissez un nom qui finit par .glb</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtp</source>
+        <translation>choisissez un nom qui finit par .vtp</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .vtu</source>
+        <translation>choisissez un nom qui finit par .vtu</translation>
     </message>
     <message>
         <source>choose a sequence first</source>
@@ -3147,6 +3751,10 @@
         <translation>fermez ses trous, par exemple avec viscera convert ENTRÉE SORTIE --fill-holes ; une surface ouverte n’a pas de volume à conserver</translation>
     </message>
     <message>
+        <source>close other programs, or use fewer handles or smaller organs</source>
+        <translation>fermez d’autres programmes, ou utilisez moins de poignées ou des organes plus petits</translation>
+    </message>
+    <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
         <translation>fermez d’autres programmes, ou travaillez avec moins d’organes ou des surfaces plus grossières</translation>
     </message>
@@ -3157,6 +3765,10 @@
     <message>
         <source>compensating handles</source>
         <translation>poignées qui compensent</translation>
+    </message>
+    <message>
+        <source>convert it to .seg.nrrd</source>
+        <translation>convertissez-le en .seg.nrrd</translation>
     </message>
     <message>
         <source>coordinates need at least four handles, there are %1</source>
@@ -3203,6 +3815,10 @@
         <translation>les champs de déplacements ne peuvent pas être écrits en « %1 »</translation>
     </message>
     <message>
+        <source>displacements are written as .vtp only</source>
+        <translation>les déplacements ne sont écrits qu’en .vtp</translation>
+    </message>
+    <message>
         <source>distance</source>
         <translation>distance</translation>
     </message>
@@ -3213,6 +3829,18 @@
     <message>
         <source>does not lie between 0 and 1</source>
         <translation>n’est pas entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>does not say how large its pixels are</source>
+        <translation>n’indique pas la taille de ses pixels</translation>
+    </message>
+    <message>
+        <source>does not say where in the patient it lies</source>
+        <translation>n’indique pas sa position dans le patient</translation>
+    </message>
+    <message>
+        <source>does not say where its frames lie</source>
+        <translation>n’indique pas la position de ses images</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -3235,6 +3863,10 @@
         <translation>malgré cela, des plis de la surface se touchent à leur passage</translation>
     </message>
     <message>
+        <source>exchanges left and right</source>
+        <translation>échange gauche et droite</translation>
+    </message>
+    <message>
         <source>expiration</source>
         <translation>expiration</translation>
     </message>
@@ -3255,12 +3887,36 @@
         <translation>exportez-la comme surface de triangles</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>exportez-le en glTF 2.0</translation>
+    </message>
+    <message>
+        <source>export it as pixels of 16 bits</source>
+        <translation>exportez-le en pixels de 16 bits</translation>
+    </message>
+    <message>
+        <source>export it as text, or as STL or PLY</source>
+        <translation>exportez-le en texte, ou en STL ou PLY</translation>
+    </message>
+    <message>
+        <source>export it little-endian</source>
+        <translation>exportez-le en ordre petit-boutiste</translation>
+    </message>
+    <message>
+        <source>export it without compression</source>
+        <translation>exportez-le sans compression</translation>
+    </message>
+    <message>
         <source>export or copy the file again</source>
         <translation>exportez ou copiez le fichier à nouveau</translation>
     </message>
     <message>
         <source>export the surface again</source>
         <translation>exportez de nouveau la surface</translation>
+    </message>
+    <message>
+        <source>extract its surface first</source>
+        <translation>extrayez d’abord sa surface</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -3271,12 +3927,36 @@
         <translation>remplissage de l’organe par des tétraèdres</translation>
     </message>
     <message>
+        <source>fills every hole with a cap</source>
+        <translation>ferme chaque trou par un capuchon</translation>
+    </message>
+    <message>
         <source>finding landmarks</source>
         <translation>recherche des repères</translation>
     </message>
     <message>
         <source>folded where it is hatched</source>
         <translation>replié là où c’est hachuré</translation>
+    </message>
+    <message>
+        <source>frame %1 has no orientation</source>
+        <translation>l’image %1 n’a pas d’orientation</translation>
+    </message>
+    <message>
+        <source>frame %1 has no pixels</source>
+        <translation>l’image %1 n’a pas de pixels</translation>
+    </message>
+    <message>
+        <source>frame %1 has no position</source>
+        <translation>l’image %1 n’a pas de position</translation>
+    </message>
+    <message>
+        <source>frame %1 has no segment</source>
+        <translation>l’image %1 n’a pas de segment</translation>
+    </message>
+    <message>
+        <source>frame %1 has no spacing</source>
+        <translation>l’image %1 n’a pas d’espacement</translation>
     </message>
     <message>
         <source>fundus</source>
@@ -3319,6 +3999,10 @@
         <translation>donnez-lui-en un</translation>
     </message>
     <message>
+        <source>give its labels smaller numbers</source>
+        <translation>donnez des numéros plus petits à ses étiquettes</translation>
+    </message>
+    <message>
         <source>give one between 0.1 and 0.8</source>
         <translation>donnez-en une entre 0,1 et 0,8</translation>
     </message>
@@ -3339,6 +4023,10 @@
         <translation>donnez aussi à la surface externe les étiquettes de ses cavités, comme dans EPI=1,2,3</translation>
     </message>
     <message>
+        <source>glTF does not say which axes a patient&apos;s are: its numbers are taken as LPS millimetres, though the format&apos;s convention is metres with y up</source>
+        <translation>glTF ne dit pas quels sont les axes du patient : ses nombres sont pris en millimètres LPS, bien que le format prévoie des mètres avec y vers le haut</translation>
+    </message>
+    <message>
         <source>grid inside the surface</source>
         <translation>grille à l’intérieur de la surface</translation>
     </message>
@@ -3349,6 +4037,10 @@
     <message>
         <source>group %1</source>
         <translation>groupe %1</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;</source>
+        <translation>groupe « %1 »</translation>
     </message>
     <message>
         <source>handle</source>
@@ -3386,6 +4078,14 @@
         <translation>a un volume qui n’est pas positif</translation>
     </message>
     <message>
+        <source>has no pixels</source>
+        <translation>n’a pas de pixels</translation>
+    </message>
+    <message>
+        <source>has pixels that are fractions (Float Pixel Data), which Viscera does not read; export it as whole numbers, or as NIfTI</source>
+        <translation>a des pixels décimaux (Float Pixel Data), que Viscera ne lit pas ; exportez-le en nombres entiers, ou en NIfTI</translation>
+    </message>
+    <message>
         <source>hold</source>
         <translation>maintien</translation>
     </message>
@@ -3406,6 +4106,10 @@
         <translation>entrée</translation>
     </message>
     <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
         <source>inspiration</source>
         <translation>inspiration</translation>
     </message>
@@ -3420,6 +4124,14 @@
     <message>
         <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
         <translation>installez libegl1 et libgl1-mesa-dri, ou lancez-le avec un écran</translation>
+    </message>
+    <message>
+        <source>is a colour picture</source>
+        <translation>est une image en couleurs</translation>
+    </message>
+    <message>
+        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <translation>est une mosaïque de nombreuses coupes en une image, comme les écrit Siemens, que Viscera ne sépare pas ; convertissez-la en NIfTI (dcm2niix le fait)</translation>
     </message>
     <message>
         <source>is not a file that can be read</source>
@@ -3456,16 +4168,56 @@
         <translation>relaxation isovolumique</translation>
     </message>
     <message>
+        <source>it begins behind the end of the data: the file is cut off</source>
+        <translation>il commence au-delà de la fin des données : le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>it cannot be decompressed: the file is damaged</source>
+        <translation>il ne peut pas être décompressé : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
+        <translation>il demande %1 blocs, plus qu’il n’y en a : le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it claims %1 bytes in %2: the file is damaged</source>
+        <translation>il demande %1 octets dans %2 : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>it claims a block larger than the file: the file is cut off or damaged</source>
+        <translation>il demande un bloc plus grand que le fichier : le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no number</source>
+        <translation>il contient %1, qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>it contains %1, which is no whole number</source>
+        <translation>il contient %1, qui n’est pas un nombre entier</translation>
+    </message>
+    <message>
         <source>it crashed</source>
         <translation>il a planté</translation>
+    </message>
+    <message>
+        <source>it does not hold a whole number of values</source>
+        <translation>il ne contient pas un nombre entier de valeurs</translation>
     </message>
     <message>
         <source>it does not lie within the period</source>
         <translation>elle n’est pas dans la période</translation>
     </message>
     <message>
+        <source>it does not say how large its voxels are; 1 mm is assumed</source>
+        <translation>la taille de ses voxels n’est pas indiquée ; 1 mm est supposé</translation>
+    </message>
+    <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>il n’indique pas où sont les côtés du patient ; les axes sont pris comme droite, avant et haut</translation>
+    </message>
+    <message>
+        <source>it does not say which axes it uses; LPS is assumed</source>
+        <translation>ses axes ne sont pas indiqués ; LPS est supposé</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3483,6 +4235,13 @@
         <source>it has %1 triangles</source>
         <translation>elle a %1 triangles</translation>
     </message>
+    <message numerus="yes">
+        <source>it has %n {segment|segments}</source>
+        <translation>
+            <numerusform>elle a %n segment</numerusform>
+            <numerusform>elle a %n segments</numerusform>
+        </translation>
+    </message>
     <message>
         <source>it has no name</source>
         <translation>il n’a pas de nom</translation>
@@ -3490,6 +4249,18 @@
     <message>
         <source>it has no organ for each surface, or no phases</source>
         <translation>il n’a pas d’organe pour chaque surface, ou pas de phases</translation>
+    </message>
+    <message>
+        <source>it has the unknown format %1</source>
+        <translation>il a le format inconnu %1</translation>
+    </message>
+    <message>
+        <source>it has the unknown type %1</source>
+        <translation>il a le type inconnu %1</translation>
+    </message>
+    <message>
+        <source>it is compressed by %1, which Viscera does not know</source>
+        <translation>il est compressé par %1, que Viscera ne connaît pas</translation>
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
@@ -3500,16 +4271,68 @@
         <translation>ce n’est pas l’enregistrement d’un mouvement mesuré</translation>
     </message>
     <message>
+        <source>it is not valid base64: the file is damaged</source>
+        <translation>ce n’est pas du base64 valide : le fichier est endommagé</translation>
+    </message>
+    <message>
         <source>it may be mirrored</source>
         <translation>il est peut-être en miroir</translation>
+    </message>
+    <message>
+        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
+        <translation>il devrait avoir %1 octets, plus qu’il n’y en a : le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
+        <translation>il devrait avoir encore %1 octets, mais il en reste %2 : le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it should hold whole numbers</source>
+        <translation>il devrait contenir des nombres entiers</translation>
+    </message>
+    <message>
+        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
+        <translation>son JSON n’a pas de « asset » : ce n’est pas un fichier glTF</translation>
+    </message>
+    <message>
+        <source>its JSON is not an object: it is not a glTF file</source>
+        <translation>son JSON n’est pas un objet : ce n’est pas un fichier glTF</translation>
+    </message>
+    <message>
+        <source>its XML is nested too deeply</source>
+        <translation>son XML est imbriqué trop profondément</translation>
+    </message>
+    <message>
+        <source>its XML is not complete</source>
+        <translation>son XML n’est pas complet</translation>
+    </message>
+    <message>
+        <source>its axes %1 are unknown; LPS is assumed</source>
+        <translation>ses axes %1 sont inconnus ; LPS est supposé</translation>
+    </message>
+    <message>
+        <source>its buffer %1 cannot be read: %2</source>
+        <translation>son tampon %1 ne peut pas être lu : %2</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
         <translation>sa couleur n’est pas entre 0 et 1</translation>
     </message>
     <message>
+        <source>its colours do not fit its points</source>
+        <translation>ses couleurs ne correspondent pas à ses points</translation>
+    </message>
+    <message>
         <source>its description is not UTF-8</source>
         <translation>sa description n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>its encoding %1 is not supported</source>
+        <translation>son encodage %1 n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its faces have no vertex_indices</source>
+        <translation>ses faces n’ont pas de vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -3520,16 +4343,136 @@
         <translation>son fichier a été trouvé sous %1</translation>
     </message>
     <message>
+        <source>its first chunk is not JSON: the file is damaged</source>
+        <translation>son premier bloc n’est pas du JSON : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>its frames are too far from each other: %1 mm</source>
+        <translation>ses images sont trop loin les unes des autres : %1 mm</translation>
+    </message>
+    <message>
+        <source>its frames belong to a segment %1, which it does not have</source>
+        <translation>ses images appartiennent à un segment %1, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>its frames lie in different directions</source>
+        <translation>ses images sont dans des directions différentes</translation>
+    </message>
+    <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
         <translation>ses poignées ne sont pas celles de l’ensemble, chacune une fois et dans l’ordre</translation>
+    </message>
+    <message>
+        <source>its header does not say its format</source>
+        <translation>son en-tête n’indique pas son format</translation>
+    </message>
+    <message>
+        <source>its header is cut off or damaged: it has no %1</source>
+        <translation>son en-tête est tronqué ou endommagé : %1 manque</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 has not %2 numbers</source>
+        <translation>son en-tête est endommagé : %1 n’a pas %2 nombres</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number for %2</source>
+        <translation>son en-tête est endommagé : %1 n’est pas un nombre pour %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a number of %2</source>
+        <translation>son en-tête est endommagé : %1 n’est pas un nombre de %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a size of an axis</source>
+        <translation>son en-tête est endommagé : %1 n’est pas la taille d’un axe</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not a vector</source>
+        <translation>son en-tête est endommagé : %1 n’est pas un vecteur</translation>
+    </message>
+    <message>
+        <source>its header is damaged: %1 is not an origin</source>
+        <translation>son en-tête est endommagé : %1 n’est pas une origine</translation>
+    </message>
+    <message>
+        <source>its header is damaged: DimSize has not three numbers</source>
+        <translation>son en-tête est endommagé : DimSize n’a pas trois nombres</translation>
+    </message>
+    <message>
+        <source>its header is damaged: HeaderSize is not a number of bytes</source>
+        <translation>son en-tête est endommagé : HeaderSize n’est pas un nombre d’octets</translation>
+    </message>
+    <message>
+        <source>its header is damaged: a vector in it has not three numbers</source>
+        <translation>son en-tête est endommagé : un vecteur n’a pas trois nombres</translation>
     </message>
     <message>
         <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
         <translation>son en-tête est endommagé : une image a de 2 à 7 dimensions, non %1</translation>
     </message>
     <message>
+        <source>its header is damaged: it describes %1 of %2 frames</source>
+        <translation>son en-tête est endommagé : il décrit %1 images sur %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it has %1 frames</source>
+        <translation>son en-tête est endommagé : il a %1 images</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
+        <translation>
+            <numerusform>son en-tête est endommagé : il a %n direction pour %2 axes</numerusform>
+            <numerusform>son en-tête est endommagé : il a %n directions pour %2 axes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
+        <translation>
+            <numerusform>son en-tête est endommagé : il a %n taille pour %2 dimensions</numerusform>
+            <numerusform>son en-tête est endommagé : il a %n tailles pour %2 dimensions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
+        <translation>son en-tête est endommagé : il promet %1 octets de pixels dans un fichier de %2 octets</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
+        <translation>
+            <numerusform>son en-tête est endommagé : ses pixels compressés ont %n partie pour %2 images</numerusform>
+            <numerusform>son en-tête est endommagé : ses pixels compressés ont %n parties pour %2 images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have no parts</source>
+        <translation>son en-tête est endommagé : ses pixels compressés n’ont pas de parties</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its packed pixels have not one part a frame</source>
+        <translation>son en-tête est endommagé : ses pixels compressés n’ont pas une partie par image</translation>
+    </message>
+    <message>
+        <source>its header is damaged: its rescale slope is 0</source>
+        <translation>son en-tête est endommagé : la pente de remise à l’échelle (Rescale Slope) est 0</translation>
+    </message>
+    <message>
         <source>its header is damaged: its size along %1 is %2</source>
         <translation>son en-tête est endommagé : sa taille selon %1 est %2</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the directions of its rows and columns are not square</source>
+        <translation>son en-tête est endommagé : les directions de ses lignes et colonnes ne sont pas perpendiculaires</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels cannot begin at byte %1</source>
+        <translation>son en-tête est endommagé : les voxels ne peuvent pas commencer à l’octet %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
+        <translation>
+            <numerusform>son en-tête promet %n triangle, mais il y a de la place pour %2 : le fichier est endommagé</numerusform>
+            <numerusform>son en-tête promet %n triangles, mais il y a de la place pour %2 : le fichier est endommagé</numerusform>
+        </translation>
     </message>
     <message>
         <source>its id is another thing's, too</source>
@@ -3544,6 +4487,10 @@
         <translation>ses étiquettes sont celles d’un cœur : le muscle et les cavités forment sa surface externe, chaque chambre est une cavité</translation>
     </message>
     <message>
+        <source>its layers lie between the axes of space</source>
+        <translation>ses couches se trouvent entre les axes de l’espace</translation>
+    </message>
+    <message>
         <source>its name is not UTF-8</source>
         <translation>son nom n’est pas en UTF-8</translation>
     </message>
@@ -3552,12 +4499,48 @@
         <translation>son opacité n’est pas entre 0 et 1</translation>
     </message>
     <message>
+        <source>its packed pixels cannot be read</source>
+        <translation>ses pixels compressés ne peuvent pas être lus</translation>
+    </message>
+    <message>
         <source>its parent is not an organ before it</source>
         <translation>son organe parent n’est pas avant lui</translation>
     </message>
     <message>
+        <source>its pixels (%1) are damaged or packed in an unknown way</source>
+        <translation>ses pixels (%1) sont endommagés ou compressés d’une façon inconnue</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: %2</source>
+        <translation>ses pixels (%1) ne peuvent pas être décompressés : %2</translation>
+    </message>
+    <message>
+        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
+        <translation>ses pixels (%1) ne peuvent pas être décompressés : l’image %2 est endommagée</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be read</source>
+        <translation>ses pixels ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
+        <translation>ses pixels de %1 bits sur %2, jusqu’au bit %3, ne sont pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its pixels of 32 bits in big-endian order are not supported</source>
+        <translation>ses pixels de 32 bits en ordre gros-boutiste ne sont pas pris en charge</translation>
+    </message>
+    <message>
         <source>its points and triangles are no lists of threes</source>
         <translation>ses points et triangles ne sont pas des listes de triplets</translation>
+    </message>
+    <message>
+        <source>its points have %1 coordinates, not 3</source>
+        <translation>ses points ont %1 coordonnées, non 3</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>ses points n’ont pas de x, y et z</translation>
     </message>
     <message>
         <source>its position</source>
@@ -3568,12 +4551,24 @@
         <translation>sa position au repos</translation>
     </message>
     <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>son segment %1 n’a pas de valeur ou de couche valable</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be read</source>
+        <translation>sa segmentation ne peut pas être lue</translation>
+    </message>
+    <message>
         <source>its sform and qform place the image differently; the sform is used</source>
         <translation>son sform et son qform placent l’image différemment ; sform est utilisé</translation>
     </message>
     <message>
         <source>its sform is singular or not finite and is not used</source>
         <translation>son sform est singulier ou non fini et n’est pas utilisé</translation>
+    </message>
+    <message>
+        <source>its slices are not equally far from each other (frame %1)</source>
+        <translation>ses coupes ne sont pas à égale distance les unes des autres (image %1)</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -3623,8 +4618,28 @@
         <translation>son volume n’est plus verrouillé : la surface est maintenant ouverte</translation>
     </message>
     <message>
+        <source>its voxels are in several files</source>
+        <translation>ses voxels sont dans plusieurs fichiers</translation>
+    </message>
+    <message>
+        <source>its voxels are in several files or in another folder (%1)</source>
+        <translation>ses voxels sont dans plusieurs fichiers ou dans un autre dossier (%1)</translation>
+    </message>
+    <message>
         <source>its voxels are more than 1000 km away</source>
         <translation>ses voxels sont à plus de 1000 km</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (ElementType %1)</source>
+        <translation>ses voxels ne sont pas de simples nombres (ElementType %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
+        <translation>ses voxels ne sont pas de simples nombres (type de données NIfTI %1)</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (type %1)</source>
+        <translation>ses voxels ne sont pas de simples nombres (type %1)</translation>
     </message>
     <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
@@ -3639,12 +4654,20 @@
         <translation>gardez le plus grand, par exemple avec viscera convert ENTRÉE SORTIE --keep-largest</translation>
     </message>
     <message>
+        <source>keeps the piece with the largest area and drops the others</source>
+        <translation>garde le morceau de plus grande aire et écarte les autres</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>clé</translation>
     </message>
     <message>
         <source>key %1</source>
         <translation>clé %1</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
     </message>
     <message>
         <source>known endings: %1</source>
@@ -3699,12 +4722,40 @@
         <translation>donnez au dernier volume la valeur du premier</translation>
     </message>
     <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>linéaire</translation>
     </message>
     <message>
+        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
+        <translation>la liste %1 a l’unité %2, que Viscera ne connaît pas ; le mm est supposé</translation>
+    </message>
+    <message>
+        <source>list %1 was converted from %2 to mm</source>
+        <translation>la liste %1 a été convertie de %2 en mm</translation>
+    </message>
+    <message>
+        <source>list %1, point %2</source>
+        <translation>liste %1, point %2</translation>
+    </message>
+    <message>
+        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
+        <translation>liste %1 : son système de coordonnées %2 n’est ni LPS ni RAS</translation>
+    </message>
+    <message>
+        <source>list %1: its points are no JSON array</source>
+        <translation>liste %1 : ses points ne sont pas un tableau JSON</translation>
+    </message>
+    <message>
         <source>load a closed surface</source>
         <translation>chargez une surface fermée</translation>
+    </message>
+    <message>
+        <source>localised coordinates</source>
+        <translation>coordonnées localisées</translation>
     </message>
     <message>
         <source>looking for folds</source>
@@ -3713,6 +4764,14 @@
     <message>
         <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
         <translation>faites les poignées à partir de cette cage : viscera handles ORGANE --cage FICHIER</translation>
+    </message>
+    <message>
+        <source>makes a closed surface without intersections near this one; colours are lost</source>
+        <translation>fait une surface fermée sans intersections près de celle-ci ; les couleurs sont perdues</translation>
+    </message>
+    <message>
+        <source>markup list %1 is not a JSON object</source>
+        <translation>la liste de marques %1 n’est pas un objet JSON</translation>
     </message>
     <message>
         <source>measured motion</source>
@@ -3727,8 +4786,32 @@
         <translation>mesure %1</translation>
     </message>
     <message>
+        <source>mesh %1 has a primitive without attributes</source>
+        <translation>le maillage %1 a une primitive sans attributs</translation>
+    </message>
+    <message>
+        <source>mesh %1 has no primitives</source>
+        <translation>le maillage %1 n’a pas de primitives</translation>
+    </message>
+    <message>
+        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
+        <translation>le maillage %1 renvoie au point %2, mais il y en a %3 (comptés à partir de 0)</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micromètres</translation>
+    </message>
+    <message>
         <source>middle line</source>
         <translation>ligne médiane</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
     </message>
     <message>
         <source>move it elsewhere, or remove one of the two</source>
@@ -3823,6 +4906,10 @@
         <translation>nomme un instant hors du cycle</translation>
     </message>
     <message>
+        <source>nanometres</source>
+        <translation>nanomètres</translation>
+    </message>
+    <message>
         <source>no EGL platform works without a window system</source>
         <translation>aucune plateforme EGL ne fonctionne sans système de fenêtres</translation>
     </message>
@@ -3863,8 +4950,20 @@
         <translation>aucun point témoin n’est à l’intérieur</translation>
     </message>
     <message>
+        <source>node %1 is in the scene twice</source>
+        <translation>le nœud %1 est deux fois dans la scène</translation>
+    </message>
+    <message>
+        <source>node %1 is moved by bones, which are ignored</source>
+        <translation>le nœud %1 est animé par des os, qui sont ignorés</translation>
+    </message>
+    <message>
         <source>nothing that Viscera knows</source>
         <translation>rien que Viscera connaisse</translation>
+    </message>
+    <message>
+        <source>of no known kind</source>
+        <translation>d’aucun genre connu</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -3896,6 +4995,10 @@
     <message>
         <source>open the other files after it</source>
         <translation>ouvrez les autres fichiers ensuite</translation>
+    </message>
+    <message>
+        <source>open the segmentation that was made from it</source>
+        <translation>ouvrez la segmentation qui en a été faite</translation>
     </message>
     <message>
         <source>open the segmentation that was made from the image</source>
@@ -3988,6 +5091,10 @@
     <message>
         <source>point %1 lies more than 1000 km away: the file is damaged</source>
         <translation>le point %1 est à plus de 1000 km : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>point numbers are of a type that is not whole</source>
+        <translation>les numéros des points sont d’un type qui n’est pas entier</translation>
     </message>
     <message>
         <source>points that coincide or are almost flat cause this</source>
@@ -4094,6 +5201,14 @@
         <translation>rééchantillonnez les images sur une grille droite</translation>
     </message>
     <message>
+        <source>resample the segmentation, for example by saving it as .seg.nrrd</source>
+        <translation>rééchantillonnez la segmentation, par exemple en l’enregistrant en .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>reset the pose</source>
+        <translation>réinitialisez la pose</translation>
+    </message>
+    <message>
         <source>restore its definition from the installation</source>
         <translation>restaurez sa définition depuis l’installation</translation>
     </message>
@@ -4122,6 +5237,30 @@
         <translation>enregistrez-le comme carte d’étiquettes</translation>
     </message>
     <message>
+        <source>save it as a segmentation</source>
+        <translation>enregistrez-le comme segmentation</translation>
+    </message>
+    <message>
+        <source>save it as a volume</source>
+        <translation>enregistrez-la comme volume</translation>
+    </message>
+    <message>
+        <source>save it as one file</source>
+        <translation>enregistrez-la en un seul fichier</translation>
+    </message>
+    <message>
+        <source>save it as one volume</source>
+        <translation>enregistrez-la comme un seul volume</translation>
+    </message>
+    <message>
+        <source>save it with gzip or raw encoding</source>
+        <translation>enregistrez-le avec l’encodage gzip ou raw</translation>
+    </message>
+    <message>
+        <source>save it with one number a voxel</source>
+        <translation>enregistrez-la avec un nombre par voxel</translation>
+    </message>
+    <message>
         <source>save it with one value a voxel</source>
         <translation>enregistrez-la avec une valeur par voxel</translation>
     </message>
@@ -4134,6 +5273,14 @@
         <translation>enregistrez l’un d’eux, ou suivez le mouvement sur tous avec viscera track</translation>
     </message>
     <message>
+        <source>save the points from Slicer as .mrk.json</source>
+        <translation>enregistrez les points depuis Slicer en .mrk.json</translation>
+    </message>
+    <message>
+        <source>save the points from Slicer in LPS</source>
+        <translation>enregistrez les points depuis Slicer en LPS</translation>
+    </message>
+    <message>
         <source>say it with --period-ms, or the rate with --rate</source>
         <translation>indiquez-la avec --period-ms, ou la fréquence avec --rate</translation>
     </message>
@@ -4142,8 +5289,16 @@
         <translation>indiquez quelles surfaces elles forment, comme dans --surface LV=1 --surface RV=2 --surface EPI=1,2,3, la surface externe avec toutes les étiquettes qu’elle contient</translation>
     </message>
     <message>
+        <source>several surfaces are written as .glb only</source>
+        <translation>plusieurs surfaces ne sont écrites qu’en .glb</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>douce</translation>
+    </message>
+    <message>
+        <source>solids are written as .vtu only</source>
+        <translation>les solides ne sont écrits qu’en .vtu</translation>
     </message>
     <message>
         <source>sort the lines by their instants</source>
@@ -4206,6 +5361,10 @@
         <translation>prenez les poignées de la séquence</translation>
     </message>
     <message>
+        <source>takes the coordinates as %1</source>
+        <translation>prend les coordonnées comme des %1</translation>
+    </message>
+    <message>
         <source>terminal antral contraction</source>
         <translation>contraction antrale terminale</translation>
     </message>
@@ -4218,8 +5377,24 @@
         <translation>le tétraèdre %1 est plat ou retourné</translation>
     </message>
     <message>
+        <source>texts stand where numbers should</source>
+        <translation>des textes se trouvent là où devraient être des nombres</translation>
+    </message>
+    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>les tétraèdres de Delaunay de %1 points ne peuvent pas être calculés</translation>
+    </message>
+    <message>
+        <source>the JSON chunk</source>
+        <translation>le bloc JSON</translation>
+    </message>
+    <message>
+        <source>the array %1 has %2 values for %3 points</source>
+        <translation>le tableau %1 a %2 valeurs pour %3 points</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>le tableau %1 : %2</translation>
     </message>
     <message>
         <source>the biharmonic energy cannot be factorised</source>
@@ -4230,12 +5405,24 @@
         <translation>la cage</translation>
     </message>
     <message>
+        <source>the cells&apos; offsets do not fit their points</source>
+        <translation>les débuts des cellules ne correspondent pas à leurs points</translation>
+    </message>
+    <message>
         <source>the context cannot be used without a surface</source>
         <translation>le contexte ne peut pas être utilisé sans surface</translation>
     </message>
     <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>l’enveloppe convexe de %1 points ne peut pas être calculée</translation>
+    </message>
+    <message>
+        <source>the coordinate %1</source>
+        <translation>la coordonnée %1</translation>
+    </message>
+    <message>
+        <source>the coordinate system %1 is not LPS or RAS</source>
+        <translation>le système de coordonnées %1 n’est ni LPS ni RAS</translation>
     </message>
     <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
@@ -4258,8 +5445,53 @@
         <translation>l’extension « %1 » n’est pas celle d’un fichier de surface</translation>
     </message>
     <message>
+        <source>the file does not say its axes; LPS is assumed</source>
+        <translation>le fichier n’indique pas ses axes ; LPS est supposé</translation>
+    </message>
+    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>le fichier n’indique pas ses axes : LPS est supposé</translation>
+    </message>
+    <message>
+        <source>the file is cut off before its data</source>
+        <translation>le fichier est tronqué avant ses données</translation>
+    </message>
+    <message>
+        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
+        <translation>le fichier est tronqué ou endommagé : une liste de %1 %2 devrait avoir plus de valeurs qu’il n’en reste</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
+        <translation>
+            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL : son en-tête promet %n triangle (%2 octets), mais il a %3 octets</numerusform>
+            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL : son en-tête promet %n triangles (%2 octets), mais il a %3 octets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
+        <translation>le fichier est tronqué : %1 devrait avoir %2 octets, mais il n’en reste que %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
+        <translation>
+            <numerusform>le fichier est tronqué : %2 nombres devraient suivre, mais il ne reste que %n octet</numerusform>
+            <numerusform>le fichier est tronqué : %2 nombres devraient suivre, mais il ne reste que %n octets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
+        <translation>
+            <numerusform>le fichier est tronqué : %2 valeurs sont promises, il n’y a que %n octet</numerusform>
+            <numerusform>le fichier est tronqué : %2 valeurs sont promises, il n’y a que %n octets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
+        <translation>le fichier est tronqué : le tampon %1 devrait avoir %2 octets, mais il en a %3</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it ends where %1 should stand</source>
+        <translation>le fichier est tronqué : il se termine là où devrait être %1</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
@@ -4269,8 +5501,46 @@
         </translation>
     </message>
     <message>
+        <source>the file is cut off: it has fewer lines than its header says</source>
+        <translation>le fichier est tronqué : il a moins de lignes que ne l’indique son en-tête</translation>
+    </message>
+    <message>
+        <source>the file is cut off: it should have %1 bytes, but has %2</source>
+        <translation>le fichier est tronqué : il devrait avoir %1 octets, mais il en a %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
+        <translation>
+            <numerusform>le fichier est tronqué : sa %n image a trop peu de pixels</numerusform>
+            <numerusform>le fichier est tronqué : ses %n images ont trop peu de pixels</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its end is missing</source>
+        <translation>le fichier est tronqué : sa fin manque</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header has no ElementDataFile</source>
+        <translation>le fichier est tronqué : son en-tête n’a pas d’ElementDataFile</translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
+        <translation>le fichier est tronqué : son en-tête promet %1 octets de pixels, il y en a %2</translation>
+    </message>
+    <message>
         <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
         <translation>le fichier est tronqué : son en-tête promet %1 octets de voxels, il y en a %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
+        <translation>
+            <numerusform>le fichier est tronqué : son en-tête promet %2 de %3, plus que ne peut contenir le %n octet qui reste</numerusform>
+            <numerusform>le fichier est tronqué : son en-tête promet %2 de %3, plus que ne peuvent contenir les %n octets qui restent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file is cut off: its header promises more voxels than there are</source>
+        <translation>le fichier est tronqué : son en-tête promet plus de voxels qu’il n’y en a</translation>
     </message>
     <message>
         <source>the file is cut off: its packed data end too early</source>
@@ -4293,6 +5563,30 @@
         <translation>le fichier indique ses axes : %1</translation>
     </message>
     <message>
+        <source>the file with its voxels, %1, cannot be read: %2</source>
+        <translation>le fichier de ses voxels, %1, ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>the file with its voxels, %1, cannot be used: %2</source>
+        <translation>le fichier de ses voxels, %1, ne peut pas être utilisé : %2</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 meshes were joined to one surface</source>
+        <translation>les %1 maillages du fichier ont été réunis en une seule surface</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 objects were joined to one surface</source>
+        <translation>les %1 objets du fichier ont été réunis en une seule surface</translation>
+    </message>
+    <message>
+        <source>the file&apos;s %1 solids were joined to one surface</source>
+        <translation>les %1 solides du fichier ont été réunis en une seule surface</translation>
+    </message>
+    <message>
+        <source>the first chunk&apos;s header</source>
+        <translation>l’en-tête du premier bloc</translation>
+    </message>
+    <message>
         <source>the first one is 0</source>
         <translation>la première est 0</translation>
     </message>
@@ -4307,6 +5601,10 @@
     <message>
         <source>the folder for the frames cannot be written</source>
         <translation>impossible d’écrire dans le dossier des images</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>le format %1 n’est pas connu</translation>
     </message>
     <message>
         <source>the frame rate has to be positive</source>
@@ -4337,6 +5635,10 @@
         <translation>les tétraèdres des poignées</translation>
     </message>
     <message>
+        <source>the header</source>
+        <translation>l’en-tête</translation>
+    </message>
+    <message>
         <source>the id %1 comes twice</source>
         <translation>l’identifiant %1 apparaît deux fois</translation>
     </message>
@@ -4347,6 +5649,10 @@
     <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>l’étiquette « %1 » n’est pas un repère de la séquence %2</translation>
+    </message>
+    <message>
+        <source>the label map has no segment number %1</source>
+        <translation>la carte d’étiquettes n’a pas de segment numéro %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -4369,12 +5675,20 @@
         <translation>la dernière phase est égale à la première et est omise : la phase %1 serait à nouveau la phase 1</translation>
     </message>
     <message>
+        <source>the layers</source>
+        <translation>les couches</translation>
+    </message>
+    <message>
         <source>the limits of time and memory must be above 0</source>
         <translation>les limites de temps et de mémoire doivent être supérieures à 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
         <translation>les volumes verrouillés ne peuvent pas être conservés</translation>
+    </message>
+    <message>
+        <source>the markup %1 of type %2 is not a list of points and was left out</source>
+        <translation>la marque %1 de type %2 n’est pas une liste de points et est omise</translation>
     </message>
     <message>
         <source>the middle line that was computed leaves the organ</source>
@@ -4409,8 +5723,52 @@
         <translation>les noms de ses étiquettes sont ceux de %1</translation>
     </message>
     <message>
+        <source>the number of arrays</source>
+        <translation>le nombre de tableaux</translation>
+    </message>
+    <message>
+        <source>the number of cells</source>
+        <translation>le nombre de cellules</translation>
+    </message>
+    <message>
+        <source>the number of colour channels</source>
+        <translation>le nombre de canaux de couleur</translation>
+    </message>
+    <message>
+        <source>the number of components</source>
+        <translation>le nombre de composantes</translation>
+    </message>
+    <message>
+        <source>the number of components is not positive</source>
+        <translation>le nombre de composantes n’est pas positif</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>le nombre de faces</translation>
+    </message>
+    <message>
         <source>the number of groups must be at least 1, not %1</source>
         <translation>le nombre de groupes doit être d’au moins 1, non %1</translation>
+    </message>
+    <message>
+        <source>the number of points</source>
+        <translation>le nombre de points</translation>
+    </message>
+    <message>
+        <source>the number of texture axes</source>
+        <translation>le nombre d’axes de texture</translation>
+    </message>
+    <message>
+        <source>the number of values</source>
+        <translation>le nombre de valeurs</translation>
+    </message>
+    <message>
+        <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
+        <translation>le décalage de la région « %1 » est réduit à %2 mm, la distance de sa poignée la plus proche d’une zone</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells (%1) do not fit their points</source>
+        <translation>les débuts de ses cellules (%1) ne correspondent pas à leurs points</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -4446,6 +5804,14 @@
     <message>
         <source>the packed data are damaged</source>
         <translation>les données compressées sont endommagées</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (%1)</source>
+        <translation>les données compressées sont endommagées (%1)</translation>
+    </message>
+    <message>
+        <source>the packed data are damaged (bzip2 error %1)</source>
+        <translation>les données compressées sont endommagées (erreur bzip2 %1)</translation>
     </message>
     <message>
         <source>the parts of its colour do not lie between 0 and 1</source>
@@ -4491,6 +5857,10 @@
         <translation>la position de la poignée %1 dans %2 n’est pas finie</translation>
     </message>
     <message>
+        <source>the positions of its frames are not finite</source>
+        <translation>les positions de ses images ne sont pas finies</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>ce type de film demande le programme ffmpeg, qui n’est pas installé</translation>
     </message>
@@ -4527,8 +5897,24 @@
         <translation>la taille est plausible : %1</translation>
     </message>
     <message>
+        <source>the size of a colour table</source>
+        <translation>la taille d’une table de couleurs</translation>
+    </message>
+    <message>
+        <source>the size of the cells</source>
+        <translation>la taille des cellules</translation>
+    </message>
+    <message>
         <source>the sizes of its voxels are missing, zero or not finite</source>
         <translation>les tailles de ses voxels manquent, sont nulles ou non finies</translation>
+    </message>
+    <message>
+        <source>the solid could not be written</source>
+        <translation>le solide n’a pas pu être écrit</translation>
+    </message>
+    <message>
+        <source>the solid could not be written: %1</source>
+        <translation>le solide n’a pas pu être écrit : %1</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; has two files of one phase</source>
@@ -4547,6 +5933,10 @@
         <translation>la surface ne se traverse pas</translation>
     </message>
     <message>
+        <source>the surface encloses nothing</source>
+        <translation>la surface n’enferme rien</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing that witness points could lie in</source>
         <translation>la surface n’entoure rien où des points témoins puissent se trouver</translation>
     </message>
@@ -4561,6 +5951,10 @@
     <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la surface n’a pas de triangles ou est plate, elle n’entoure donc rien</translation>
+    </message>
+    <message>
+        <source>the surface has no triangles or no size</source>
+        <translation>la surface n’a pas de triangles ou pas d’étendue</translation>
     </message>
     <message>
         <source>the surface has room for %1 of %2 handles</source>
@@ -4608,6 +6002,14 @@
         </translation>
     </message>
     <message>
+        <source>the surface is too large for GLB, which ends at 4 GB</source>
+        <translation>la surface est trop grande pour GLB, qui s’arrête à 4 Go</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>la table de noms qu’il contient ne peut pas être lue</translation>
+    </message>
+    <message>
         <source>the tetrahedra do not determine the coordinates</source>
         <translation>les tétraèdres ne déterminent pas les coordonnées</translation>
     </message>
@@ -4632,6 +6034,10 @@
         <translation>le volume ne peut pas être gardé ici : %1</translation>
     </message>
     <message>
+        <source>the volumes</source>
+        <translation>les volumes</translation>
+    </message>
+    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>les ondes ont %1 % de la profondeur de celles d’un adulte : %2</translation>
     </message>
@@ -4651,9 +6057,20 @@
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>elle ne contient pas de tétraèdres ; la surface est peut-être ouverte</translation>
     </message>
+    <message numerus="yes">
+        <source>there are values for %n {point|points}, but the surface has %2</source>
+        <translation>
+            <numerusform>il y a des valeurs pour %n point, mais la surface en a %2</numerusform>
+            <numerusform>il y a des valeurs pour %n points, mais la surface en a %2</numerusform>
+        </translation>
+    </message>
     <message>
         <source>there are: %1</source>
         <translation>il y a : %1</translation>
+    </message>
+    <message>
+        <source>there is a second list of points</source>
+        <translation>il y a une seconde liste de points</translation>
     </message>
     <message>
         <source>there is no %1 &quot;%2&quot;</source>
@@ -4688,6 +6105,10 @@
         <translation>il n’y a pas d’image à mettre sur la planche</translation>
     </message>
     <message>
+        <source>there is no repair &quot;%1&quot;</source>
+        <translation>il n’y a pas de réparation « %1 »</translation>
+    </message>
+    <message>
         <source>there is no sequence &quot;%1&quot;</source>
         <translation>il n’y a pas de séquence « %1 »</translation>
     </message>
@@ -4706,6 +6127,10 @@
     <message>
         <source>there is no such slice</source>
         <translation>cette coupe n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no surface to write</source>
+        <translation>il n’y a pas de surface à écrire</translation>
     </message>
     <message>
         <source>there is no triangle %1</source>
@@ -4742,6 +6167,14 @@
     <message>
         <source>this is not a PNG picture</source>
         <translation>ce n’est pas une image PNG</translation>
+    </message>
+    <message>
+        <source>this is not a line of a MetaImage header: %1</source>
+        <translation>ce n’est pas une ligne d’un en-tête MetaImage : %1</translation>
+    </message>
+    <message>
+        <source>this is not a line of an NRRD header: %1</source>
+        <translation>ce n’est pas une ligne d’un en-tête NRRD : %1</translation>
     </message>
     <message>
         <source>this system has no parameters</source>
@@ -4786,6 +6219,18 @@
     <message>
         <source>turn the surface outward, or choose a target above 0 ml</source>
         <translation>orientez la surface vers l’extérieur, ou choisissez une cible supérieure à 0 ml</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter turn, from a model whose y axis points to the head</source>
+        <translation>tourne la surface d’un quart de tour, d’un modèle dont l’axe y pointe vers la tête</translation>
+    </message>
+    <message>
+        <source>turns the surface by half a turn, as from RAS to LPS</source>
+        <translation>tourne la surface d’un demi-tour, comme de RAS à LPS</translation>
+    </message>
+    <message>
+        <source>turns triangles around so that all of them face outward</source>
+        <translation>retourne des triangles pour que tous soient orientés vers l’extérieur</translation>
     </message>
     <message>
         <source>two groups have this name</source>
@@ -4846,6 +6291,10 @@
     <message>
         <source>use viridis or diverging</source>
         <translation>utilisez viridis ou diverging</translation>
+    </message>
+    <message>
+        <source>values from the section %1 on were not understood and ignored</source>
+        <translation>les valeurs à partir de la section %1 n’ont pas été comprises et sont ignorées</translation>
     </message>
     <message>
         <source>vertex %1</source>
@@ -4973,6 +6422,10 @@
     <message>
         <source>women and men have on average %1 to %2 ml</source>
         <translation>femmes et hommes ont en moyenne de %1 à %2 ml</translation>
+    </message>
+    <message>
+        <source>write PLY or VTP</source>
+        <translation>écrivez du PLY ou du VTP</translation>
     </message>
     <message>
         <source>write an .ogv instead</source>

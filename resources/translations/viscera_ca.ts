@@ -4416,6 +4416,37 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::SampleNames</name>
+    <message>
+        <source>digestive system</source>
+        <translation>aparell digestiu</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>cor</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>ronyó esquerre</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>ronyó dret</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>fetge</translation>
+    </message>
+    <message>
+        <source>stomach</source>
+        <translation>estómac</translation>
+    </message>
+    <message>
+        <source>stomach and bowel</source>
+        <translation>estómac i intestí</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ScanActions</name>
     <message>
         <source>Soft &amp;tissue</source>
@@ -5206,10 +5237,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::StressModel</name>
-    <message>
-        <source>Peak of %1</source>
-        <translation>Pic de: %1</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>

@@ -1789,7 +1789,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Show the sample %1</source>
-        <translation>Beispiel %1 zeigen</translation>
+        <translation>Beispiel zeigen: %1</translation>
     </message>
 </context>
 <context>
@@ -4416,6 +4416,37 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::SampleNames</name>
+    <message>
+        <source>digestive system</source>
+        <translation>Verdauungssystem</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>Herz</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>linke Niere</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>rechte Niere</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>stomach</source>
+        <translation>Magen</translation>
+    </message>
+    <message>
+        <source>stomach and bowel</source>
+        <translation>Magen und Darm</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ScanActions</name>
     <message>
         <source>Soft &amp;tissue</source>
@@ -5206,10 +5237,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::StressModel</name>
-    <message>
-        <source>Peak of %1</source>
-        <translation>Spitze: %1</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>

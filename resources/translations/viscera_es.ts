@@ -789,7 +789,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Sample %1</source>
-        <translation>%1 de muestra</translation>
+        <translation>Muestra: %1</translation>
     </message>
     <message>
         <source>Open files...</source>
@@ -1789,7 +1789,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Show the sample %1</source>
-        <translation>Mostrar %1 de muestra</translation>
+        <translation>Mostrar muestra: %1</translation>
     </message>
 </context>
 <context>
@@ -4412,7 +4412,38 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <name>viscera::app::SampleLoader</name>
     <message>
         <source>Sample %1</source>
-        <translation>%1 de muestra</translation>
+        <translation>Muestra: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleNames</name>
+    <message>
+        <source>digestive system</source>
+        <translation>sistema digestivo</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>corazón</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>riñón izquierdo</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>riñón derecho</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>hígado</translation>
+    </message>
+    <message>
+        <source>stomach</source>
+        <translation>estómago</translation>
+    </message>
+    <message>
+        <source>stomach and bowel</source>
+        <translation>estómago e intestino</translation>
     </message>
 </context>
 <context>
@@ -5206,10 +5237,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::StressModel</name>
-    <message>
-        <source>Peak of %1</source>
-        <translation>Máximo de %1</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>

@@ -789,7 +789,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Sample %1</source>
-        <translation>%1 type</translation>
+        <translation>Organe type&#x202f;: %1</translation>
     </message>
     <message>
         <source>Open files...</source>
@@ -4412,7 +4412,38 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::SampleLoader</name>
     <message>
         <source>Sample %1</source>
-        <translation>%1 type</translation>
+        <translation>Organe type&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleNames</name>
+    <message>
+        <source>digestive system</source>
+        <translation>système digestif</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>cœur</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>rein gauche</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>rein droit</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>foie</translation>
+    </message>
+    <message>
+        <source>stomach</source>
+        <translation>estomac</translation>
+    </message>
+    <message>
+        <source>stomach and bowel</source>
+        <translation>estomac et intestin</translation>
     </message>
 </context>
 <context>
@@ -5206,10 +5237,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::StressModel</name>
-    <message>
-        <source>Peak of %1</source>
-        <translation>Pic de&#x202f;: %1</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>

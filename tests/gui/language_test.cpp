@@ -23,6 +23,7 @@
 #include "viscera/motion/sequence_setup.h"
 #include "window/language.h"
 #include "window/panels/organ_panel.h"
+#include "window/sample_loader.h"
 
 namespace viscera::tests {
 namespace {
@@ -187,6 +188,18 @@ TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("Herz"));
   EXPECT_EQ(document().organs().front()->name, "Heart");
+}
+
+TEST_F(GermanWindow, NamesASampleInSentencesAsTheLanguageDoes) {
+  EXPECT_EQ(window().workspace().undo().undoName(), "Beispiel Herz");
+  EXPECT_EQ(app::SampleLoader::title(QStringLiteral("kidney_left")), QStringLiteral("Linke Niere"));
+  EXPECT_EQ(app::SampleLoader::title(QStringLiteral("of_somebody")), QStringLiteral("Of somebody"));
+}
+
+TEST_F(GermanWindow, HasAWordForEverySample) {
+  for (const QString& name : window().samples().names())
+    EXPECT_NE(app::SampleLoader::nameInWords(name), QString(name).replace(QLatin1Char('_'), QLatin1Char(' ')))
+        << name.toStdString();
 }
 
 } // namespace

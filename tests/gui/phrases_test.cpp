@@ -15,6 +15,8 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/medical_io/organ_norms.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/widgets/message_bar.h"
@@ -26,8 +28,9 @@ using app::InstalledLanguage;
 using app::messageInWords;
 
 /// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
-constexpr const char* kSpeaking[] = {"coordinates", "deformation", "document", "geometry",
-                                     "live",        "motion",      "scene"};
+constexpr const char* kSpeaking[] = {"contour",    "coordinates", "core", "deformation",
+                                     "document",   "geometry",    "live", "localised_scc",
+                                     "medical_io", "motion",      "scene"};
 
 /// Files of these modules that no window shows: measurements for the documentation, and TetGen's own program.
 constexpr const char* kSilent[] = {"/coordinates/src/measure/", "/motion/src/taught_quantities.cpp",
@@ -71,9 +74,11 @@ std::set<QString> patternsIn(const QString& source) {
 std::set<QString> textsIn(const QString& source) {
   static const QRegularExpression token(
       QStringLiteral(R"re(//[^\n]*|R"\([\s\S]*?\)"|'(?:[^'\\\n]|\\.)'|((?:"(?:[^"\\\n]|\\.)*"\s*)+))re"));
-  static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"])"));
+  static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"]|^an? [a-z]+$)"));
   static const QRegularExpression none(QStringLiteral(
-      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"));
+      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"
+      R"(|\\n|^# |^element face|^(axis mins|(byte|line) skip|data file|space (directions|origin|units))$)"
+      R"(|^((un)?signed|short|long) [a-z ]+$|^kidney (left|right)$|^label map$)"));
   static const QRegularExpression forDevelopers(
       QStringLiteral(R"((static_assert|logic_error|assert|invalid_argument)\([^;]*$)"));
   std::set<QString> texts;
@@ -134,6 +139,20 @@ TEST(PhraseTranslator, KnowsThePatternOfATextAndTranslatesItsParts) {
             QStringLiteral("2 von 800 Eckpunkten haben keine Koordinaten: 1 liegen außerhalb der Hülle der "
                            "Griffe, bis zu 4,5 mm"));
   EXPECT_EQ(messageInWords("beat.csv, line 3"), QStringLiteral("beat.csv, Zeile 3"));
+}
+
+TEST(PhraseTranslator, NamesOrgansInSentencesAsTheLanguageDoes) {
+  const std::string doubt =
+      medical_io::doubtAboutVolume("liver", 5).value_or("5 ml are the volume of a liver");
+  {
+    const InstalledLanguage german(QStringLiteral("de"));
+    EXPECT_TRUE(
+        app::asSentence(doubt).startsWith(QStringLiteral("Eine Leber mit 5 ml ist nicht lebensgroß")));
+    EXPECT_EQ(app::inWords(live::describe(live::StressQuantity::rotationalStress).peakName),
+              QStringLiteral("Spitze des Rotationsstresses"));
+  }
+  const InstalledLanguage spanish(QStringLiteral("es"));
+  EXPECT_TRUE(app::asSentence(doubt).startsWith(QStringLiteral("Un hígado de 5 ml no es")));
 }
 
 TEST(PhraseTranslator, TakesAJoiningPatternOnlyWhereNoWordsAreKnown) {

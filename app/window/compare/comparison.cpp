@@ -146,11 +146,9 @@ void Comparison::fillHeader(SideHeader& header) {
   menu->addAction(tr("The same organ in the present pose, kept"), this, &Comparison::showKeptPose);
   menu->addSeparator();
   first_.workspace.guarded([&] {
-    for (const QString& name : second_->samples.names()) {
-      QString label = name;
-      label.replace(QLatin1Char('_'), QLatin1Char(' '));
-      menu->addAction(tr("Sample %1").arg(label), this, [this, name] { showSample(name); });
-    }
+    for (const QString& name : second_->samples.names())
+      menu->addAction(tr("Sample %1").arg(SampleLoader::nameInWords(name)), this,
+                      [this, name] { showSample(name); });
   });
   menu->addSeparator();
   menu->addAction(tr("Open files..."), this, &Comparison::chooseFiles);

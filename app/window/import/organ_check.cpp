@@ -76,7 +76,7 @@ QString repairName(const std::string& id) {
   for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
     if (id == "unit-" + std::string(unit.id))
       return repairText(QT_TRANSLATE_NOOP("viscera::app::Repairs", "Coordinates are in %1"))
-          .arg(text(std::string(unit.name)));
+          .arg(inWords(std::string(unit.name)));
   return text(id);
 }
 

@@ -234,15 +234,15 @@ void FitBox::syncTarget() {
   if (!organ)
     target_->setText(tr("Open a patient's organ first."));
   else if (!organ->closed())
-    target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(text(organ->name)));
+    target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(inWords(organ->name)));
   else if (hollow)
     target_->setText(tr("Moves %1 and its chambers as a textbook's heart, from how they are as the end of "
                         "diastole. It becomes a recorded sequence.")
-                         .arg(text(organ->name)));
+                         .arg(inWords(organ->name)));
   else
     target_->setText(
         tr("Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.")
-            .arg(text(organ->name)));
+            .arg(inWords(organ->name)));
 }
 
 void FitBox::chooseWhatSuits(const document::Organ& organ) {
@@ -297,7 +297,7 @@ void FitBox::fitHeart(const document::Organ& heart, const motion::Landmarks& giv
 }
 
 void FitBox::takeHeart(const motion::PatientMotion& found, const document::Organ& heart) {
-  const std::string name = tr("Fit the textbook's beat to %1").arg(text(heart.name)).toStdString();
+  const std::string name = tr("Fit the textbook's beat to %1").arg(inWords(heart.name)).toStdString();
   if (!workspace_.perform(document::combined(name, {motion::openSequence(found.sequence)})))
     return;
   for (const std::string& warning : found.warnings)

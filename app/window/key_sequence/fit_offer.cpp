@@ -9,6 +9,7 @@
 
 #include "viscera/motion/sequence_setup.h"
 #include "window/language.h"
+#include "window/sample_loader.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -67,7 +68,7 @@ void FitOffer::ask(const QString& sequence) {
     return;
   sequence_ = sequence;
   asked_ = organ;
-  const QString name = text(organ->name), kind = text(sample->organ);
+  const QString name = inWords(organ->name), kind = SampleLoader::nameInWords(text(sample->organ));
   const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
   question_->setText(odd ? tr("%1 is made for a %2, and by its name %3 is another organ.")
                                .arg(inWords(sample->name), kind, name)

@@ -80,7 +80,7 @@ void MovieStage::writeCaption() {
         lines += QLatin1Char('\n') + inWords(phase.name);
   }
   for (std::size_t i = 0; i < names_.size(); ++i)
-    lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters_[i]));
+    lines += QStringLiteral("\n%1  %2").arg(inWords(names_[i]), formatMilliliters(milliliters_[i]));
   caption_->SetInput(lines.trimmed().toUtf8().constData());
 }
 

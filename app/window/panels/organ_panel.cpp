@@ -336,7 +336,7 @@ void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) 
   item->setIcon(kOrganEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kOrganEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
   QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
-                    .arg(text(organ.name));
+                    .arg(inWords(organ.name));
   for (const std::string& warning : organ.warnings)
     tip += QStringLiteral("\n") + messageInWords(warning);
   updateLock(organ, item);

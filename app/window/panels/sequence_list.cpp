@@ -77,7 +77,7 @@ std::vector<SequenceList::Item> SequenceList::wanted() const {
   for (const motion::SampleSequence& sample : motion::sampleSequences())
     if (own && motion::suits(sample, organ->name) == motion::Suits::yes)
       add(text(sample.id), inWords(sample.name),
-          tr("%1: can be fitted to %2").arg(inWords(sample.name), text(organ->name)));
+          tr("%1: can be fitted to %2").arg(inWords(sample.name), inWords(organ->name)));
   for (const motion::SampleSequence& sample : motion::sampleSequences())
     add(text(sample.id), inWords(sample.name),
         tr("%1: shows the sample organ and plays").arg(inWords(sample.name)));

@@ -8,6 +8,7 @@
 
 #include <utility>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -44,7 +45,7 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
     const auto organ = workspace_.currentOrgan();
     if (organ && poses_.setVolume(organ->id, field_->value()) && organ->volumeLocked)
       workspace_.note(tr("%1 has the volume that was asked for; from here on its lock keeps that one.")
-                          .arg(text(organ->name)));
+                          .arg(inWords(organ->name)));
     apply_->setFocus();
     typed_ = false;
     sync();

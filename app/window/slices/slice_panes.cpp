@@ -247,7 +247,7 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
                  .remove(QStringLiteral(" mm"));
   parts << place.join(QStringLiteral(", ")) + QStringLiteral(" mm");
   if (const auto organ = workspace_.document().organ(reading.organ))
-    parts << text(organ->name);
+    parts << inWords(organ->name);
   shown.setReading(parts.join(QStringLiteral("   ")));
 }
 

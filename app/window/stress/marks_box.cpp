@@ -139,7 +139,7 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressProbe& probe) c
   const auto found = std::find_if(read.begin(), read.end(),
                                   [&](const live::ReadProbe& one) { return one.probe.id == probe.id; });
   const auto organ = workspace_.document().organ(probe.organ);
-  const QString name = organ ? text(organ->name) : QString();
+  const QString name = organ ? inWords(organ->name) : QString();
   item.setText(kMarkNumber, QString::number(probe.number));
   item.setText(kMarkOrgan, name);
   const QString rest = tr("%1: at rest %2 mm").arg(name, placeInWords(probe.rest));
@@ -163,7 +163,7 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressLine& line) con
   item.setText(kMarkNumber, text(marks.nameOf(line)));
   item.setText(kMarkPlace, tr("%1 mm long").arg(formatNumber((to->rest - from->rest).norm(), kDecimals)));
   const auto organ = workspace_.document().organ(from->organ);
-  item.setText(kMarkOrgan, organ ? text(organ->name) : QString());
+  item.setText(kMarkOrgan, organ ? inWords(organ->name) : QString());
   double largest = -1;
   for (const live::ReadProfile& read : model_.marks().profiles)
     if (read.line.id == line.id)

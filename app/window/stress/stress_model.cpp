@@ -124,8 +124,8 @@ void StressModel::findWantedPeak() {
 }
 
 QString StressModel::title() const {
-  const QString name = inWords(live::describe(look().quantity).name);
-  return peakShown() ? tr("Peak of %1").arg(name.left(1).toLower() + name.mid(1)) : name;
+  const live::StressQuantityDescription& quantity = live::describe(look().quantity);
+  return inWords(peakShown() ? quantity.peakName : quantity.name);
 }
 
 QString StressModel::format(double value) const {

@@ -81,7 +81,7 @@ void HandleTable::sayVertex() {
   const Vec3 at = organ->mesh->points.row(vertex->vertex).transpose();
   const QString where = tr("Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)")
                             .arg(vertex->vertex)
-                            .arg(text(organ->name))
+                            .arg(inWords(organ->name))
                             .arg(formatNumber(at.x(), 2))
                             .arg(formatNumber(at.y(), 2))
                             .arg(formatNumber(at.z(), 2));

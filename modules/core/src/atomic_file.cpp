@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera {
 namespace {
@@ -24,7 +25,7 @@ constexpr int kAttempts = 100;
 constexpr auto kAdvice = "choose a folder that exists, may be written to and has room";
 
 std::string reason(int error) {
-  return "It cannot be written: " + std::generic_category().message(error);
+  return phrase("It cannot be written: %1", std::generic_category().message(error));
 }
 
 /// The name that a symbolic link at `target` stands for, so that the link stays.

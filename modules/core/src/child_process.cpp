@@ -18,6 +18,7 @@
 
 #include "internal_error.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 extern char** environ;
 
@@ -30,7 +31,7 @@ constexpr rlim_t kMostMessages = 1 << 20;
 constexpr std::size_t kMessagesKept = 2000;
 
 [[noreturn]] void failed(const std::string& what) {
-  throw Error(kInternalError, what + ": " + std::strerror(errno), "child process");
+  throw Error(kInternalError, phrase("%1: %2", what, std::strerror(errno)), "child process");
 }
 
 /// A file descriptor that is closed.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "internal_error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera {
 namespace {
@@ -18,7 +19,7 @@ std::shared_ptr<const Error> asError(const std::exception& exception) {
   if (dynamic_cast<const std::bad_alloc*>(&exception))
     return std::make_shared<const Error>(kInternalError, "There is not enough memory", "",
                                          "close other programs, or use fewer handles or smaller organs");
-  return std::make_shared<const Error>(kInternalError, std::string("Internal error: ") + exception.what());
+  return std::make_shared<const Error>(kInternalError, phrase("Internal error: %1", exception.what()));
 }
 
 } // namespace

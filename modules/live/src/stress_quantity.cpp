@@ -11,11 +11,14 @@ namespace viscera::live {
 
 const std::vector<StressQuantityDescription>& stressQuantities() {
   static const std::vector<StressQuantityDescription> all = {
-      {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress", "deg", false, 1},
-      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "", true, 3},
-      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "", true, 3},
-      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "", true, 3},
-      {StressQuantity::folded, "folded", "Folded tissue", "", false, 0}};
+      {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress",
+       "Peak of rotational stress", "deg", false, 1},
+      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Peak of volume ratio", "", true, 3},
+      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Peak of largest stretch", "", true,
+       3},
+      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "Peak of smallest stretch", "",
+       true, 3},
+      {StressQuantity::folded, "folded", "Folded tissue", "Peak of folded tissue", "", false, 0}};
   return all;
 }
 

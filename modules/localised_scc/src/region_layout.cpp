@@ -11,6 +11,7 @@
 #include "viscera/coordinates/handle_checks.h"
 #include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::localised_scc {
 namespace {
@@ -27,15 +28,13 @@ std::vector<int> sortedUnique(std::vector<int> list) {
 }
 
 Region makeRegion(const coordinates::HandleGroup& group, const Points& positions, double tolerance) {
-  const std::string where = "group '" + group.name + "'";
+  const std::string where = phrase("group '%1'", group.name);
   const std::vector<int> handles = sortedUnique(group.handles);
   for (const int handle : handles)
     if (handle < 0 || handle >= positions.rows())
-      throw DataError("It refers to handle " + std::to_string(handle) + ", but there are " +
-                          std::to_string(positions.rows()),
-                      where);
+      throw DataError(phrase("It refers to handle %1, but there are %2", handle, positions.rows()), where);
   if (handles.size() < 4)
-    throw DataError("It has " + std::to_string(handles.size()) + " handles; a region needs at least 4", where,
+    throw DataError(phrase("It has %n {handle|handles}; a region needs at least 4", handles.size()), where,
                     "add handles to it");
   auto hull = geometry::ConvexPolytope::hullOf(positions(handles, Eigen::all), tolerance);
   if (hull.dimension() < 3)
@@ -93,8 +92,8 @@ void RegionLayout::makeRegions(const coordinates::HandleSet& handles) {
   }
   const auto idle = std::count(used.begin(), used.end(), false);
   if (idle > 0)
-    notes_.push_back(idle == 1 ? "1 handle is in no group and moves nothing"
-                               : std::to_string(idle) + " handles are in no group and move nothing");
+    notes_.push_back(
+        phrase("%n {handle is in no group and moves|handles are in no group and move} nothing", idle));
 }
 
 void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
@@ -145,9 +144,9 @@ void RegionLayout::boundOffsets(const coordinates::HandleSet& handles, double of
     }
     region.offset = std::min(offset, kBelowBound * region.offsetBound);
     if (region.offset < offset)
-      notes_.push_back("the offset of region '" + region.name + "' is cut to " +
-                       std::to_string(region.offset).substr(0, 5) +
-                       " mm, the distance of its nearest handle from a zone");
+      notes_.push_back(
+          phrase("the offset of region '%1' is cut to %2 mm, the distance of its nearest handle from a zone",
+                 region.name, std::to_string(region.offset).substr(0, 5)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "handle_formats.h"
 #include "space_tag.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::medical_io {
@@ -75,7 +76,7 @@ private:
   /// Slicer wrote numbers before it wrote names.
   void readSpace(std::string_view value) {
     if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
-      scanner_.fail("the coordinate system " + inQuotes(value) + " is not LPS or RAS");
+      scanner_.fail(phrase("the coordinate system %1 is not LPS or RAS", inQuotes(value)));
     ras_ = value == "RAS" || value == "0";
     spaceStated_ = true;
   }
@@ -90,7 +91,7 @@ private:
     const std::string text = cell(row, column);
     const std::optional<double> value = parseNumber(text);
     if (!value || !std::isfinite(*value))
-      scanner_.fail(inQuotes(text) + " stands where the coordinate " + std::string(column) + " should");
+      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(text), phrase("the coordinate %1", column)));
     return *value;
   }
 

@@ -110,8 +110,4 @@ std::optional<std::string> decodeBase64(std::string_view text) {
   return filled == 0 ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
-}
-
 } // namespace viscera::medical_io

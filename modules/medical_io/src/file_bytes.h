@@ -45,9 +45,6 @@ std::string stemOf(const std::filesystem::path& file);
 /// there or the text ends within a group.
 std::optional<std::string> decodeBase64(std::string_view text);
 
-/// "1 triangle", "12 triangles".
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
-
 /// `count * size` without overflow: the largest number when it would.
 inline std::uint64_t saturatedProduct(std::uint64_t count, std::uint64_t size) {
   return size != 0 && count > UINT64_MAX / size ? UINT64_MAX : count * size;

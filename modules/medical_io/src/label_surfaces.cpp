@@ -135,8 +135,8 @@ std::vector<std::size_t> requestedSegments(const LabelMap& map, const LabelSurfa
   }
   for (const std::size_t segment : list)
     if (segment >= map.segments.size())
-      throw UsageError("the label map has no segment number " + std::to_string(segment), {},
-                       "it has " + counted(map.segments.size(), "segment", "segments"));
+      throw UsageError(phrase("the label map has no segment number %1", segment), {},
+                       phrase("it has %n {segment|segments}", map.segments.size()));
   return list;
 }
 

@@ -12,6 +12,7 @@
 #include "scalar.h"
 #include "space_tag.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::medical_io {
@@ -61,15 +62,15 @@ private:
 
   void readList(const OrderedJson& list, std::size_t number) {
     if (!list.is_object())
-      file_.fail("markup list " + std::to_string(number + 1) + " is not a JSON object");
+      file_.fail(phrase("markup list %1 is not a JSON object", number + 1));
     HandleGroupRecord group;
     group.name = text(list, "name");
     if (group.name.empty())
       group.name = "List " + std::to_string(number + 1);
     const std::string type = text(list, "type");
     if (type != "Fiducial") {
-      result_.warnings.push_back("the markup " + inQuotes(group.name) + " of type " + inQuotes(type) +
-                                 " is not a list of points and was left out");
+      result_.warnings.push_back(phrase("the markup %1 of type %2 is not a list of points and was left out",
+                                        inQuotes(group.name), inQuotes(type)));
       return;
     }
     const auto display = list.find("display");
@@ -81,7 +82,7 @@ private:
     const bool listVisible = flag(shown, "visibility", true);
     const auto points = list.find("controlPoints");
     if (points != list.end() && !points->is_array())
-      file_.fail("list " + inQuotes(group.name) + ": its points are no JSON array");
+      file_.fail(phrase("list %1: its points are no JSON array", inQuotes(group.name)));
     for (std::size_t i = 0; points != list.end() && i < points->size(); ++i)
       readPoint((*points)[i], i, frame, group);
     for (HandleRecord& handle : group.handles) {
@@ -118,29 +119,30 @@ private:
                                 : system->is_number_unsigned() ? std::to_string(system->get<unsigned>())
                                                                : std::string();
       if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
-        file_.fail("list " + inQuotes(name) + ": its coordinate system " + inQuotes(value) +
-                       " is not LPS or RAS",
-                   "save the points from Slicer in LPS");
+        file_.fail(
+            phrase("list %1: its coordinate system %2 is not LPS or RAS", inQuotes(name), inQuotes(value)),
+            "save the points from Slicer in LPS");
       frame.ras = value == "RAS" || value == "0";
     }
     const std::string unit = text(list, "coordinateUnits");
     if (const auto mm = lookUp(kUnits, unit))
       frame.mm = *mm;
     else if (!unit.empty())
-      result_.warnings.push_back("list " + inQuotes(name) + " has the unit " + inQuotes(unit) +
-                                 ", which Viscera does not know; mm are assumed");
+      result_.warnings.push_back(
+          phrase("list %1 has the unit %2, which Viscera does not know; mm are assumed", inQuotes(name),
+                 inQuotes(unit)));
     if (frame.mm != 1)
-      result_.warnings.push_back("list " + inQuotes(name) + " was converted from " + unit + " to mm");
+      result_.warnings.push_back(phrase("list %1 was converted from %2 to mm", inQuotes(name), unit));
     return frame;
   }
 
   void readPoint(const OrderedJson& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
-    const std::string where = "list " + inQuotes(group.name) + ", point " + std::to_string(number + 1);
+    const std::string where = phrase("list %1, point %2", inQuotes(group.name), number + 1);
     if (!point.is_object())
-      file_.fail(where + " is not a JSON object");
+      file_.fail(phrase("%1 is not a JSON object", where));
     const std::string status = text(point, "positionStatus");
     if (!status.empty() && status != "defined") {
-      result_.warnings.push_back(where + " has no place (" + status + ") and was left out");
+      result_.warnings.push_back(phrase("%1 has no place (%2) and was left out", where, status));
       return;
     }
     HandleRecord handle;
@@ -155,18 +157,18 @@ private:
   Vec3 readPosition(const OrderedJson& point, const std::string& where, const Frame& frame) const {
     const auto position = point.find("position");
     if (position == point.end() || !position->is_array() || position->size() != 3)
-      file_.fail(where + " has no position of three numbers");
+      file_.fail(phrase("%1 has no position of three numbers", where));
     Vec3 mm;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const OrderedJson& value = (*position)[axis];
       if (!value.is_number() || !std::isfinite(value.get<double>()))
-        file_.fail(where + " has a coordinate that is not a finite number");
+        file_.fail(phrase("%1 has a coordinate that is not a finite number", where));
       mm[static_cast<Eigen::Index>(axis)] = value.get<double>();
     }
     if (frame.mm != 1)
       mm *= frame.mm;
     if (!mm.allFinite())
-      file_.fail(where + " is too far away");
+      file_.fail(phrase("%1 is too far away", where));
     return frame.ras ? lpsFromRas(mm) : mm;
   }
 

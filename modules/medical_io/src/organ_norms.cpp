@@ -25,14 +25,15 @@ constexpr double kAwayFromAverages = 3;
 
 /// What organs are called, where they lie, and their row in the table of normal ranges.
 const std::array<OrganNorm, 8>& knownOrgans() {
-  static const std::array<OrganNorm, 8> kOrgans = {{{"liver", "liver.volume", BodySide::right},
-                                                    {"spleen", "spleen.volume", BodySide::left},
-                                                    {"kidney", "kidney.left", BodySide::middle},
-                                                    {"heart", "heart.volume", BodySide::middle},
-                                                    {"myocardium", "heart.muscle", BodySide::middle},
-                                                    {"stomach", {}, BodySide::left},
-                                                    {"gallbladder", {}, BodySide::right},
-                                                    {"pancreas", "pancreas.volume", BodySide::middle}}};
+  static const std::array<OrganNorm, 8> kOrgans = {
+      {{"liver", "a liver", "liver.volume", BodySide::right},
+       {"spleen", "a spleen", "spleen.volume", BodySide::left},
+       {"kidney", "a kidney", "kidney.left", BodySide::middle},
+       {"heart", "a heart", "heart.volume", BodySide::middle},
+       {"myocardium", "a myocardium", "heart.muscle", BodySide::middle},
+       {"stomach", "a stomach", {}, BodySide::left},
+       {"gallbladder", "a gallbladder", {}, BodySide::right},
+       {"pancreas", "a pancreas", "pancreas.volume", BodySide::middle}}};
   return kOrgans;
 }
 
@@ -99,7 +100,7 @@ std::optional<std::string> doubtAboutVolume(std::string_view name, double volume
   const auto norm = organNorm(name);
   if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
-  return phrase("a %1 of %2 ml is not life-sized: %3", norm->name, roundedText(volumeMl),
+  return phrase("%1 of %2 ml is not life-sized: %3", norm->one, roundedText(volumeMl),
                 whatAdultsHave(norms::norm(norm->volume)));
 }
 
@@ -137,7 +138,7 @@ std::optional<std::string> doubtAboutSize(std::string_view name, double diagonal
     return std::nullopt;
   std::string units;
   for (const LengthUnit& unit : unitsThatFit(name, diagonalMm, 0))
-    units += (units.empty() ? "" : " or ") + std::string(unit.name);
+    units = units.empty() ? std::string(unit.name) : phrase("%1 or %2", units, unit.name);
   return units.empty()
              ? phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres",
                       roundedText(diagonalMm))

@@ -17,6 +17,7 @@
 #include "quiet_vtk.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -71,8 +72,8 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Points& points, const deformat
   for (const SolidArray& array : arrays) {
     const auto values = std::visit(ToVtk(), array.values);
     if (values->GetNumberOfTuples() != points.rows())
-      throw DataError("the array " + array.name + " has " + std::to_string(values->GetNumberOfTuples()) +
-                          " values for " + std::to_string(points.rows()) + " points",
+      throw DataError(phrase("the array %1 has %2 values for %3 points", array.name,
+                             values->GetNumberOfTuples(), points.rows()),
                       file.string());
     values->SetName(array.name.c_str());
     grid->GetPointData()->AddArray(values);
@@ -98,7 +99,8 @@ void writeSolid(const std::filesystem::path& file, const Points& points,
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   if (writer->Write() != 1 || quiet.failed())
-    throw CannotCreateError("the solid could not be written" + (quiet.failed() ? ": " + quiet.error() : ""),
+    throw CannotCreateError(quiet.failed() ? phrase("the solid could not be written: %1", quiet.error())
+                                           : "the solid could not be written",
                             file.string(), "check the space left on the disk");
   atomic.commit();
 }

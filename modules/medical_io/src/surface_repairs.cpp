@@ -85,8 +85,7 @@ std::vector<SurfaceRepair> allRepairs() {
             stoodUp)};
   for (const LengthUnit& unit : lengthUnits())
     if (unit.mm != 1)
-      list.push_back(quick("unit-" + std::string(unit.id),
-                           "takes the coordinates as " + std::string(unit.name),
+      list.push_back(quick("unit-" + std::string(unit.id), phrase("takes the coordinates as %1", unit.name),
                            [mm = unit.mm](const TriangleMesh& mesh) { return geometry::scaled(mesh, mm); }));
   return list;
 }
@@ -155,7 +154,7 @@ const SurfaceRepair& surfaceRepair(std::string_view id) {
       return repair;
     known += (known.empty() ? "" : ", ") + repair.id;
   }
-  throw UsageError("there is no repair \"" + std::string(id) + "\"", {}, "there are " + known);
+  throw UsageError(phrase("there is no repair \"%1\"", id), {}, phrase("there are: %1", known));
 }
 
 TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& options, Progress& progress,

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <limits>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 namespace {
 
@@ -119,7 +121,7 @@ double TextScanner::number(std::string_view part) {
     failAtEnd(part);
   const std::optional<double> value = parseNumber(token);
   if (!value)
-    fail(inQuotes(token) + " stands where " + std::string(part) + " should");
+    fail(phrase("%1 stands where %2 should", inQuotes(token), part));
   return *value;
 }
 
@@ -129,17 +131,16 @@ std::int64_t TextScanner::integer(std::string_view part) {
     failAtEnd(part);
   const std::optional<std::int64_t> value = parseInteger(token);
   if (!value)
-    fail(inQuotes(token) + " stands where " + std::string(part) + " should");
+    fail(phrase("%1 stands where %2 should", inQuotes(token), part));
   return *value;
 }
 
 std::uint64_t TextScanner::count(std::string_view part, std::uint64_t bytesEach) {
   const std::int64_t value = integer(part);
   if (value < 0)
-    fail(std::string(part) + " is negative");
+    fail(phrase("%1 is negative", part));
   if (saturatedProduct(static_cast<std::uint64_t>(value), bytesEach) > remaining() + bytesEach)
-    fail(std::string(part) + " is " + std::to_string(value) + ", more than the " +
-         std::to_string(remaining()) + " bytes that are left can hold");
+    fail(phrase("%1 is %2, more than the %3 bytes that are left can hold", part, value, remaining()));
   return static_cast<std::uint64_t>(value);
 }
 
@@ -148,17 +149,17 @@ void TextScanner::fail(const std::string& problem) const {
   const auto lines =
       std::count(file_.bytes.begin(),
                  file_.bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at, file_.bytes.size())), '\n');
-  file_.fail("line " + std::to_string(lines + 1) + ": " + problem);
+  file_.fail(phrase("line %1: %2", lines + 1, problem));
 }
 
 void TextScanner::failAtEnd(std::string_view part) const {
-  fail("the file is cut off: it ends where " + std::string(part) + " should stand");
+  fail(phrase("the file is cut off: it ends where %1 should stand", part));
 }
 
 void failAsJson(const FileBytes& file, const std::exception& error) {
   const std::string_view what = error.what();
   const std::size_t end = what.find("] ");
-  file.fail("It is not complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
+  file.fail(phrase("It is not complete JSON: %1", end == what.npos ? what : what.substr(end + 2)));
 }
 
 std::string inQuotes(std::string_view text) {

@@ -153,13 +153,7 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
-  std::string title = translate(quantity.name.c_str());
-  if (values.peak()) {
-    title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
-    std::string peak = translate("Peak of %1");
-    title = peak.replace(peak.find("%1"), 2, title);
-  }
-  return LegendText{std::move(title), quantity.unit,
+  return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()), quantity.unit,
                     values.folded() > 0 ? translate("folded") : std::string(), values.colors(),
                     values.range()};
 }

@@ -7,6 +7,7 @@
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
@@ -147,7 +148,7 @@ private:
     const OFCondition loaded =
         format_.loadFile(file_.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
     if (loaded.bad())
-      file_.fail("is damaged or no DICOM file: " + std::string(loaded.text()));
+      file_.fail(phrase("It is damaged or no DICOM file: %1", loaded.text()));
   }
 
   /// False for what is no slice of a scan.
@@ -183,9 +184,8 @@ private:
     format.isSigned = number(DCM_PixelRepresentation, 0) == 1;
     if ((format.allocated != 8 && format.allocated != 16 && format.allocated != 32) || format.stored < 1 ||
         format.high >= format.allocated || format.high + 1 < format.stored)
-      file_.fail("its pixels of " + std::to_string(format.stored) + " bits in " +
-                     std::to_string(format.allocated) + ", up to bit " + std::to_string(format.high) +
-                     ", are not supported",
+      file_.fail(phrase("its pixels of %1 bits in %2, up to bit %3, are not supported", format.stored,
+                        format.allocated, format.high),
                  "export it as pixels of 16 bits");
     readPadding(dataset);
     const auto level = numberAt(dataset, DCM_WindowCenter), width = numberAt(dataset, DCM_WindowWidth);
@@ -203,16 +203,15 @@ private:
       std::error_code error;
       const std::uint64_t there = std::filesystem::file_size(file_.file, error);
       if (promised > std::max(kLeastLimit, saturatedProduct(there, kMostPerByte)))
-        file_.fail("its header is damaged: it promises " + std::to_string(promised) + " bytes of pixels in " +
-                   std::to_string(there));
+        file_.fail(phrase("its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes",
+                          promised, there));
       return;
     }
     DcmElement* pixels = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, pixels).bad() || pixels == nullptr ||
         pixels->getLengthField() < promised)
-      file_.fail("the file is cut off: its header promises " + std::to_string(promised) +
-                 " bytes of pixels, " + std::to_string(pixels == nullptr ? 0 : pixels->getLengthField()) +
-                 " are there");
+      file_.fail(phrase("the file is cut off: its header promises %1 bytes of pixels, %2 are there", promised,
+                        pixels == nullptr ? 0 : pixels->getLengthField()));
   }
 
   /// The values are stored as pixels are; some writers forget a sign.
@@ -235,14 +234,13 @@ private:
   void readFrames(DcmItem& dataset) {
     const int count = static_cast<int>(numberAt(dataset, DCM_NumberOfFrames).value_or(1));
     if (count < 1 || count > kMostFrames)
-      file_.fail("its header is damaged: it has " + std::to_string(count) + " frames");
+      file_.fail(phrase("its header is damaged: it has %1 frames", count));
     DcmItem* shared = nullptr;
     dataset.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, 0);
     DcmSequenceOfItems* groups = nullptr;
     dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
     if (groups != nullptr && groups->card() != static_cast<unsigned long>(count))
-      file_.fail("its header is damaged: it describes " + std::to_string(groups->card()) + " of " +
-                 std::to_string(count) + " frames");
+      file_.fail(phrase("its header is damaged: it describes %1 of %2 frames", groups->card(), count));
     const std::string uid = textAt(dataset, DCM_SOPInstanceUID);
     DcmObject* own = nullptr;
     for (int frame = 0; frame < count; ++frame) {

@@ -5,6 +5,7 @@
 #include "dicom/dicom_pixel_source.h"
 #include "dicom/quiet_dcmtk.h"
 #include "file_bytes.h"
+#include "viscera/core/phrase.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
@@ -63,8 +64,8 @@ public:
     const std::uint64_t each = bytesOf(header_);
     const std::uint64_t begin = saturatedProduct(each, static_cast<std::uint64_t>(frame));
     if (saturatedSum(begin, each) > size_)
-      file_.fail("the file is cut off: its header promises " + std::to_string(each * header_.frames.size()) +
-                 " bytes of pixels, " + std::to_string(size_) + " are there");
+      file_.fail(phrase("the file is cut off: its header promises %1 bytes of pixels, %2 are there",
+                        each * header_.frames.size(), size_));
     return {std::string(pixels_ + begin, each), header_.format};
   }
 
@@ -98,7 +99,7 @@ public:
         pixels_->getUncompressedFrame(format_->getDataset(), static_cast<Uint32>(frame), part, bytes.data(),
                                       static_cast<Uint32>(bytes.size()), colours);
     if (done.bad())
-      file_.fail("its pixels (" + header_.transferSyntax + ") cannot be unpacked: " + done.text());
+      file_.fail(phrase("its pixels (%1) cannot be unpacked: %2", header_.transferSyntax, done.text()));
     nextFrame_ = frame + 1;
     nextPart_ = part;
     bytes.resize(each);
@@ -136,7 +137,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header) {
   const OFCondition loaded =
       format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedPixels, ERM_autoDetect);
   if (loaded.bad())
-    FileBytes{header.file, {}}.fail("is damaged or no DICOM file: " + std::string(loaded.text()));
+    FileBytes{header.file, {}}.fail(phrase("It is damaged or no DICOM file: %1", loaded.text()));
   source_ = sourceOf(header, format);
 }
 

@@ -71,7 +71,7 @@ void listFrames(Folder& folder) {
   for (const DicomHeader& header : list.files)
     if (!header.notAScan.empty())
       throw DataError(
-          phrase("It has no slices of a scan: %1 %2", header.file.filename().string(), header.notAScan),
+          phrase("It has no slices of a scan: \"%1\" %2", header.file.filename().string(), header.notAScan),
           place.string(), "name the folder of a CT or MR series");
   throw DataError("It has no slices of a scan", place.string(), "name the folder of a CT or MR series");
 }

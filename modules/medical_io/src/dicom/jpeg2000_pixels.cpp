@@ -6,6 +6,7 @@
 
 #include "dicom/dicom_pixel_source.h"
 #include "file_bytes.h"
+#include "viscera/core/phrase.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
@@ -163,8 +164,8 @@ private:
       addFirstParts(partOffsets());
     firstPart_.push_back(parts);
     if (firstPart_.size() != frames + 1)
-      file_.fail("its header is damaged: " + counted(parts, "part", "parts") + " for " +
-                 counted(frames, "frame", "frames"));
+      file_.fail(phrase("its header is damaged: its packed pixels have %n {part|parts} for %2 frames", parts,
+                        frames));
   }
 
   /// Where each part begins, counted as the table counts: from the first part's own header on.
@@ -212,14 +213,14 @@ private:
     for (std::size_t part = firstPart_[frame]; part < firstPart_[frame + 1]; ++part)
       packed += fragment(part + 1);
     if (packed.empty())
-      file_.fail("frame " + std::to_string(frame + 1) + " has no pixels");
+      file_.fail(phrase("frame %1 has no pixels", frame + 1));
     return packed;
   }
 
   DicomPixels unpack(const std::string& packed) const {
     const Image image = unpacked(packed, header_);
     if (image == nullptr)
-      file_.fail("its pixels (" + header_.transferSyntax + ") are damaged or packed in an unknown way");
+      file_.fail(phrase("its pixels (%1) are damaged or packed in an unknown way", header_.transferSyntax));
     const opj_image_comp_t& found = image->comps[0];
     DicomPixels pixels{bytesOf(found, header_.format.allocated), header_.format};
     pixels.format.stored = static_cast<int>(found.prec);

@@ -6,6 +6,7 @@
 #include "dicom/dicom_pixel_source.h"
 #include "file_bytes.h"
 #include "scalar.h"
+#include "viscera/core/phrase.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
@@ -74,8 +75,8 @@ private:
     const auto pixels = static_cast<std::size_t>(header_.rows) * static_cast<std::size_t>(header_.columns);
     const auto depth = static_cast<std::size_t>(header_.format.allocated / 8);
     const auto damaged = [&] {
-      file_.fail("its pixels (" + header_.transferSyntax + ") cannot be unpacked: frame " +
-                 std::to_string(frame + 1) + " is damaged");
+      file_.fail(phrase("its pixels (%1) cannot be unpacked: frame %2 is damaged", header_.transferSyntax,
+                        frame + 1));
     };
     std::string bytes;
     if (packed.size() < kRleHeaderBytes || depth > kMostRleSegments ||

@@ -24,9 +24,14 @@ std::filesystem::path besideOf(const FileBytes& file, const StoredValues& stored
   const std::filesystem::path name(*stored.beside);
   const bool several = stored.pattern && stored.beside->find('%') != std::string::npos;
   if (name.empty() || name.has_root_path() || several)
-    file.fail("its voxels are in several files or in another folder (" + inQuotes(*stored.beside) + ")",
+    file.fail(phrase("its voxels are in several files or in another folder (%1)", inQuotes(*stored.beside)),
               "save it as one file");
   return file.file.parent_path() / name;
+}
+
+[[noreturn]] void failAsUseless(const FileBytes& file, const StoredValues& stored, const DataError& error) {
+  file.fail(
+      phrase("the file with its voxels, %1, cannot be used: %2", inQuotes(*stored.beside), error.problem()));
 }
 
 /// Calls `read` with the file that has the voxels; what goes wrong is said of `file`.
@@ -36,12 +41,11 @@ auto readBeside(const FileBytes& file, const StoredValues& stored, const Read& r
   try {
     return read(beside);
   } catch (const DataError& error) {
-    file.fail("the file with its voxels, " + inQuotes(*stored.beside) +
-              ", cannot be used: " + error.problem());
+    failAsUseless(file, stored, error);
   } catch (const NoInputError& error) {
-    throw NoInputError("the file with its voxels, " + inQuotes(*stored.beside) +
-                           ", cannot be read: " + error.problem(),
-                       file.name(), "put both files into one folder");
+    throw NoInputError(
+        phrase("the file with its voxels, %1, cannot be read: %2", inQuotes(*stored.beside), error.problem()),
+        file.name(), "put both files into one folder");
   }
 }
 
@@ -66,8 +70,9 @@ void takeText(const Source& source, RawImage& raw) {
   raw.storage.clear();
   const std::uint64_t count = raw.valueCount();
   if (count > scanner.remaining())
-    source.file.fail("the file is cut off: " + std::to_string(count) +
-                     " values are promised, there are only " + counted(scanner.remaining(), "byte", "bytes"));
+    source.file.fail(
+        phrase("the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}",
+               scanner.remaining(), count));
   for (std::uint64_t i = 0; i < count; ++i)
     appendValue(raw.storage, scanner.number("a voxel"));
   raw.scalar = Scalar::float64;
@@ -228,8 +233,7 @@ void takeValues(FileBytes& file, const StoredValues& stored, RawImage& raw) {
   } catch (const DataError& error) {
     if (!stored.beside)
       throw;
-    named.fail("the file with its voxels, " + inQuotes(*stored.beside) +
-               ", cannot be used: " + error.problem());
+    failAsUseless(named, stored, error);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
@@ -81,22 +82,22 @@ public:
 private:
   void require(const OFCondition& condition, const std::string& what) const {
     if (condition.bad())
-      file_.fail(what + ": " + condition.text());
+      file_.fail(phrase("%1: %2", what, condition.text()));
   }
 
   void load() {
     silenceDcmtk();
-    require(format_.loadFile(file_.name().c_str()), "is damaged or no DICOM file");
+    require(format_.loadFile(file_.name().c_str()), "It is damaged or no DICOM file");
     DcmDataset& dataset = *format_.getDataset();
     OFString uid;
     dataset.findAndGetOFString(DCM_SOPClassUID, uid);
     if (uid != UID_SegmentationStorage) {
       const char* kind = dcmFindNameOfUID(uid.c_str(), "of no known kind");
-      file_.fail("It is a DICOM file, but no segmentation (" + std::string(kind) + ")",
+      file_.fail(phrase("It is a DICOM file, but no segmentation (%1)", kind),
                  "open the segmentation that was made from it");
     }
-    require(dataset.findAndGetUint16(DCM_Rows, rows_), "has no number of rows");
-    require(dataset.findAndGetUint16(DCM_Columns, columns_), "has no number of columns");
+    require(dataset.findAndGetUint16(DCM_Rows, rows_), "It has no number of rows");
+    require(dataset.findAndGetUint16(DCM_Columns, columns_), "It has no number of columns");
     Uint16 largest = 0;
     if (dataset.findAndGetUint16(DCM_MaximumFractionalValue, largest).good() && largest > 0)
       threshold_ = (largest + 1) / 2;
@@ -114,7 +115,7 @@ private:
     if (dataset.findAndGetUint8Array(DCM_PixelData, pixels_, &pixelBytes_).bad() || pixels_ == nullptr) {
       const Uint16* words = nullptr;
       unsigned long count = 0;
-      require(dataset.findAndGetUint16Array(DCM_PixelData, words, &count), "has no uncompressed pixels");
+      require(dataset.findAndGetUint16Array(DCM_PixelData, words, &count), "It has no uncompressed pixels");
       pixels_ = reinterpret_cast<const Uint8*>(words);
       pixelBytes_ = pixels_ == nullptr ? 0 : count * sizeof(Uint16);
     }
@@ -127,17 +128,17 @@ private:
       file_.fail("It has no frames", "check that the segmentation was saved");
     const std::uint64_t pixels = saturatedProduct(frames_, std::uint64_t{rows_} * columns_);
     if (pixels / (binary_ ? 8 : 1) + (binary_ && pixels % 8 != 0 ? 1 : 0) > pixelBytes_)
-      file_.fail("the file is cut off: its " + counted(frames_, "frame has", "frames have") +
-                 " too few pixels");
+      file_.fail(phrase("the file is cut off: its %n {frame has|frames have} too few pixels", frames_));
   }
 
-  /// A functional group of a frame, its own or the one that all frames share.
+  /// A functional group of a frame, its own or the one that all frames share. `missing` is a pattern that has
+  /// the frame's number as its part.
   template <typename Group>
-  Group& group(std::size_t frame, DcmFGTypes::E_FGType type, const std::string& what) {
+  Group& group(std::size_t frame, DcmFGTypes::E_FGType type, std::string_view missing) {
     auto* found =
         dynamic_cast<Group*>(segmentation_->getFunctionalGroups().get(static_cast<Uint32>(frame), type));
     if (found == nullptr)
-      file_.fail("frame " + std::to_string(frame + 1) + " has no " + what);
+      file_.fail(phrase(missing, frame + 1));
     return *found;
   }
 
@@ -145,10 +146,11 @@ private:
     for (std::size_t frame = 0; frame < frames_; ++frame) {
       Slice slice{.frame = frame};
       Uint16 segment = 0;
-      auto& reference = group<FGSegmentation>(frame, DcmFGTypes::EFG_SEGMENTATION, "segment");
+      auto& reference = group<FGSegmentation>(frame, DcmFGTypes::EFG_SEGMENTATION, "frame %1 has no segment");
       require(reference.getReferencedSegmentNumber(segment), "a frame has no segment");
       slice.segment = segment;
-      auto& place = group<FGPlanePosPatient>(frame, DcmFGTypes::EFG_PLANEPOSPATIENT, "position");
+      auto& place =
+          group<FGPlanePosPatient>(frame, DcmFGTypes::EFG_PLANEPOSPATIENT, "frame %1 has no position");
       Vec3& p = slice.position;
       require(place.getImagePositionPatient(p[0], p[1], p[2]), "a frame has no position");
       readPlane(frame);
@@ -159,11 +161,11 @@ private:
   /// Directions and spacing, which have to be the same for all frames.
   void readPlane(std::size_t frame) {
     Vec3 row, column;
-    auto& orientation =
-        group<FGPlaneOrientationPatient>(frame, DcmFGTypes::EFG_PLANEORIENTPATIENT, "orientation");
+    auto& orientation = group<FGPlaneOrientationPatient>(frame, DcmFGTypes::EFG_PLANEORIENTPATIENT,
+                                                         "frame %1 has no orientation");
     require(orientation.getImageOrientationPatient(row[0], row[1], row[2], column[0], column[1], column[2]),
             "a frame has no orientation");
-    auto& measures = group<FGPixelMeasures>(frame, DcmFGTypes::EFG_PIXELMEASURES, "spacing");
+    auto& measures = group<FGPixelMeasures>(frame, DcmFGTypes::EFG_PIXELMEASURES, "frame %1 has no spacing");
     Float64 betweenRows = 0, betweenColumns = 0;
     require(measures.getPixelSpacing(betweenRows, 0), "a frame has no spacing");
     require(measures.getPixelSpacing(betweenColumns, 1), "a frame has no spacing");
@@ -197,8 +199,8 @@ private:
     spacing_ = spacingOf(heights);
     const double count = std::round((heights.back() - lowest_) / spacing_) + 1;
     if (!(count * columns_ * rows_ <= kMostVoxelsPerByte * static_cast<double>(file_.bytes.size())))
-      file_.fail("its frames are too far from each other: " + std::to_string(heights.back() - lowest_) +
-                 " mm");
+      file_.fail(
+          phrase("its frames are too far from each other: %1 mm", std::to_string(heights.back() - lowest_)));
     raw_.size[2] = axisSize(file_, static_cast<std::int64_t>(count), "k");
     setSliceDirection();
   }
@@ -214,7 +216,7 @@ private:
     const bool stated = statedSpacing_ > 0 && (smallest == 0 || statedSpacing_ < smallest);
     const double spacing = stated ? statedSpacing_ : smallest > 0 ? smallest : thickness;
     if (!(spacing > 0) || !std::isfinite(spacing))
-      file_.fail("does not say how far its slices are from each other");
+      file_.fail("It does not say how far its slices are from each other");
     return spacing;
   }
 
@@ -234,8 +236,7 @@ private:
     const Vec3 expected = raw_.indexToLps * Vec3(0, 0, std::round(k));
     if (std::abs(k - std::round(k)) > kSliceTolerance ||
         (slice.position - expected).norm() > kSliceTolerance * (spacing_ + raw_.indexToLps.linear().norm()))
-      file_.fail("its slices are not equally far from each other (frame " + std::to_string(slice.frame + 1) +
-                     ")",
+      file_.fail(phrase("its slices are not equally far from each other (frame %1)", slice.frame + 1),
                  "resample the segmentation, for example by saving it as .seg.nrrd");
     return static_cast<int>(std::round(k));
   }
@@ -277,7 +278,7 @@ private:
     StatedSegment statement{number, layer, {}, {}};
     DcmSegment* segment = number > 0 ? segmentation_->getSegment(static_cast<std::size_t>(number)) : nullptr;
     if (segment == nullptr)
-      file_.fail("its frames belong to a segment " + std::to_string(number) + ", which it does not have");
+      file_.fail(phrase("its frames belong to a segment %1, which it does not have", number));
     OFString label;
     if (segment->getSegmentLabel(label).good())
       statement.name = label.c_str();

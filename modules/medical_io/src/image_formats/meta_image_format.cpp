@@ -6,6 +6,7 @@
 #include "image_formats/data_file.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 /// MetaImage (.mha, .mhd) as ITK writes it (itk.org/Wiki/ITK/MetaIO/Documentation); its axes are LPS.
 namespace viscera::medical_io {
@@ -36,7 +37,7 @@ private:
       if (trimmed(line).empty())
         continue;
       if (equals == line.npos)
-        scanner.fail("this is not a line of a MetaImage header: " + inQuotes(line));
+        scanner.fail(phrase("this is not a line of a MetaImage header: %1", inQuotes(line)));
       const std::string key(trimmed(line.substr(0, equals)));
       values_[key] = trimmed(line.substr(equals + 1));
       if (key == "ElementDataFile") {
@@ -70,12 +71,11 @@ private:
          word = takeWord(*text)) {
       const auto number = parseNumber(word);
       if (!number)
-        file_.fail("its header is damaged: " + inQuotes(word) + " is not a number of " + *keys.begin());
+        file_.fail(phrase("its header is damaged: %1 is not a number of %2", inQuotes(word), *keys.begin()));
       list.push_back(*number);
     }
     if (list.size() != count)
-      file_.fail("its header is damaged: " + std::string(*keys.begin()) + " has not " +
-                 std::to_string(count) + " numbers");
+      file_.fail(phrase("its header is damaged: %1 has not %2 numbers", *keys.begin(), count));
     return list;
   }
 
@@ -106,7 +106,7 @@ private:
     const std::string_view type = value({"ElementType"}).value_or("");
     if (const auto found = lookUp(kTypes, type))
       return *found;
-    file_.fail("its voxels are no plain numbers (ElementType " + inQuotes(type) + ")",
+    file_.fail(phrase("its voxels are no plain numbers (ElementType %1)", inQuotes(type)),
                "save it with one number a voxel");
   }
 

@@ -132,7 +132,7 @@ Scalar scalarOf(const FileBytes& file, int datatype) {
                                                                      {1280, Scalar::uint64}}};
   if (const auto scalar = lookUp(kTypes, datatype))
     return *scalar;
-  file.fail("its voxels are no plain numbers (NIfTI data type " + std::to_string(datatype) + ")",
+  file.fail(phrase("its voxels are no plain numbers (NIfTI data type %1)", datatype),
             "save it with one number a voxel");
 }
 
@@ -255,7 +255,8 @@ std::uint64_t dataOffset(const FileBytes& file, const Header& h) {
   if (h.dataOffset == 0)
     return h.twoFiles ? 0 : h.bytes + 4;
   if (!(h.dataOffset >= (h.twoFiles ? 0.0 : static_cast<double>(h.bytes))) || h.dataOffset > 1e15)
-    file.fail("its header is damaged: the voxels cannot begin at byte " + std::to_string(h.dataOffset));
+    file.fail(
+        phrase("its header is damaged: the voxels cannot begin at byte %1", std::to_string(h.dataOffset)));
   return static_cast<std::uint64_t>(h.dataOffset);
 }
 
@@ -342,7 +343,7 @@ ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
   RawImage& raw = result.image;
   raw.size = gridOf(file, h, axes);
   if (axes > 3) {
-    raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "of volumes");
+    raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "the volumes");
     raw.times = timesOf(h);
   }
   raw.scalar = scalarOf(file, h.datatype);

@@ -7,6 +7,7 @@
 #include "image_formats/data_file.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 /// NRRD (teem.sourceforge.net/nrrd/format.html) with the fields of 3D Slicer's segmentations.
 namespace viscera::medical_io {
@@ -58,7 +59,7 @@ Fields fieldsOf(const FileBytes& file) {
     else if (const std::size_t colon = line.find(':'); colon != line.npos)
       result.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
     else
-      scanner.fail("this is not a line of an NRRD header: " + inQuotes(line));
+      scanner.fail(phrase("this is not a line of an NRRD header: %1", inQuotes(line)));
   }
   result.headerEnd = scanner.position();
   return result;
@@ -85,7 +86,7 @@ Scalar scalarOf(const FileBytes& file, std::string_view type) {
   for (const TypeNames& known : kTypes)
     if (!type.empty() && std::find(known.names.begin(), known.names.end(), type) != known.names.end())
       return known.scalar;
-  file.fail("its voxels are no plain numbers (type " + inQuotes(type) + ")",
+  file.fail(phrase("its voxels are no plain numbers (type %1)", inQuotes(type)),
             "save it with one number a voxel");
 }
 
@@ -100,7 +101,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
     }
     const std::size_t end = text.find(')');
     if (text.front() != '(' || end == text.npos)
-      file.fail("its header is damaged: " + inQuotes(text) + " is not a vector");
+      file.fail(phrase("its header is damaged: %1 is not a vector", inQuotes(text)));
     std::string_view numbers = text.substr(1, end - 1);
     text.remove_prefix(end + 1);
     Vec3 vector;
@@ -134,7 +135,7 @@ Vec3 turnToLps(std::string_view space, RawImage& raw) {
   if (is("left-anterior-superior", "las"))
     return say("LAS", {1, -1, 1});
   raw.warnings.push_back(name.empty() ? "it does not say which axes it uses; LPS is assumed"
-                                      : "its axes " + inQuotes(space) + " are unknown; LPS is assumed");
+                                      : phrase("its axes %1 are unknown; LPS is assumed", inQuotes(space)));
   return say("LPS", {1, 1, 1});
 }
 
@@ -172,7 +173,7 @@ private:
   std::string_view need(const std::string& name) const {
     const auto value = header_.field(name);
     if (!value)
-      file_.fail("its header is cut off or damaged: it has no " + inQuotes(name));
+      file_.fail(phrase("its header is cut off or damaged: it has no %1", inQuotes(name)));
     return *value;
   }
 
@@ -183,12 +184,12 @@ private:
     for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
       const auto size = parseInteger(word);
       if (!size || *size < 1 || sizes.size() == kMostNrrdDimensions)
-        file_.fail("its header is damaged: " + inQuotes(word) + " is not a size of an axis");
+        file_.fail(phrase("its header is damaged: %1 is not a size of an axis", inQuotes(word)));
       sizes.push_back(*size);
     }
     if (!dimension || static_cast<std::size_t>(*dimension) != sizes.size())
-      file_.fail("its header is damaged: it has " + counted(sizes.size(), "size", "sizes") + " for " +
-                 std::string(need("dimension")) + " dimensions");
+      file_.fail(phrase("its header is damaged: it has %n {size|sizes} for %2 dimensions", sizes.size(),
+                        need("dimension")));
     return sizes;
   }
 
@@ -213,8 +214,7 @@ private:
       }
     }
     if (ofSpace.size() != 3)
-      file_.fail("It has " + counted(ofSpace.size(), "axis", "axes") +
-                 " in space; an image of an organ has three");
+      file_.fail(phrase("It has %n {axis|axes} in space; an image of an organ has three", ofSpace.size()));
     std::copy(ofSpace.begin(), ofSpace.end(), axes.ofSpace.begin());
     if (axes.list && *axes.list != 0 && *axes.list != 3)
       file_.fail("its layers lie between the axes of space", "save it as a segmentation");
@@ -253,13 +253,13 @@ private:
     if (const auto text = header_.field("space directions"))
       directions = vectorsOf(file_, *text);
     if (!directions.empty() && directions.size() != sizes_.size())
-      file_.fail("its header is damaged: it has " + counted(directions.size(), "direction", "directions") +
-                 " for " + counted(sizes_.size(), "axis", "axes"));
+      file_.fail(phrase("its header is damaged: it has %n {direction|directions} for %2 axes",
+                        directions.size(), sizes_.size()));
     const Axes axes = axesOf(directions);
     for (std::size_t i = 0; i < 3; ++i)
       raw_.size[i] = axisSize(file_, sizes_[axes.ofSpace[i]], std::string_view("ijk").substr(i, 1));
     if (axes.list) {
-      raw_.layers = axisSize(file_, sizes_[*axes.list], "of layers");
+      raw_.layers = axisSize(file_, sizes_[*axes.list], "the layers");
       raw_.layersFirst = *axes.list == 0;
       raw_.listKind = axes.listKind;
       readTimes(*axes.list);
@@ -271,7 +271,7 @@ private:
     if (const auto origin = header_.field("space origin")) {
       const auto vectors = vectorsOf(file_, *origin);
       if (vectors.size() != 1 || !vectors[0])
-        file_.fail("its header is damaged: " + inQuotes(*origin) + " is not an origin");
+        file_.fail(phrase("its header is damaged: %1 is not an origin", inQuotes(*origin)));
       raw_.indexToLps.translation() = *vectors[0];
     }
     const Vec3 turn = turnToLps(header_.field("space").value_or(""), raw_);
@@ -302,7 +302,7 @@ private:
       const auto layer =
           parseInteger(header_.key(prefix + "Layer").value_or(raw_.layers > 1 ? std::to_string(n) : "0"));
       if (segment.label == 0 || !layer || *layer < 0 || *layer >= raw_.layers) {
-        raw_.warnings.push_back("its segment " + std::to_string(n) + " has no valid value or layer");
+        raw_.warnings.push_back(phrase("its segment %1 has no valid value or layer", n));
         continue;
       }
       segment.layer = static_cast<int>(*layer);
@@ -331,11 +331,11 @@ private:
                                                                 : Packing::none;
     stored.text = encoding == "ascii" || encoding == "text" || encoding == "txt";
     if (stored.packing == Packing::none && !stored.text && encoding != "raw")
-      file_.fail("its encoding " + inQuotes(encoding) + " is not supported",
+      file_.fail(phrase("its encoding %1 is not supported", inQuotes(encoding)),
                  "save it with gzip or raw encoding");
     const std::string endian = lowered(header_.field("endian").value_or(""));
     if (endian.empty() && !stored.text && sizeOf(raw_.scalar) > 1)
-      file_.fail("its header is cut off or damaged: it has no \"endian\"");
+      file_.fail(phrase("its header is cut off or damaged: it has no %1", inQuotes("endian")));
     raw_.order = endian == "big" ? std::endian::big : std::endian::little;
     const auto beside =
         header_.field("data file").has_value() ? header_.field("data file") : header_.field("datafile");
@@ -353,7 +353,8 @@ private:
       const auto text = header_.field(name).has_value() ? header_.field(name) : header_.field(other);
       const auto number = parseInteger(text.value_or("0"));
       if (!number || *number < -1)
-        file_.fail("its header is damaged: " + inQuotes(*text) + " is no " + inQuotes(name));
+        file_.fail(
+            phrase("its header is damaged: %1 is not a number for %2", inQuotes(*text), inQuotes(name)));
       return *number;
     };
     const std::int64_t bytes = skip("byte skip", "byteskip"), lines = skip("line skip", "lineskip");

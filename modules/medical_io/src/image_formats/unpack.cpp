@@ -7,6 +7,8 @@
 #include <bzlib.h>
 #include <zlib.h>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 namespace {
 
@@ -31,8 +33,8 @@ public:
   bool unpack() {
     const int result = inflate(&stream, Z_NO_FLUSH);
     if (result != Z_OK && result != Z_BUF_ERROR && result != Z_STREAM_END)
-      file_.fail("the packed data are damaged" +
-                 (stream.msg != nullptr ? " (" + std::string(stream.msg) + ")" : std::string()));
+      file_.fail(stream.msg != nullptr ? phrase("the packed data are damaged (%1)", stream.msg)
+                                       : "the packed data are damaged");
     return result == Z_STREAM_END;
   }
 
@@ -57,7 +59,7 @@ public:
   bool unpack() {
     const int result = BZ2_bzDecompress(&stream);
     if (result != BZ_OK && result != BZ_STREAM_END)
-      file_.fail("the packed data are damaged (bzip2 error " + std::to_string(result) + ")");
+      file_.fail(phrase("the packed data are damaged (bzip2 error %1)", result));
     return result == BZ_STREAM_END;
   }
 

@@ -7,6 +7,7 @@
 #include "byte_cursor.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -68,14 +69,13 @@ void GltfDocument::parseGlb() {
   cursor.takeBytes(4, "the header");
   const auto version = cursor.take<std::uint32_t>("the header");
   if (version != 2)
-    file_.fail("It is glTF version " + std::to_string(version) + ", but only 2 can be read",
-               "export it as glTF 2.0");
+    file_.fail(phrase("It is glTF version %1, but only 2 can be read", version), "export it as glTF 2.0");
   const std::uint64_t length = cursor.take<std::uint32_t>("the header");
   if (length > file_.bytes.size())
-    file_.fail("the file is cut off: it should have " + std::to_string(length) + " bytes, but has " +
-               std::to_string(file_.bytes.size()));
+    file_.fail(
+        phrase("the file is cut off: it should have %1 bytes, but has %2", length, file_.bytes.size()));
   if (length < file_.bytes.size())
-    warnings_.push_back(counted(file_.bytes.size() - length, "byte", "bytes") + " after the end ignored");
+    warnings_.push_back(phrase("%n {byte|bytes} after the end ignored", file_.bytes.size() - length));
   const auto jsonLength = cursor.take<std::uint32_t>("the first chunk's header");
   if (cursor.take<std::uint32_t>("the first chunk's header") != kJsonChunk)
     file_.fail("its first chunk is not JSON: the file is damaged");
@@ -106,7 +106,7 @@ void GltfDocument::requireUnderstood() const {
   if (asset == json_.end() || !asset->is_object())
     file_.fail("its JSON has no \"asset\": it is not a glTF file");
   if (!text(*asset, "version").starts_with("2."))
-    file_.fail("It is glTF version " + inQuotes(text(*asset, "version")) + ", but only 2 can be read",
+    file_.fail(phrase("It is glTF version %1, but only 2 can be read", inQuotes(text(*asset, "version"))),
                "export it as glTF 2.0");
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end() || !required->is_array())
@@ -116,7 +116,7 @@ void GltfDocument::requireUnderstood() const {
     const bool harmless = std::any_of(kHarmless.begin(), kHarmless.end(),
                                       [&](std::string_view prefix) { return name.starts_with(prefix); });
     if (!harmless)
-      file_.fail("It needs the glTF extension " + inQuotes(name) + ", which Viscera does not know",
+      file_.fail(phrase("It needs the glTF extension %1, which Viscera does not know", inQuotes(name)),
                  "export it without compression");
   }
 }
@@ -130,20 +130,20 @@ void GltfDocument::loadBuffers() {
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& buffer = (*list)[i];
     if (!buffer.is_object())
-      fail("buffer " + std::to_string(i) + " is not a JSON object");
+      fail(phrase("buffer %1 is not a JSON object", i));
     const std::string uri = text(buffer, "uri");
     if (uri.empty() && i == 0 && hasBinary_) {
       buffers_.push_back(binary_);
     } else if (uri.empty()) {
-      fail("buffer " + std::to_string(i) + " has no data");
+      fail(phrase("buffer %1 has no data", i));
     } else {
       loaded_.push_back(loadUri(uri));
       buffers_.push_back(loaded_.back());
     }
     const std::uint64_t length = whole(buffer, "byteLength");
     if (length > buffers_.back().size())
-      fail("the file is cut off: buffer " + std::to_string(i) + " should have " + std::to_string(length) +
-           " bytes, but has " + std::to_string(buffers_.back().size()));
+      fail(phrase("the file is cut off: buffer %1 should have %2 bytes, but has %3", i, length,
+                  buffers_.back().size()));
   }
 }
 
@@ -158,11 +158,11 @@ std::string GltfDocument::loadUri(const std::string& uri) const {
   }
   const std::filesystem::path relative = decodedUri(uri);
   if (uri.find("://") != uri.npos || relative.is_absolute())
-    fail("a buffer is at " + inQuotes(uri) + ", but only files beside it are read");
+    fail(phrase("a buffer is at %1, but only files beside it are read", inQuotes(uri)));
   try {
     return readWholeFile(file_.file.parent_path() / relative).bytes;
   } catch (const Error& error) {
-    fail("its buffer " + inQuotes(relative.string()) + " cannot be read: " + error.problem());
+    fail(phrase("its buffer %1 cannot be read: %2", inQuotes(relative.string()), error.problem()));
   }
 }
 
@@ -170,8 +170,7 @@ const GltfDocument::Json& GltfDocument::entry(const char* list, std::uint64_t in
   const auto found = json_.find(list);
   const std::size_t size = found != json_.end() && found->is_array() ? found->size() : 0;
   if (index >= size || !(*found)[static_cast<std::size_t>(index)].is_object())
-    fail("It refers to number " + std::to_string(index) + " of \"" + list + "\", but there are " +
-         std::to_string(size) + " (counted from 0)");
+    fail(phrase("It refers to number %1 of \"%2\", but there are %3 (counted from 0)", index, list, size));
   return (*found)[static_cast<std::size_t>(index)];
 }
 
@@ -181,13 +180,13 @@ std::uint64_t GltfDocument::whole(const Json& object, const char* key, std::uint
     return otherwise;
   // Not printed: a damaged file may have put a document of any depth there.
   if (!found->is_number_unsigned())
-    fail("\"" + std::string(key) + "\" is not a number of things");
+    fail(phrase("\"%1\" is not a whole number from 0 on", key));
   return found->get<std::uint64_t>();
 }
 
 std::uint64_t GltfDocument::whole(const Json& object, const char* key) const {
   if (!object.contains(key))
-    fail("\"" + std::string(key) + "\" is missing");
+    fail(phrase("\"%1\" is missing", key));
   return whole(object, key, 0);
 }
 
@@ -197,16 +196,15 @@ std::string GltfDocument::text(const Json& object, const char* key) {
 }
 
 GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
-  const std::string where = "accessor " + std::to_string(accessor);
   const Json& json = entry("accessors", accessor);
   if (json.contains("sparse") || !json.contains("bufferView"))
-    fail(where + " is sparse, which Viscera does not read");
+    fail(phrase("accessor %1 is sparse, which Viscera does not read", accessor));
 
   View result;
   const auto type = lookUp(kComponentTypes, whole(json, "componentType"));
   const auto components = lookUp(kComponents, text(json, "type"));
   if (!type || !components)
-    fail(where + " has an unknown type");
+    fail(phrase("accessor %1 has an unknown type", accessor));
   result.scalar = type->scalar;
   result.components = *components;
   const auto normalized = json.find("normalized");
@@ -214,30 +212,29 @@ GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
     result.largest = type->largest;
 
   const Json& bufferView = entry("bufferViews", whole(json, "bufferView"));
-  result.data = dataOf(bufferView, whole(json, "byteOffset", 0), where);
+  result.data = dataOf(bufferView, whole(json, "byteOffset", 0), accessor);
   const std::size_t elementBytes = sizeOf(type->scalar) * result.components;
   const std::uint64_t stride = whole(bufferView, "byteStride", elementBytes);
   const std::uint64_t count = whole(json, "count");
   const bool fits = count == 0 || (elementBytes <= result.data.size() &&
                                    saturatedProduct(count - 1, stride) <= result.data.size() - elementBytes);
   if (stride < elementBytes || !fits)
-    fail(where + " should have " + std::to_string(count) + " elements, more than its buffer holds");
+    fail(phrase("accessor %1 should have %2 elements, more than its buffer holds", accessor, count));
   result.stride = static_cast<std::size_t>(stride);
   result.count = static_cast<std::size_t>(count);
   return result;
 }
 
 std::string_view GltfDocument::dataOf(const Json& bufferView, std::uint64_t offset,
-                                      const std::string& where) const {
+                                      std::uint64_t accessor) const {
   const std::uint64_t buffer = whole(bufferView, "buffer");
   if (buffer >= buffers_.size())
-    fail(where + " refers to buffer " + std::to_string(buffer) + ", but there are " +
-         std::to_string(buffers_.size()));
+    fail(phrase("accessor %1 refers to buffer %2, but there are %3", accessor, buffer, buffers_.size()));
   const std::string_view bytes = buffers_[static_cast<std::size_t>(buffer)];
   const std::uint64_t begin = whole(bufferView, "byteOffset", 0);
   const std::uint64_t length = whole(bufferView, "byteLength");
   if (begin > bytes.size() || length > bytes.size() - begin || offset > length)
-    fail(where + " lies behind the end of its buffer: the file is cut off or damaged");
+    fail(phrase("accessor %1 lies behind the end of its buffer: the file is cut off or damaged", accessor));
   return bytes.substr(static_cast<std::size_t>(begin + offset), static_cast<std::size_t>(length - offset));
 }
 
@@ -258,7 +255,7 @@ std::vector<double> GltfDocument::numbers(std::uint64_t accessor, std::size_t& c
 std::vector<std::int64_t> GltfDocument::indices(std::uint64_t accessor) const {
   const View data = view(accessor);
   if (data.components != 1 || !isWhole(data.scalar))
-    fail("accessor " + std::to_string(accessor) + " should hold point numbers");
+    fail(phrase("accessor %1 should hold point numbers", accessor));
   std::vector<std::int64_t> values;
   values.reserve(data.count);
   for (std::size_t i = 0; i < data.count; ++i)

@@ -58,7 +58,7 @@ private:
   void loadBuffers();
   std::string loadUri(const std::string& uri) const;
   View view(std::uint64_t accessor) const;
-  std::string_view dataOf(const Json& bufferView, std::uint64_t offset, const std::string& where) const;
+  std::string_view dataOf(const Json& bufferView, std::uint64_t offset, std::uint64_t accessor) const;
 
   const FileBytes& file_;
   Json json_;

@@ -18,6 +18,7 @@
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
 
 // Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
@@ -64,8 +65,7 @@ public:
     if (names_.size() == 1)
       raw_.name = names_.front();
     if (names_.size() > 1)
-      raw_.warnings.push_back("the file's " + std::to_string(names_.size()) +
-                              " meshes were joined to one surface");
+      raw_.warnings.push_back(phrase("the file's %1 meshes were joined to one surface", names_.size()));
     warnOfSkipped();
     if (!marked_)
       raw_.warnings.push_back("glTF does not say which axes a patient's are: its numbers are taken as LPS "
@@ -100,7 +100,7 @@ public:
 private:
   void warnOfSkipped() {
     if (skipped_ > 0)
-      raw_.warnings.push_back(counted(skipped_, "set", "sets") + " of points or lines ignored");
+      raw_.warnings.push_back(phrase("%n {set|sets} of points or lines ignored", skipped_));
   }
 
   /// What `writeSurfaces` says of an organ beside its mesh. Whatever is not as it writes it is left out.
@@ -190,13 +190,13 @@ private:
       open.pop_back();
       const Json& node = document_.entry("nodes", number);
       if (seen[static_cast<std::size_t>(number)])
-        document_.fail("node " + std::to_string(number) + " is in the scene twice");
+        document_.fail(phrase("node %1 is in the scene twice", number));
       seen[static_cast<std::size_t>(number)] = true;
       const Matrix here = above * transformOf(node);
       if (node.contains("mesh"))
         readMesh(document_.whole(node, "mesh"), here);
       if (node.contains("skin"))
-        raw_.warnings.push_back("node " + std::to_string(number) + " is moved by bones, which are ignored");
+        raw_.warnings.push_back(phrase("node %1 is moved by bones, which are ignored", number));
       for (const std::uint64_t child : children(node, "children"))
         open.emplace_back(child, here);
     }
@@ -208,11 +208,10 @@ private:
     if (found == node.end())
       return false;
     if (!found->is_array() || found->size() != count)
-      document_.fail("a node's \"" + std::string(key) + "\" does not have " + std::to_string(count) +
-                     " numbers");
+      document_.fail(phrase("a node's \"%1\" does not have %2 numbers", key, count));
     for (std::size_t i = 0; i < count; ++i) {
       if (!(*found)[i].is_number())
-        document_.fail("a node's \"" + std::string(key) + "\" holds something that is not a number");
+        document_.fail(phrase("a node's \"%1\" holds something that is not a number", key));
       values[i] = (*found)[i].get<double>();
     }
     return true;
@@ -239,7 +238,7 @@ private:
     const Json& mesh = document_.entry("meshes", number);
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
-      document_.fail("mesh " + std::to_string(number) + " has no primitives");
+      document_.fail(phrase("mesh %1 has no primitives", number));
     names_.push_back(GltfDocument::text(mesh, "name"));
     for (const Json& primitive : *primitives)
       readPrimitive(primitive, number, transform);
@@ -248,7 +247,7 @@ private:
   void readPrimitive(const Json& primitive, std::uint64_t mesh, const Matrix& transform) {
     const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
     if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
-      document_.fail("mesh " + std::to_string(mesh) + " has a primitive without attributes");
+      document_.fail(phrase("mesh %1 has a primitive without attributes", mesh));
     const std::uint64_t mode = document_.whole(primitive, "mode", kTriangles);
     if (mode < kTriangles || mode > kFan) {
       ++skipped_;
@@ -261,7 +260,7 @@ private:
     for (std::int64_t& corner : list)
       corner += static_cast<std::int64_t>(before);
     if (raw_.corners.size() + 3 * list.size() > kMostGltfCorners)
-      document_.fail("unfolds to too many triangles");
+      document_.fail("It unfolds to too many triangles");
     addTriangles(list, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
 
@@ -269,9 +268,9 @@ private:
     std::size_t components = 0;
     const std::vector<double> values = document_.numbers(document_.whole(attributes, "POSITION"), components);
     if (components != 3)
-      document_.fail("its points have " + std::to_string(components) + " coordinates, not 3");
+      document_.fail(phrase("its points have %1 coordinates, not 3", components));
     if (raw_.coordinates.size() + values.size() > kMostGltfCorners)
-      document_.fail("unfolds to too many points");
+      document_.fail("It unfolds to too many points");
     const bool moved = !transform.isIdentity(0);
     for (std::size_t i = 0; i < values.size(); i += 3) {
       Vec3 point(values[i], values[i + 1], values[i + 2]);
@@ -304,8 +303,8 @@ private:
     }
     for (const std::int64_t corner : list)
       if (static_cast<std::uint64_t>(corner) >= points)
-        document_.fail("mesh " + std::to_string(mesh) + " refers to point " + std::to_string(corner) +
-                       ", but there are " + std::to_string(points) + " (counted from 0)");
+        document_.fail(
+            phrase("mesh %1 refers to point %2, but there are %3 (counted from 0)", mesh, corner, points));
     return list;
   }
 

@@ -9,6 +9,7 @@
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 // Own reader: VTK's keeps single precision, knows neither comments nor vertex colours, and splits corners at
 // texture seams, which opens a closed surface.
@@ -30,12 +31,11 @@ public:
     finishColors();
     if (objects_ > 1) {
       raw_.name.clear();
-      raw_.warnings.push_back("the file's " + std::to_string(objects_) +
-                              " objects were joined to one surface");
+      raw_.warnings.push_back(phrase("the file's %1 objects were joined to one surface", objects_));
     }
     if (other_ > 0)
-      raw_.warnings.push_back(counted(other_, "line", "lines") +
-                              " with points, curves or free-form surfaces ignored");
+      raw_.warnings.push_back(
+          phrase("%n {line|lines} with points, curves or free-form surfaces ignored", other_));
     return std::move(raw_);
   }
 
@@ -79,7 +79,7 @@ private:
          word = takeWord(line)) {
       const auto value = parseNumber(word);
       if (!value)
-        scanner_.fail(inQuotes(word) + " stands where a coordinate should");
+        scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a coordinate"));
       values[count++] = *value;
     }
     if (count < 3)
@@ -95,12 +95,11 @@ private:
       const auto number = parseInteger(word.substr(0, word.find('/')));
       const auto points = static_cast<std::int64_t>(raw_.pointCount());
       if (!number || *number == 0)
-        scanner_.fail(inQuotes(word) + " stands where a point's number should");
+        scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a point's number"));
       // Negative numbers count back from the last point so far.
       const std::int64_t corner = *number > 0 ? *number - 1 : points + *number;
       if (corner < 0)
-        scanner_.fail("a face refers to point " + std::to_string(*number) + ", but there are only " +
-                      std::to_string(points) + " before it");
+        scanner_.fail(phrase("a face refers to point %1, but there are only %2 before it", *number, points));
       raw_.corners.push_back(corner);
     }
     if (raw_.corners.size() - first < 3)
@@ -123,7 +122,7 @@ private:
   void readUnknown(std::string_view word) {
     const bool text = std::all_of(word.begin(), word.end(), [](char c) { return c > ' ' && c <= '~'; });
     if (!text || raw_.pointCount() == 0)
-      scanner_.fail(inQuotes(word) + " is not a statement of an OBJ file");
+      scanner_.fail(phrase("%1 is not a statement of an OBJ file", inQuotes(word)));
     ++other_;
   }
 

@@ -14,6 +14,7 @@
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 // Own reader: VTK's keeps single precision, allocates what the header promises and reads on behind the end of
 // a file that was cut off.
@@ -92,7 +93,7 @@ public:
 private:
   void readHeader() {
     if (trimmed(text_.line()) != "ply")
-      file_.fail("does not begin with \"ply\": it is not a PLY file", "check its ending");
+      file_.fail("It does not begin with \"ply\": it is not a PLY file", "check its ending");
     for (;;) {
       if (text_.remaining() == 0)
         text_.failAtEnd("\"end_header\"");
@@ -109,7 +110,7 @@ private:
       else if (word == "comment" || word == "obj_info")
         raw_.takeComment(trimmed(line));
       else if (!word.empty())
-        text_.fail(inQuotes(word) + " is not a word of a PLY header");
+        text_.fail(phrase("%1 is not a word of a PLY header", inQuotes(word)));
     }
     if (!formatKnown_)
       file_.fail("its header does not say its format");
@@ -120,7 +121,7 @@ private:
     binary_ = format != "ascii";
     order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
     if (binary_ && format != "binary_big_endian" && format != "binary_little_endian")
-      text_.fail("the format " + inQuotes(format) + " is not known");
+      text_.fail(phrase("the format %1 is not known", inQuotes(format)));
     formatKnown_ = true;
   }
 
@@ -130,7 +131,7 @@ private:
     const std::string_view number = takeWord(line);
     const std::optional<std::int64_t> count = parseInteger(number);
     if (!count || *count < 0)
-      text_.fail(inQuotes(number) + " is not a number of elements");
+      text_.fail(phrase("%1 is not a number of elements", inQuotes(number)));
     element.count = static_cast<std::uint64_t>(*count);
     elements_.push_back(std::move(element));
   }
@@ -139,7 +140,7 @@ private:
     for (const ValueType& type : kPlyTypes)
       if (type.names[0] == name || type.names[1] == name)
         return type;
-    text_.fail(inQuotes(name) + " is not a type of a PLY file");
+    text_.fail(phrase("%1 is not a type of a PLY file", inQuotes(name)));
   }
 
   void readProperty(std::string_view line) {
@@ -160,9 +161,9 @@ private:
     const std::uint64_t left = binary_ ? bytes.remaining() : text_.remaining() + 1;
     const std::uint64_t each = binary_ ? element.leastBytes() : 2 * element.properties.size();
     if (saturatedProduct(element.count, each) > left)
-      file_.fail("the file is cut off: its header promises " + std::to_string(element.count) + " of " +
-                 inQuotes(element.name) + ", more than the " + counted(left, "byte", "bytes") +
-                 " that are left can hold");
+      file_.fail(phrase("the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} "
+                        "that are left can hold",
+                        left, element.count, inQuotes(element.name)));
   }
 
   double next(const ValueType& type, ByteCursor& bytes) {
@@ -189,8 +190,9 @@ private:
       const std::uint64_t left =
           binary_ ? bytes.remaining() / sizeOf(property.type->scalar) : text_.remaining();
       if (!(count >= 0 && count <= static_cast<double>(left)))
-        file_.fail("the file is cut off or damaged: a list of " + inQuotes(element.name) + " " +
-                   std::to_string(number) + " should have more values than are left");
+        file_.fail(
+            phrase("the file is cut off or damaged: a list of %1 %2 should have more values than are left",
+                   inQuotes(element.name), number));
       for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
         const double value = next(*property.type, bytes);
         if (p == wanted)

@@ -7,6 +7,7 @@
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 // Own reader: VTK's takes the triangle count of a damaged header at its word, returns what there is of a file
@@ -41,18 +42,20 @@ bool hasBinarySize(const FileBytes& file) {
 std::uint64_t requireBinaryCount(const FileBytes& file, RawSurface& raw) {
   const std::optional<std::uint64_t> count = binaryCount(file);
   if (!count)
-    file.fail("It is too short for an STL file: " + counted(file.bytes.size(), "byte", "bytes"));
+    file.fail(phrase("It is too short for an STL file: %n {byte|bytes}", file.bytes.size()));
   const std::uint64_t expected = kPrefixBytes + *count * kFacetBytes;
   const std::uint64_t size = file.bytes.size();
   if (expected > size)
-    file.fail("the file is cut off, or is not an STL file: its header promises " +
-              counted(*count, "triangle", "triangles") + " (" + std::to_string(expected) +
-              " bytes), but it has " + std::to_string(size) + " bytes");
+    file.fail(
+        phrase("the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} "
+               "(%2 bytes), but it has %3 bytes",
+               *count, expected, size));
   if (size - expected >= kFacetBytes)
-    file.fail("its header promises " + counted(*count, "triangle", "triangles") + ", but there is room for " +
-              std::to_string((size - kPrefixBytes) / kFacetBytes) + ": the file is damaged");
+    file.fail(
+        phrase("its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged",
+               *count, (size - kPrefixBytes) / kFacetBytes));
   if (size > expected)
-    raw.warnings.push_back(counted(size - expected, "byte", "bytes") + " after the last triangle ignored");
+    raw.warnings.push_back(phrase("%n {byte|bytes} after the last triangle ignored", size - expected));
   return *count;
 }
 
@@ -106,7 +109,7 @@ void readSolid(TextScanner& scanner, RawSurface& raw) {
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endfacet") {
       if (scanner.atEnd())
         scanner.failAtEnd("\"endsolid\"");
-      scanner.fail(inQuotes(word) + " is not a word of an STL file");
+      scanner.fail(phrase("%1 is not a word of an STL file", inQuotes(word)));
     }
   }
 }
@@ -119,12 +122,12 @@ RawSurface readAscii(const FileBytes& file) {
   while (!scanner.atEnd()) {
     const std::string_view word = scanner.word();
     if (lowered(word) != "solid")
-      scanner.fail(inQuotes(word) + " stands where \"solid\" should");
+      scanner.fail(phrase("%1 stands where %2 should", inQuotes(word), inQuotes("solid")));
     readSolid(scanner, raw);
     ++solids;
   }
   if (solids > 1)
-    raw.warnings.push_back("the file's " + std::to_string(solids) + " solids were joined to one surface");
+    raw.warnings.push_back(phrase("the file's %1 solids were joined to one surface", solids));
   return raw;
 }
 

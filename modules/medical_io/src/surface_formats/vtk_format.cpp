@@ -18,6 +18,7 @@
 #include "surface_formats.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "vtk_poly_data.h"
 
 // Own reader: VTK's walks through the cells of a damaged file without looking where they end, which is a
@@ -72,14 +73,15 @@ private:
   void readHeader() {
     std::string_view first = scanner_.line();
     if (!first.starts_with("# vtk DataFile"))
-      file_.fail("does not begin with \"# vtk DataFile\": it is not a legacy VTK file", "check its ending");
+      file_.fail("It does not begin with \"# vtk DataFile\": it is not a legacy VTK file",
+                 "check its ending");
     const std::size_t version = first.find_first_of("0123456789");
     offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
     const std::string_view title = scanner_.line();
     raw_.takeComment(title);
     const std::string mode = lowered(trimmed(scanner_.line()));
     if (mode != "ascii" && mode != "binary")
-      scanner_.fail(inQuotes(mode) + " stands where ASCII or BINARY should");
+      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(mode), "ASCII or BINARY"));
     binary_ = mode == "binary";
   }
 
@@ -105,20 +107,20 @@ private:
     else if (attributes_)
       return stopAt(word);
     else
-      scanner_.fail(inQuotes(word) + " is not a section of a legacy VTK surface");
+      scanner_.fail(phrase("%1 is not a section of a legacy VTK surface", inQuotes(word)));
     return true;
   }
 
   bool stopAt(std::string_view word) {
-    raw_.warnings.push_back("values from the section " + inQuotes(word) +
-                            " on were not understood and ignored");
+    raw_.warnings.push_back(
+        phrase("values from the section %1 on were not understood and ignored", inQuotes(word)));
     return false;
   }
 
   void readDatasetType() {
     const std::string_view type = scanner_.word();
     if (lowered(type) != "polydata")
-      file_.fail("It holds a VTK dataset of type " + inQuotes(type) + ", not a surface (POLYDATA)",
+      file_.fail(phrase("It holds a VTK dataset of type %1, not a surface (POLYDATA)", inQuotes(type)),
                  "extract its surface first");
   }
 
@@ -126,14 +128,15 @@ private:
     const std::string_view word = scanner_.word();
     const auto type = lookUp(kVtkTypes, lowered(word));
     if (!type)
-      scanner_.fail(inQuotes(word) + " is not a type of numbers");
+      scanner_.fail(phrase("%1 is not a type of numbers", inQuotes(word)));
     return *type;
   }
 
   void requireRoom(std::uint64_t bytes, std::uint64_t numbers) const {
     if (bytes > scanner_.remaining())
-      scanner_.fail("the file is cut off: " + std::to_string(numbers) + " numbers follow, but only " +
-                    counted(scanner_.remaining(), "byte", "bytes"));
+      scanner_.fail(
+          phrase("the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left",
+                 scanner_.remaining(), numbers));
   }
   void requireRoom(std::uint64_t count) const { requireRoom(count, count); }
 
@@ -200,13 +203,13 @@ private:
     for (std::size_t at = 0; at < list.size(); ++cells) {
       const std::int64_t size = list[at++];
       if (size < 0 || static_cast<std::uint64_t>(size) > list.size() - at)
-        scanner_.fail("cell " + std::to_string(cells) + " claims " + std::to_string(size) + " points, but " +
-                      std::to_string(list.size() - at) + " numbers are left");
+        scanner_.fail(
+            phrase("cell %1 claims %2 points, but %3 numbers are left", cells, size, list.size() - at));
       addCell(keyword, std::span(list).subspan(at, static_cast<std::size_t>(size)));
       at += static_cast<std::size_t>(size);
     }
     if (cells != count)
-      scanner_.fail(std::to_string(count) + " cells were announced, but there are " + std::to_string(cells));
+      scanner_.fail(phrase("%1 cells were announced, but there are %2", count, cells));
   }
 
   void readCellsByOffsets(const std::string& keyword, std::uint64_t count, std::uint64_t size) {
@@ -227,7 +230,7 @@ private:
   void requireWord(std::string_view expected) {
     const std::string_view word = scanner_.word();
     if (lowered(word) != expected)
-      scanner_.fail(inQuotes(word) + " stands where " + std::string(expected) + " should");
+      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), inQuotes(expected)));
   }
 
   void addCell(const std::string& keyword, std::span<const std::int64_t> cell) {
@@ -252,8 +255,8 @@ private:
     ofPoints_ = ofPoints;
     elements_ = scanner_.count("the number of values", 0);
     if (ofPoints && elements_ != raw_.pointCount())
-      scanner_.fail("there are values for " + counted(elements_, "point", "points") +
-                    ", but the surface has " + std::to_string(raw_.pointCount()));
+      scanner_.fail(phrase("there are values for %n {point|points}, but the surface has %2", elements_,
+                           raw_.pointCount()));
   }
 
   /// False for a keyword that is none.
@@ -405,7 +408,7 @@ void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const
   writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || quiet.failed())
-    throw CannotCreateError("VTK could not write the surface: " + quiet.error());
+    throw CannotCreateError(phrase("VTK could not write the surface: %1", quiet.error()));
   out.write(writer->GetOutputString(), writer->GetOutputStringLength());
 }
 

@@ -13,6 +13,7 @@
 #include "quiet_vtk.h"
 #include "scalar.h"
 #include "text_scanner.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -39,29 +40,33 @@ public:
     const std::string_view name = array.attribute("type");
     const auto type = lookUp(kVtpTypes, name);
     if (!type)
-      fail("It has the unknown type " + inQuotes(name));
+      fail(phrase("it has the unknown type %1", inQuotes(name)));
     type_ = *type;
   }
 
-  std::vector<double> numbers() const { return values(loadDouble, parseNumber, "number"); }
+  std::vector<double> numbers() const {
+    return values(loadDouble, parseNumber, "it contains %1, which is no number");
+  }
 
   std::vector<std::int64_t> integers() const {
     if (!isWhole(type_))
-      fail("should hold whole numbers");
-    return values(loadInteger, parseInteger, "whole number");
+      fail("it should hold whole numbers");
+    return values(loadInteger, parseInteger, "it contains %1, which is no whole number");
   }
 
 private:
+  /// `refusal` is a pattern that has the word that is no number as its part.
   template <class Number>
   std::vector<Number> values(Number (*load)(const char*, Scalar, std::endian),
-                             std::optional<Number> (*parse)(std::string_view), const char* what) const {
+                             std::optional<Number> (*parse)(std::string_view),
+                             std::string_view refusal) const {
     std::vector<Number> list;
     if (array_.attribute("format") == "ascii") {
       std::string_view rest = array_.text;
       for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
         const std::optional<Number> value = parse(word);
         if (!value)
-          fail("contains " + inQuotes(word) + ", which is no " + what);
+          fail(phrase(refusal, inQuotes(word)));
         list.push_back(*value);
       }
       return list;
@@ -75,7 +80,11 @@ private:
 
   [[noreturn]] void fail(const std::string& problem) const {
     const std::string_view name = array_.attribute("Name");
-    storage_.file->fail("the array " + inQuotes(name) + " " + problem);
+    storage_.file->fail(phrase("the array %1: %2", inQuotes(name), problem));
+  }
+
+  [[noreturn]] void failAsTooLong(std::uint64_t bytes) const {
+    fail(phrase("it should have %1 bytes, more than there are: the file is cut off or damaged", bytes));
   }
 
   std::string content() const {
@@ -86,16 +95,16 @@ private:
     else if (format == "appended")
       bytes = storage_.appendedIsBase64 ? fromBase64(appendedData()) : fromRaw(appendedData());
     else
-      fail("It has the unknown format " + inQuotes(format));
+      fail(phrase("it has the unknown format %1", inQuotes(format)));
     if (bytes.size() % sizeOf(type_) != 0)
-      fail("does not hold a whole number of values");
+      fail("it does not hold a whole number of values");
     return bytes;
   }
 
   std::string_view appendedData() const {
     const std::optional<std::int64_t> offset = parseInteger(array_.attribute("offset"));
     if (!offset || *offset < 0 || static_cast<std::uint64_t>(*offset) >= storage_.appended.size())
-      fail("begins behind the end of the data: the file is cut off");
+      fail("it begins behind the end of the data: the file is cut off");
     return storage_.appended.substr(static_cast<std::size_t>(*offset));
   }
 
@@ -110,12 +119,11 @@ private:
   /// Decodes exactly `bytes` bytes from the beginning of `text`.
   std::string decode(std::string_view text, std::uint64_t bytes) const {
     if (bytes > kLargestArray || encodedSize(bytes) > text.size())
-      fail("should have " + std::to_string(bytes) +
-           " bytes, more than there are: the file is cut off or damaged");
+      failAsTooLong(bytes);
     std::optional<std::string> decoded =
         decodeBase64(text.substr(0, static_cast<std::size_t>(encodedSize(bytes))));
     if (!decoded || decoded->size() < bytes)
-      fail("It is damaged: it is not valid base64");
+      fail("it is not valid base64: the file is damaged");
     decoded->resize(static_cast<std::size_t>(bytes));
     return std::move(*decoded);
   }
@@ -136,8 +144,7 @@ private:
     if (text.substr(0, headerEnd).ends_with('='))
       return decode(text.substr(headerEnd), size);
     if (size > text.size())
-      fail("should have " + std::to_string(size) +
-           " bytes, more than there are: the file is cut off or damaged");
+      failAsTooLong(size);
     return decode(text, word + size).substr(word);
   }
 
@@ -145,8 +152,8 @@ private:
     const std::size_t word = storage_.headerBytes;
     const auto take = [&](std::uint64_t bytes) {
       if (bytes > data.size())
-        fail("should have " + std::to_string(bytes) + " more bytes, but " + std::to_string(data.size()) +
-             " are left: the file is cut off or damaged");
+        fail(phrase("it should have %1 more bytes, but %2 are left: the file is cut off or damaged", bytes,
+                    data.size()));
       const std::string_view taken = data.substr(0, static_cast<std::size_t>(bytes));
       data.remove_prefix(taken.size());
       return taken;
@@ -162,8 +169,7 @@ private:
 
   void requireBlocks(std::uint64_t blocks, std::size_t available) const {
     if (blocks > available / storage_.headerBytes)
-      fail("claims " + std::to_string(blocks) +
-           " blocks, more than there are: the file is cut off or damaged");
+      fail(phrase("it claims %1 blocks, more than there are: the file is cut off or damaged", blocks));
   }
 
   std::uint64_t compressedSize(std::string_view header, std::size_t available) const {
@@ -172,7 +178,7 @@ private:
     for (std::uint64_t b = 0; b < blocks; ++b) {
       const std::uint64_t size = headerWord(header, static_cast<std::size_t>(3 + b));
       if (size > available)
-        fail("claims a block larger than the file: the file is cut off or damaged");
+        fail("it claims a block larger than the file: the file is cut off or damaged");
       total += size;
     }
     return total;
@@ -185,7 +191,7 @@ private:
       return vtkSmartPointer<vtkLZ4DataCompressor>::New();
     if (storage_.compressor == "vtkLZMADataCompressor")
       return vtkSmartPointer<vtkLZMADataCompressor>::New();
-    fail("It is compressed by " + inQuotes(storage_.compressor) + ", which Viscera does not know");
+    fail(phrase("it is compressed by %1, which Viscera does not know", inQuotes(storage_.compressor)));
   }
 
   /// `header`: number of blocks, size of a block, size of the last one (0: it is full), compressed sizes.
@@ -200,15 +206,14 @@ private:
       const std::uint64_t packed = headerWord(header, static_cast<std::size_t>(3 + b));
       const std::uint64_t size = b + 1 == blocks && lastSize > 0 ? lastSize : fullSize;
       if (size > saturatedProduct(packed, kMostInflation) || result.size() + size > kLargestArray)
-        fail("claims " + std::to_string(size) + " bytes in " + std::to_string(packed) +
-             ": the file is damaged");
+        fail(phrase("it claims %1 bytes in %2: the file is damaged", size, packed));
       const std::size_t at = result.size();
       result.resize(at + static_cast<std::size_t>(size));
       const std::size_t got = compressor->Uncompress(
           reinterpret_cast<const unsigned char*>(data.data()), static_cast<std::size_t>(packed),
           reinterpret_cast<unsigned char*>(result.data() + at), static_cast<std::size_t>(size));
       if (got != size || quiet.failed())
-        fail("It cannot be decompressed: the file is damaged");
+        fail("it cannot be decompressed: the file is damaged");
       data.remove_prefix(static_cast<std::size_t>(packed));
     }
     return result;

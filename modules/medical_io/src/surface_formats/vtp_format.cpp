@@ -18,6 +18,7 @@
 #include "surface_formats/vtp_data_array.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "vtk_poly_data.h"
 #include "xml_tree.h"
 
@@ -68,10 +69,10 @@ private:
 
   void checkRoot() {
     if (!tree_.error.empty())
-      file_.fail("It is not complete XML: " + tree_.error);
+      file_.fail(phrase("It is not complete XML: %1", tree_.error));
     const XmlElement& root = tree_.root;
     if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
-      file_.fail("It holds " + inQuotes(root.attribute("type")) + ", not a VTK surface (PolyData)",
+      file_.fail(phrase("It holds %1, not a VTK surface (PolyData)", inQuotes(root.attribute("type"))),
                  "extract its surface first");
     storage_.order = root.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
     storage_.headerBytes = root.attribute("header_type") == "UInt64" ? 8 : 4;
@@ -96,7 +97,7 @@ private:
     const std::string_view text = piece.attribute(key);
     const std::optional<std::int64_t> value = text.empty() ? 0 : parseInteger(text);
     if (!value || *value < 0)
-      file_.fail(std::string(key) + " is " + inQuotes(text) + ", which is no number of things");
+      file_.fail(phrase("%1 is %2, which is no whole number from 0 on", key, inQuotes(text)));
     return static_cast<std::uint64_t>(*value);
   }
 
@@ -118,8 +119,7 @@ private:
       file_.fail("It holds a piece without points");
     const std::vector<double> values = readVtpNumbers(storage_, *array);
     if (values.size() != saturatedProduct(points, 3))
-      file_.fail("announces " + std::to_string(points) + " points, but holds " +
-                 std::to_string(values.size()) + " coordinates");
+      file_.fail(phrase("It announces %1 points, but holds %2 coordinates", points, values.size()));
     raw_.coordinates.insert(raw_.coordinates.end(), values.begin(), values.end());
   }
 
@@ -127,7 +127,7 @@ private:
     for (const XmlElement& array : cells.children)
       if (array.attribute("Name") == name)
         return array;
-    file_.fail("It has cells without the array " + inQuotes(name));
+    file_.fail(phrase("It has cells without the array %1", inQuotes(name)));
   }
 
   void readCells(const XmlElement& piece, std::string_view kind, std::uint64_t cells, std::uint64_t before,
@@ -136,16 +136,15 @@ private:
       return;
     const XmlElement* element = piece.child(kind);
     if (element == nullptr)
-      file_.fail("announces cells of the kind " + std::string(kind) + ", but has none");
+      file_.fail(phrase("It announces cells of the kind %1, but has none", kind));
     std::vector<std::int64_t> list = readVtpIntegers(storage_, cellArray(*element, "connectivity"));
     const std::vector<std::int64_t> ends = readVtpIntegers(storage_, cellArray(*element, "offsets"));
     if (ends.size() != cells || ends.front() < 0 || !std::is_sorted(ends.begin(), ends.end()) ||
         ends.back() != static_cast<std::int64_t>(list.size()))
-      file_.fail("the offsets of its cells (" + std::string(kind) + ") do not fit their points");
+      file_.fail(phrase("the offsets of its cells (%1) do not fit their points", kind));
     for (std::int64_t& point : list) {
       if (point < 0 || static_cast<std::uint64_t>(point) >= points)
-        file_.fail("a cell refers to point " + std::to_string(point) + ", but there are " +
-                   std::to_string(points) + " (counted from 0)");
+        file_.fail(phrase("a cell refers to point %1, but there are %2 (counted from 0)", point, points));
       point += static_cast<std::int64_t>(before);
     }
     std::int64_t begin = 0;
@@ -180,8 +179,7 @@ private:
     const std::uint64_t components = chosen->attribute("NumberOfComponents") == "3" ? 3 : 4;
     const std::vector<std::int64_t> values = readVtpIntegers(storage_, *chosen);
     if (values.size() != saturatedProduct(points, components))
-      file_.fail("It has " + std::to_string(values.size()) + " colour values for " + std::to_string(points) +
-                 " points");
+      file_.fail(phrase("It has %1 colour values for %2 points", values.size(), points));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
         raw_.colors.push_back(static_cast<std::uint8_t>(values[i]));
@@ -221,7 +219,7 @@ void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options)
   writer->SetDataModeToAppended();
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || quiet.failed())
-    throw CannotCreateError("VTK could not write the surface: " + quiet.error());
+    throw CannotCreateError(phrase("VTK could not write the surface: %1", quiet.error()));
   out << writer->GetOutputString();
 }
 
