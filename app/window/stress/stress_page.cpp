@@ -56,14 +56,14 @@ QString nameOf(live::WitnessOrigin origin) {
   return {};
 }
 
-const QSize kSwatch(56, 12);
+const QSize kMapSwatch(56, 12);
 
 /// The colours of a map from left to right.
 QIcon swatchOf(const scene::ColorMap& map) {
   QImage image(static_cast<int>(map.colors.rows()), 1, QImage::Format_RGB32);
   for (int i = 0; i < image.width(); ++i)
     image.setPixel(i, 0, qRgb(map.colors(i, 0), map.colors(i, 1), map.colors(i, 2)));
-  return QPixmap::fromImage(image.scaled(kSwatch));
+  return QPixmap::fromImage(image.scaled(kMapSwatch));
 }
 
 } // namespace
@@ -123,7 +123,7 @@ void StressPage::makeMap(const Actions& actions) {
   colors_ = addChoice("stressColors", tr("Colours"), maps, [](StressLook& look, int index) {
     look.*presentation::colorsOf(look.quantity) = scene::colorMaps()[static_cast<std::size_t>(index)].name;
   });
-  colors_->setIconSize(kSwatch);
+  colors_->setIconSize(kMapSwatch);
   for (int i = 0; i < colors_->count(); ++i)
     colors_->setItemIcon(i, swatchOf(scene::colorMaps()[static_cast<std::size_t>(i)]));
   colors_->setToolTip(

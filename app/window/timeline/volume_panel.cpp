@@ -29,7 +29,7 @@ namespace {
 constexpr double kShownVolumeSeconds = 5;
 constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
-constexpr int kSwatch = 10;
+constexpr int kLineSwatch = 10;
 constexpr int kVolumeChartHeight = 160; ///< Above a table.
 
 using Quantity = motion::NormalRange::Quantity;
@@ -39,7 +39,7 @@ bool inMilliliters(const motion::NormalRange& range) {
 }
 
 QIcon swatch(const Vec3& color) {
-  QPixmap pixmap(kSwatch, kSwatch);
+  QPixmap pixmap(kLineSwatch, kLineSwatch);
   pixmap.fill(QColor::fromRgbF(color.x(), color.y(), color.z()));
   return pixmap;
 }
@@ -293,9 +293,10 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   name->setObjectName(QStringLiteral("tileName"));
   // A long name must not push the second column out of sight.
   box->setFixedWidth(kTileWidth);
-  name->setText(name->fontMetrics().elidedText(nameOf(line), Qt::ElideRight, kTileWidth - 2 * kSwatch - 8));
+  name->setText(
+      name->fontMetrics().elidedText(nameOf(line), Qt::ElideRight, kTileWidth - 2 * kLineSwatch - 8));
   name->setIcon(swatch(line.color));
-  name->setIconSize(QSize(kSwatch, kSwatch));
+  name->setIconSize(QSize(kLineSwatch, kLineSwatch));
   name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   name->setToolTip(tr("%1: show its normal range in the chart").arg(nameOf(line)));
   connect(name, &QToolButton::clicked, this,

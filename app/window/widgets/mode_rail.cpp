@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "window/modes/mode_controller.h"
 #include "window/style/icon.h"
