@@ -184,8 +184,8 @@
         <translation>%1 de més d’1 GB no cap en un fitxer de sessió</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>

@@ -184,8 +184,8 @@
         <translation>%1 von mehr als 1 GB passt nicht in eine Sitzungsdatei</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>

@@ -184,8 +184,8 @@
         <translation>%1 de más de 1 GB no cabe en un archivo de sesión</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>

@@ -184,8 +184,8 @@
         <translation>%1 de plus de 1 Go ne peut pas être gardé dans un fichier de session</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>
