@@ -1382,10 +1382,6 @@
         <translation>No té talls d’una exploració: «%1» %2</translation>
     </message>
     <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>No té talls d’una exploració: %1 %2</translation>
-    </message>
-    <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>No té la superfície «%1»</translation>
     </message>

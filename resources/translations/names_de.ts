@@ -1382,10 +1382,6 @@
         <translation>Es gibt keine Schichten eines Scans: „%1“ %2</translation>
     </message>
     <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>Es gibt keine Schichten eines Scans: %1 %2</translation>
-    </message>
-    <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>Es hat keine Oberfläche „%1“</translation>
     </message>

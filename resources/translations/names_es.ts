@@ -1382,10 +1382,6 @@
         <translation>No tiene cortes de un estudio: «%1» %2</translation>
     </message>
     <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>No tiene cortes de un estudio: %1 %2</translation>
-    </message>
-    <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>No tiene la superficie «%1»</translation>
     </message>

@@ -1382,10 +1382,6 @@
         <translation>Il n’y a pas de coupes d’un examen : « %1 » %2</translation>
     </message>
     <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>Il n’y a pas de coupes d’un examen : %1 %2</translation>
-    </message>
-    <message>
         <source>It has no surface &quot;%1&quot;</source>
         <translation>Il n’a pas de surface « %1 »</translation>
     </message>
