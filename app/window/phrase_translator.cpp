@@ -122,13 +122,23 @@ QString PhraseTranslator::made(const Form& form, const QStringList& parts) const
   return text + pattern.midRef(from);
 }
 
-QString PhraseTranslator::translateWhole(const QString& text, bool joined) const {
+QString PhraseTranslator::translateWhole(const QString& text) const {
+  // An error begins with a capital letter, whoever says it (viscera/core/error.h).
+  QString small = text;
+  small[0] = small[0].toLower();
   if (const QString exact = QTranslator::translate(kContext, text.toUtf8().constData()); !exact.isEmpty())
     return exact;
-  for (const Form& form : forms_)
-    if (form.joins == joined)
+  if (const QString exact = QTranslator::translate(kContext, small.toUtf8().constData()); !exact.isEmpty())
+    return capitalised(exact);
+  for (const bool joined : {false, true})
+    for (const Form& form : forms_) {
+      if (form.joins != joined)
+        continue;
       if (const auto parts = partsIn(text, form))
         return made(form, *parts);
+      if (const auto parts = partsIn(small, form))
+        return capitalised(made(form, *parts));
+    }
   return {};
 }
 
@@ -151,15 +161,7 @@ QString PhraseTranslator::translate(const char* context, const char* source, con
   const QString text = QString::fromUtf8(source);
   if (text.isEmpty())
     return {};
-  if (const QString whole = translateWhole(text, false); !whole.isEmpty())
-    return whole;
-  // An error begins with a capital letter, whoever says it (viscera/core/error.h).
-  QString small = text;
-  small[0] = small[0].toLower();
-  if (small != text)
-    if (const QString whole = translateWhole(small, false); !whole.isEmpty())
-      return capitalised(whole);
-  return translateWhole(text, true);
+  return translateWhole(text);
 }
 
 QString messageInWords(const std::string& text) {

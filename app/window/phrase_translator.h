@@ -42,9 +42,9 @@ private:
   /// What a text has in the places of a form, in their order; nothing when the form did not make it.
   static std::optional<QStringList> partsIn(const QString& text, const Form& form);
   QString made(const Form& form, const QStringList& parts) const;
-  /// By the exact text, else by the first pattern that gives it: of those with words, or of those that only
-  /// join their parts.
-  QString translateWhole(const QString& text, bool joined) const;
+  /// By the exact text, else by the most particular pattern that gives it, with a capital letter or without;
+  /// those that only join their parts come last.
+  QString translateWhole(const QString& text) const;
   /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
   /// and what stands in quotes as it is, with the marks of the language.
   QString inWords(const QString& text) const;

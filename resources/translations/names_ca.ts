@@ -188,8 +188,8 @@
         <translation>%1 de més d’1 GB no cap en un fitxer de sessió</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>
@@ -1400,10 +1400,6 @@
     <message>
         <source>It has no slices of a scan: &quot;%1&quot; %2</source>
         <translation>No té talls d’una exploració: «%1» %2</translation>
-    </message>
-    <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>No té talls d’una exploració: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>

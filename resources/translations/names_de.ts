@@ -188,8 +188,8 @@
         <translation>%1 von mehr als 1 GB passt nicht in eine Sitzungsdatei</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>
@@ -1400,10 +1400,6 @@
     <message>
         <source>It has no slices of a scan: &quot;%1&quot; %2</source>
         <translation>Es gibt keine Schichten eines Scans: „%1“ %2</translation>
-    </message>
-    <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>Es gibt keine Schichten eines Scans: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>

@@ -188,8 +188,8 @@
         <translation>%1 de más de 1 GB no cabe en un archivo de sesión</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>
@@ -1400,10 +1400,6 @@
     <message>
         <source>It has no slices of a scan: &quot;%1&quot; %2</source>
         <translation>No tiene cortes de un estudio: «%1» %2</translation>
-    </message>
-    <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>No tiene cortes de un estudio: %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>

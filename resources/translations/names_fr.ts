@@ -188,8 +188,8 @@
         <translation>%1 de plus de 1 Go ne peut pas être gardé dans un fichier de session</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 rows</source>
@@ -1400,10 +1400,6 @@
     <message>
         <source>It has no slices of a scan: &quot;%1&quot; %2</source>
         <translation>Il n’y a pas de coupes d’un examen : « %1 » %2</translation>
-    </message>
-    <message>
-        <source>It has no slices of a scan: %1 %2</source>
-        <translation>Il n’y a pas de coupes d’un examen : %1 %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>

@@ -138,7 +138,7 @@ std::optional<std::string> doubtAboutSize(std::string_view name, double diagonal
     return std::nullopt;
   std::string units;
   for (const LengthUnit& unit : unitsThatFit(name, diagonalMm, 0))
-    units = units.empty() ? std::string(unit.name) : phrase("%1 or %2", units, unit.name);
+    units = units.empty() ? std::string(unit.name) : phrase("%1 / %2", units, unit.name);
   return units.empty()
              ? phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres",
                       roundedText(diagonalMm))
