@@ -1,7 +1,10 @@
 // What is wrong with a file is said in the language of the window, whatever format it has.
 #include <QFile>
 
+#include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 

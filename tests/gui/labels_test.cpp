@@ -1,16 +1,29 @@
 // What is written fits in every language: labels, buttons and the letters of menus.
 #include <QAbstractButton>
 #include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRadioButton>
+#include <QStyleOptionComboBox>
 #include <QTest>
 #include <QToolButton>
 
+#include <map>
 #include <set>
+#include <vector>
 
 #include "play_fixture.h"
+#include "shapes.h"
+#include "viscera/medical_io/surface_file.h"
+#include "window/import/import_controller.h"
 #include "window/language.h"
+#include "window/lesson/lesson_dialog.h"
+#include "window/lesson/lesson_export.h"
+#include "window/track/motion_dialog.h"
 #include "window/widgets/elided_label.h"
 
 namespace viscera::tests {
@@ -42,8 +55,31 @@ int lackOf(const QAbstractButton& button) {
   const auto* tool = qobject_cast<const QToolButton*>(&button);
   if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
     return 0;
-  const int wide = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
+  const bool marked = qobject_cast<const QCheckBox*>(&button) || qobject_cast<const QRadioButton*>(&button);
+  const int wide = marked ? button.sizeHint().width()
+                          : button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
   return mayBeCut(button.text(), button) ? 0 : std::max(0, wide - button.width());
+}
+
+/// Of the entry that a closed list shows.
+int lackOf(const QComboBox& list) {
+  QStyleOptionComboBox option;
+  option.initFrom(&list);
+  option.editable = list.isEditable();
+  const int wide =
+      list.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list).width();
+  const int icon = list.itemIcon(list.currentIndex()).isNull() ? 0 : list.iconSize().width() + 4;
+  return std::max(0, list.fontMetrics().size(0, list.currentText()).width() + icon - wide);
+}
+
+QString textOf(const QLabel& label) {
+  return label.text();
+}
+QString textOf(const QAbstractButton& button) {
+  return button.text();
+}
+QString textOf(const QComboBox& list) {
+  return list.currentText();
 }
 
 /// The texts of a kind of widget that can be seen and are cut off.
@@ -52,21 +88,77 @@ void collectCut(const QWidget& window, const std::string& where, std::set<std::s
   constexpr int kRounding = 1;
   for (const auto* widget : window.findChildren<Widget*>())
     if (widget->isVisible() && lackOf(*widget) > kRounding)
-      cut.insert(where + ": \"" + widget->text().toStdString() + "\" lacks " +
+      cut.insert(where + ": \"" + textOf(*widget).toStdString() + "\" lacks " +
                  std::to_string(lackOf(*widget)) + " pixels");
 }
 
-TEST_P(InLanguage, NothingIsCutOffInAnyModeOnASmallScreen) {
-  std::set<std::string> cut;
-  for (const auto& mode : window().modes().all()) {
-    const std::string id = mode->description().id;
-    window().setMode(id);
-    settle();
-    EXPECT_LE(window().width(), 1280) << id << " needs a larger window";
-    EXPECT_LE(window().minimumSizeHint().height(), 800) << id;
-    collectCut<QLabel>(window(), id, cut);
-    collectCut<QAbstractButton>(window(), id, cut);
+/// Labels, buttons and lists of one parent that lie over each other.
+void collectOverlaps(const QWidget& window, const std::string& where, std::set<std::string>& found) {
+  const auto nameOf = [](const QWidget& widget) {
+    const QString name = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();
+    return std::string(widget.metaObject()->className()) + ' ' + name.toStdString();
+  };
+  std::map<const QWidget*, std::vector<const QWidget*>> siblings;
+  for (const auto* widget : window.findChildren<QWidget*>()) {
+    const bool speaks = qobject_cast<const QLabel*>(widget) || qobject_cast<const QAbstractButton*>(widget) ||
+                        qobject_cast<const QComboBox*>(widget);
+    if (!speaks || !widget->isVisible())
+      continue;
+    for (const QWidget* other : siblings[widget->parentWidget()])
+      if (other->geometry().intersects(widget->geometry()))
+        found.insert(where + ": " + nameOf(*other) + " lies over " + nameOf(*widget));
+    siblings[widget->parentWidget()].push_back(widget);
   }
+}
+
+void collectAll(const QWidget& window, const std::string& where, std::set<std::string>& found) {
+  collectCut<QLabel>(window, where, found);
+  collectCut<QAbstractButton>(window, where, found);
+  collectCut<QComboBox>(window, where, found);
+  collectOverlaps(window, where, found);
+}
+
+/// On a small screen, and on one of 1920 x 1200 pixels at 200 %.
+TEST_P(InLanguage, NothingIsCutOffInAnyModeOnASmallScreenOrATwiceAsLargeScale) {
+  std::set<std::string> cut;
+  for (const QSize& screen : {QSize(1280, 800), QSize(960, 600)}) {
+    window().resize(screen);
+    for (const auto& mode : window().modes().all()) {
+      const std::string id = mode->description().id, where = id + ' ' + std::to_string(screen.width());
+      window().setMode(id);
+      settle();
+      EXPECT_LE(window().width(), screen.width()) << id << " needs a larger window";
+      EXPECT_LE(window().minimumSizeHint().height(), screen.height()) << where;
+      collectAll(window(), where, cut);
+    }
+  }
+  for (const std::string& text : cut)
+    ADD_FAILURE() << text;
+}
+
+TEST_P(InLanguage, NothingIsCutOffInTheDialogsAndTheImport) {
+  constexpr int kRoom = 560; // Of a screen of 600 logical pixels, without a frame.
+  window().resize(960, 600);
+  std::set<std::string> cut;
+  const auto look = [&](QDialog& dialog, const char* where) {
+    dialog.show();
+    settle();
+    EXPECT_LE(dialog.height(), kRoom) << where;
+    collectAll(dialog, where, cut);
+    dialog.close();
+  };
+  app::LessonDialog lesson(window().lessons().plan());
+  look(lesson, "lesson");
+  window().actions()["handles.table"]->trigger();
+  look(find<QDialog>("handleTable"), "table of handles");
+  look(window().play().chooseSeries(), "series");
+  geometry::TriangleMesh small = sphere(3, 0.07);
+  small.triangles = small.triangles.bottomRows(small.triangles.rows() - 20).eval();
+  const QString file = path(QStringLiteral("liver.stl"));
+  medical_io::writeSurface(file.toStdString(), small);
+  open(file);
+  ASSERT_TRUE(window().imports().isOpen());
+  collectAll(window(), "import", cut);
   for (const std::string& text : cut)
     ADD_FAILURE() << text;
 }
