@@ -908,6 +908,10 @@
         <translation>Acoblament Ea/Ees</translation>
     </message>
     <message>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
         <source>Delaunay triangulation approach</source>
         <translation>Mètode de la triangulació de Delaunay</translation>
     </message>

@@ -421,8 +421,8 @@
     <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
-            <numerusform>%n Paar von Dreiecken durchdringt sich: der Spannungsmodus muss die Oberfläche vielleicht erst reparieren</numerusform>
-            <numerusform>%n Paare von Dreiecken durchdringen sich: der Spannungsmodus muss die Oberfläche vielleicht erst reparieren</numerusform>
+            <numerusform>%n Paar von Dreiecken durchdringt sich: der Modus Stress muss die Oberfläche vielleicht erst reparieren</numerusform>
+            <numerusform>%n Paare von Dreiecken durchdringen sich: der Modus Stress muss die Oberfläche vielleicht erst reparieren</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -906,6 +906,10 @@
     <message>
         <source>Coupling Ea/Ees</source>
         <translation>Kopplung Ea/Ees</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>Delaunay triangulation approach</source>
@@ -2846,7 +2850,7 @@
     </message>
     <message>
         <source>There is no stress map yet</source>
-        <translation>Es gibt noch keine Spannungskarte</translation>
+        <translation>Es gibt noch keine Stresskarte</translation>
     </message>
     <message>
         <source>There is no such %1 any more</source>

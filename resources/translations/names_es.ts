@@ -908,6 +908,10 @@
         <translation>Acoplamiento Ea/Ees</translation>
     </message>
     <message>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
         <source>Delaunay triangulation approach</source>
         <translation>Método de triangulación de Delaunay</translation>
     </message>

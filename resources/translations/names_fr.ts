@@ -908,6 +908,10 @@
         <translation>Couplage Ea/Ees</translation>
     </message>
     <message>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
         <source>Delaunay triangulation approach</source>
         <translation>Méthode de la triangulation de Delaunay</translation>
     </message>

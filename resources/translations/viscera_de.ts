@@ -3561,7 +3561,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <name>viscera::app::PersonBox</name>
     <message>
         <source>Women and men</source>
-        <translation>Frauen und Männer</translation>
+        <translation>Alle Erwachsenen</translation>
     </message>
     <message>
         <source>Women</source>

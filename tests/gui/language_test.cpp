@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -22,6 +23,7 @@
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/language.h"
+#include "window/modes/stress_mode.h"
 #include "window/panels/organ_panel.h"
 #include "window/sample_loader.h"
 
@@ -191,9 +193,21 @@ TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
 }
 
 TEST_F(GermanWindow, NamesASampleInSentencesAsTheLanguageDoes) {
-  EXPECT_EQ(window().workspace().undo().undoName(), "Beispiel Herz");
+  loadSample(QStringLiteral("stomach")); // The first sample of a window is no step.
+  EXPECT_EQ(window().workspace().undo().undoName(), "Beispiel Magen");
   EXPECT_EQ(app::SampleLoader::title(QStringLiteral("kidney_left")), QStringLiteral("Linke Niere"));
   EXPECT_EQ(app::SampleLoader::title(QStringLiteral("of_somebody")), QStringLiteral("Of somebody"));
+}
+
+TEST_F(GermanWindow, GivesStressInItsOwnUnitOfAngles) {
+  key(Qt::Key_4);
+  const auto& model = window().stress().model();
+  ASSERT_TRUE(waitUntil([&] { return model.shown().ready(); }));
+  EXPECT_EQ(model.format(12.34), QStringLiteral("12,3 °"));
+  const auto* mean = window().findChild<QLabel*>(QStringLiteral("stressMean"));
+  ASSERT_NE(mean, nullptr);
+  EXPECT_TRUE(waitUntil([&] { return mean->text().endsWith(QStringLiteral(" °")); }))
+      << mean->text().toStdString();
 }
 
 TEST_F(GermanWindow, HasAWordForEverySample) {

@@ -73,7 +73,7 @@ void ProbeCard::sync() {
       values_[i]->setText(
           quantity.unit.empty()
               ? formatNumber(value, quantity.decimals)
-              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(text(quantity.unit)));
+              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(inWords(quantity.unit)));
   }
   adjustSize();
 }

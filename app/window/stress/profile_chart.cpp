@@ -98,7 +98,7 @@ void ProfileChart::draw() {
   scene::CurvePanel panel;
   panel.xTitle = tr("Distance at rest (mm)").toStdString();
   panel.yTitle =
-      (quantity.unit.empty() ? model_.title() : tr("%1 (%2)").arg(model_.title(), text(quantity.unit)))
+      (quantity.unit.empty() ? model_.title() : tr("%1 (%2)").arg(model_.title(), inWords(quantity.unit)))
           .toStdString();
   panel.curves = curves_;
   panel.left = kLeft / std::max(1, widget_->width());

@@ -42,7 +42,8 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   window->SetMultiSamples(0);
   widget_->setRenderWindow(window);
   chart_->setWindow(window);
-  chart_->setAxes(tr("Time").toStdString(), "s", tr("Rotational stress").toStdString(), "deg");
+  chart_->setAxes(tr("Time").toStdString(), "s", tr("Rotational stress").toStdString(),
+                  inWords("deg").toStdString());
   chart_->setTimeSpan(kShownStressSeconds);
   chart_->setLines({{tr("largest").toStdString(), kMaxColor},
                     {tr("95th percentile").toStdString(), kPercentileColor},

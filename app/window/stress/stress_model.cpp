@@ -131,7 +131,7 @@ QString StressModel::title() const {
 QString StressModel::format(double value) const {
   const live::StressQuantityDescription& quantity = live::describe(look().quantity);
   const QString number = formatNumber(value, quantity.decimals);
-  return quantity.unit.empty() ? number : tr("%1 %2").arg(number, text(quantity.unit));
+  return quantity.unit.empty() ? number : tr("%1 %2").arg(number, inWords(quantity.unit));
 }
 
 void StressModel::setPeakShown(bool shown) {

@@ -353,7 +353,7 @@ void StressPage::syncThreshold() {
   const scene::ValueRange& range = model_.shown().range();
   const live::StressQuantityDescription& quantity = live::describe(model_.look().quantity);
   limit_->setRange({range.low, range.high, std::pow(10.0, -quantity.decimals), quantity.decimals,
-                    quantity.unit.empty() ? QString() : QLatin1Char(' ') + text(quantity.unit)});
+                    quantity.unit.empty() ? QString() : QLatin1Char(' ') + inWords(quantity.unit)});
   limit_->setValue(model_.look().limit);
 }
 

@@ -153,7 +153,8 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
-  return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()), quantity.unit,
+  return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()),
+                    quantity.unit.empty() ? std::string() : translate(quantity.unit.c_str()),
                     values.folded() > 0 ? translate("folded") : std::string(), values.colors(),
                     values.range()};
 }
