@@ -2,8 +2,17 @@
 # them; resources/scripts/try_packages.sh makes them and tries them in a fresh Debian (docs/developer_guide.md).
 #   Program viscera · Library libviscera0 · Development libviscera-dev · Python python3-viscera · Common viscera-common
 #   Tetgen viscera-tetgen: the one program that falls under TetGen's AGPL
-set(VISCERA_PACKAGE_MAINTAINER "Viscera developers <packages@viscera.org>" CACHE STRING
-  "Who answers for the packages, as NAME <ADDRESS>")
+#   Paraview viscera-paraview: of a project of its own, where that was built into the folder paraview_plugin of the build
+
+# As Debian's own tools have it; else an address that can belong to nobody (RFC 2606).
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  set(maintainer "Viscera developers <packages@viscera.invalid>")
+endif()
+set(VISCERA_PACKAGE_MAINTAINER "${maintainer}" CACHE STRING "Who answers for the packages, as NAME <ADDRESS>")
+set(VISCERA_PARAVIEW_PREFIX "${PROJECT_SOURCE_DIR}/build/paraview" CACHE PATH
+  "Where ParaView was unpacked that the packed plugin was built against")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "Viscera developers")
@@ -30,6 +39,8 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 # Our own libraries belong to no package yet when dpkg-shlibdeps asks; those of others are found by it.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/lib")
+file(GLOB paraview_libraries "${VISCERA_PARAVIEW_PREFIX}/usr/lib/*-linux-gnu")
+list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${paraview_libraries})
 set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(packages "${PROJECT_SOURCE_DIR}/resources/packages")
 
@@ -92,6 +103,11 @@ viscera_package(COMMON viscera-common ALL SECTION science
 viscera_package(TETGEN viscera-tetgen SECTION science
   SUMMARY "worker of Viscera that fills organs with tetrahedra"
   TEXT "A program that the libraries of Viscera start and never link. It is linked with TetGen and falls under the GNU Affero General Public License, version 3. Nothing else of Viscera does.")
+# ParaView's libraries have no stable interface; each minor version wants a plugin of its own.
+viscera_package(PARAVIEW viscera-paraview SECTION science
+  DEPENDS "libviscera0 (= ${version}), paraview (>= 5.11), paraview (<< 5.12~)" RECOMMENDS "python3-paraview"
+  SUMMARY "coordinates, volumes and stress of deformed organs - ParaView"
+  TEXT "A plugin that poses organs by handles, keeps their volume and shows their stress in the window of ParaView, in pvpython, and in pvbatch and pvserver on any number of processes.")
 
 # What Debian wants beside the installed files: copyright, changelog, compressed manual pages.
 set(VISCERA_PACKAGE_VERSION "${version}")

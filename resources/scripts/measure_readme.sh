@@ -37,7 +37,7 @@ points = [point for markup in rig["markups"] for point in markup["controlPoints"
 points[10]["position"][0] += 12
 json.dump(rig, open("pose.mrk.json", "w"))
 PYTHON
-"$bin/viscera" deform sample:liver --handles rest.mrk.json --pose pose.mrk.json --lock-volume
+"$bin/viscera" deform sample:liver --handles rest.mrk.json --pose pose.mrk.json --lock-volume --json
 title "Benchmarks"
 bench bench_coordinates
 bench bench_deformation

@@ -19,7 +19,7 @@ packages_to_test() {
 
 # Packages that tests do without where there are none: they say so and are skipped.
 packages_to_test_if_there() {
-  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff
+  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff doxygen
 }
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes Viscera's packages of Debian 12, looks at them with lintian, and tries them in a Debian 12 that debootstrap makes anew:
-# installs them, runs the program, its window and the Python package, and removes them. Needs root, debootstrap and a mirror.
+# installs them, runs the program, its window, the Python package and the plugin of ParaView, and removes them. Needs root,
+# debootstrap and a mirror.
 #   resources/scripts/try_packages.sh [PACKAGE_FOLDER]   PACKAGE_FOLDER: packages that are there already
 # shellcheck disable=SC2016 # What stands in single quotes is for the shell inside.
 # Environment: MIRROR (http://deb.debian.org/debian), WORK (a folder for the fresh system; made and removed otherwise)
@@ -14,13 +15,41 @@ source "$root/resources/scripts/prepare.sh"
 [ "$(id -u)" -eq 0 ] || fail "A fresh system needs root. Run it as root." 77
 command -v debootstrap >/dev/null || fail "debootstrap is missing. As root: apt-get install debootstrap" 69
 
-packages=${1:-}
-if [ -z "$packages" ]; then
+readonly build=$root/build/package
+
+# The plugin of ParaView, a project of its own, where ParaView can be had; cpack takes it along when it is there.
+build_paraview_plugin() {
+  install_packages libopenmpi-dev python3-mpi4py
+  unpack_paraview "$root/build/paraview"
+  local config
+  config=$(compgen -G "$root/build/paraview/usr/lib/*/cmake/paraview-*") || {
+    say "There is no ParaView to build its plugin against, so there will be no viscera-paraview."
+    return 0
+  }
+  LD_LIBRARY_PATH=${config%/cmake/*} cmake -S "$root/modules/paraview_plugin" -B "$build/paraview_plugin" -G Ninja \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DParaView_DIR="$config" -DViscera_DIR="$build" \
+    -DPython3_EXECUTABLE=/usr/bin/python3
+  LD_LIBRARY_PATH=${config%/cmake/*} cmake --build "$build/paraview_plugin"
+}
+
+make_packages() {
+  local -a needed
   mapfile -t needed < <(packages_to_build)
   install_packages "${needed[@]}" file dpkg-dev
   use_shared_cache "$root"
-  (cd "$root" && cmake --preset package && cmake --build --preset package && cd build/package && rm -rf packages && cpack) >&2
-  packages=$root/build/package/packages
+  cd "$root"
+  cmake --preset package
+  cmake --build --preset package
+  build_paraview_plugin
+  cd "$build"
+  rm -rf packages
+  cpack
+}
+
+packages=${1:-}
+if [ -z "$packages" ]; then
+  (make_packages) >&2
+  packages=$build/packages
 fi
 debs=("$packages"/*.deb)
 [ -e "${debs[0]}" ] || fail "There is no package in $packages" 66
@@ -57,16 +86,14 @@ debootstrap --variant=minbase bookworm "$fresh" "$mirror" >"$work/debootstrap.lo
   fail "debootstrap failed; it says: $(tail -n 3 "$work/debootstrap.log")"
 mount --bind /proc "$fresh/proc"
 mounted+=("$fresh/proc")
-# The mirrors, and how to reach them, are this system's.
-: >"$fresh/etc/apt/sources.list"
-for file in /etc/apt/sources.list /etc/resolv.conf; do
-  [ ! -s "$file" ] || cp "$file" "$fresh$file"
-done
-for folder in sources.list.d apt.conf.d; do
-  cp -r "/etc/apt/$folder/." "$fresh/etc/apt/$folder/"
-done
-mkdir "$fresh/packages"
+# Of this system only how a mirror is reached; its other sources and their keys are none of a fresh system's.
+printf 'deb %s bookworm main\n' "$mirror" >"$fresh/etc/apt/sources.list"
+apt-config dump Acquire | grep -E '^Acquire::(http|https|ftp|Check-)' >"$fresh/etc/apt/apt.conf.d/90mirror" || true
+[ ! -s /etc/resolv.conf ] || cp /etc/resolv.conf "$fresh/etc/resolv.conf"
+mkdir -p "$fresh/packages/paraview"
 cp "${debs[@]}" "$fresh/packages/"
+! compgen -G "$fresh/packages/viscera-paraview_*.deb" >/dev/null ||
+  mv "$fresh"/packages/viscera-paraview_*.deb "$fresh/packages/paraview/"
 
 # Runs in the fresh system, without this one's environment.
 inside() {
@@ -74,11 +101,16 @@ inside() {
     LIBGL_ALWAYS_SOFTWARE=1 chroot "$fresh" bash -euo pipefail -c "$1"
 }
 
+# install_inside WHAT...: packages and files of packages, and nothing that they only recommend.
+install_inside() {
+  inside "apt-get --quiet --yes install --no-install-recommends $*" >>"$work/apt.log" 2>&1 ||
+    fail "The packages do not install; apt-get says: $(tail -n 20 "$work/apt.log")"
+}
+
 say "== Install"
-inside 'apt-get --quiet update' >"$work/apt.log" 2>&1
+inside 'apt-get --quiet update' >"$work/apt.log" 2>&1 || fail "apt-get update fails: $(tail -n 5 "$work/apt.log")"
 inside 'dpkg-query --show --showformat "\${Package}\n" | sort >/before'
-inside 'apt-get --quiet --yes install --no-install-recommends /packages/*.deb qttranslations5-l10n xvfb xauth' >>"$work/apt.log" 2>&1 ||
-  fail "The packages do not install; apt-get says: $(tail -n 20 "$work/apt.log")"
+install_inside '/packages/*.deb' qttranslations5-l10n xvfb xauth shared-mime-info desktop-file-utils
 say "$(inside 'dpkg-query --show --showformat "\${Package}\n" | sort | comm -13 /before - | wc -l') packages were installed"
 
 say "== The program"
@@ -87,6 +119,8 @@ inside 'cd /tmp && viscera play heartbeat --csv heartbeat.csv && wc -l heartbeat
 inside 'cd /tmp && viscera handles sample:liver@low -o h.mrk.json --enclosing && viscera stress sample:liver@low --handles h.mrk.json --pose h.mrk.json --witnesses 500'
 inside 'viscera systems | grep localised-s-celestial'
 inside 'test -s /usr/share/man/man1/viscera-play.1.gz -o -n "$(grep -rl path-exclude /etc/dpkg/dpkg.cfg.d)"'
+inside 'desktop-file-validate /usr/share/applications/org.viscera.Viscera.desktop'
+inside 'grep -q "x-viscera-session+json:\*\.viscera" /usr/share/mime/globs2'
 
 say "== The window, under Xvfb"
 for language in en de es fr ca; do
@@ -97,14 +131,27 @@ for language in en de es fr ca; do
 done
 
 say "== Python"
+install_inside python3-vtk9
 inside 'python3 -c "
 import viscera
 print(len(viscera.systems()), \"coordinate systems,\", viscera.sample_names())
 import viscera._files, viscera._motion
+from viscera_vtk.vtkVisceraFilters import vtkVisceraDeformFilter
 "'
 
+if compgen -G "$fresh/packages/paraview/*.deb" >/dev/null; then
+  say "== ParaView"
+  # Its Python package cannot be beside python3-vtk9.
+  install_inside '/packages/paraview/*.deb' python3-paraview python3-vtk9-
+  cp "$root/modules/python/examples/paraview_trace.py" "$fresh/tmp/"
+  for program in pvpython pvbatch; do
+    inside 'cd /tmp && VISCERA_PLUGIN=$(dpkg --listfiles viscera-paraview | grep /Viscera.so) '"$program"' paraview_trace.py .'
+  done
+fi
+
 say "== Remove"
-inside 'apt-get --quiet --yes purge viscera libviscera0 libviscera-dev python3-viscera viscera-common viscera-tetgen' >>"$work/apt.log" 2>&1
-left=$(inside 'find / -xdev -path /packages -prune -o -path /proc -prune -o -path /root -prune -o -path "/var/log" -prune -o -iname "*viscera*" -print')
+inside 'apt-get --quiet --yes purge "?and(?installed,?name(viscera))"' >>"$work/apt.log" 2>&1
+left=$(inside 'find / -xdev \( -path /packages -o -path /proc -o -path /root -o -path /var/log \) -prune -o -iname "*viscera*" -print
+  grep -rls viscera /etc /usr/share/applications /usr/share/icons /usr/share/mime || true')
 [ -z "$left" ] || fail "This is left after removal: $left"
 say "Installed, run and removed; nothing is left."

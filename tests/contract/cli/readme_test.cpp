@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <regex>
+#include <sstream>
 
 #include "build_paths.h"
 #include "cli_test.h"
@@ -23,9 +26,28 @@ namespace {
 /// all.
 class Readme : public CliTest {
 protected:
-  void expectSaid(const std::string& figure) const {
-    EXPECT_NE(contents(VISCERA_SOURCE_DIR "/README.md").find(figure), std::string::npos)
-        << "README.md should say: " << figure;
+  static std::string readme() { return contents(VISCERA_SOURCE_DIR "/README.md"); }
+
+  static void expectSaid(const std::string& figure) {
+    EXPECT_NE(readme().find(figure), std::string::npos) << "README.md should say: " << figure;
+  }
+
+  /// The number in the README that the group of `pattern` matches.
+  static double numberSaid(const std::string& pattern) {
+    std::smatch found;
+    const std::string text = readme();
+    if (!std::regex_search(text, found, std::regex(pattern)))
+      ADD_FAILURE() << "README.md should have " << pattern;
+    return found.empty() ? std::nan("") : std::stod(found[1]);
+  }
+
+  /// The organs of the rows about binding; the last one lies beside the project and may be absent.
+  static std::vector<std::string> boundOrgans() {
+    std::vector<std::string> organs{"sample:heart", "sample:stomach", "sample:liver", "sample:kidney_left"};
+    const std::string bunny = VISCERA_SHARED_ORGANS "/bunny.obj";
+    if (std::filesystem::exists(bunny))
+      organs.push_back(bunny);
+    return organs;
   }
 };
 
@@ -45,6 +67,52 @@ TEST_F(Readme, SaysTheStomachsVolumeAsItIsMeasured) {
   const json waves = runJson({"play", "peristalsis", "--fps", "0.5"});
   expectSaid(formatted("| %.1f ml in every frame |", waves["volumes"]["outer"]["minMl"].get<double>()));
   EXPECT_LT(waves["maxRelativeOuterChange"].get<double>(), 1e-9);
+}
+
+TEST_F(Readme, SaysTheErrorsOfCoordinatesAsTheyAreMeasured) {
+  double identity = 0, unity = 0, least = 1;
+  for (const std::string& organ : boundOrgans()) {
+    runJson({"handles", organ, "-o", path("h.mrk.json"), "--count", "30", "--enclosing"});
+    const json bound = runJson({"bind", organ, "--handles", path("h.mrk.json")});
+    EXPECT_EQ(bound["failures"], 0) << organ;
+    if (organ == "sample:liver")
+      expectSaid(formatted("the liver's %d,%03d vertices", bound["vertices"].get<int>() / 1000,
+                           bound["vertices"].get<int>() % 1000));
+    identity = std::max(identity, bound["identityError"].get<double>());
+    unity = std::max(unity, bound["unityError"].get<double>());
+    least = std::min(least, bound["minWeight"].get<double>());
+  }
+  // Rounding errors depend a little on the width of the processor's vectors.
+  EXPECT_LT(identity, 2 * numberSaid(R"(\| ([-0-9.e]+) of the diagonal \|)"));
+  EXPECT_LT(unity, 2 * numberSaid(R"(\| ([-0-9.e]+), \+[0-9.]+, none \|)"));
+  expectSaid(formatted(", %+.4f, none |", least));
+}
+
+TEST_F(Readme, SaysTheErrorOfALockedVolumeAsItIsMeasured) {
+  const std::string rest = path("rest.mrk.json");
+  runJson({"handles", "sample:liver", "-o", rest, "--count", "30", "--enclosing"});
+  json rig = json::parse(contents(rest));
+  json& x = rig.at("markups").back().at("controlPoints").at(2).at("position").at(0);
+  x = x.get<double>() + 12;
+  const json bent = runJson({"deform", "sample:liver", "--handles", rest, "--pose",
+                             put("pose.mrk.json", rig.dump()), "--lock-volume"});
+  EXPECT_LT(std::abs(bent["relativeVolumeError"].get<double>()),
+            numberSaid(R"(\| a locked deformation's volume error \| below ([-0-9.e]+) \|)"));
+  EXPECT_GT(bent["maxDisplacementMm"].get<double>(), 1) << "nothing was deformed";
+}
+
+/// The rows themselves are held by `CliReproduce`.
+TEST_F(Readme, CountsTheVerdictsOfTheDocumentation) {
+  std::istringstream rows(contents(VISCERA_SOURCE_DIR "/docs/reproduction.md"));
+  int holds = 0, differs = 0, refuted = 0;
+  for (std::string row; std::getline(rows, row);)
+    if (row.starts_with("| Figure ") || row.starts_with("| Table ")) {
+      holds += row.ends_with("| holds |") ? 1 : 0;
+      differs += row.ends_with("| differs |") ? 1 : 0;
+      refuted += row.ends_with("| does not hold |") ? 1 : 0;
+    }
+  EXPECT_GT(holds + differs, 20);
+  expectSaid(formatted("| %d; %d; %d |", holds, differs, refuted));
 }
 
 } // namespace viscera::app::cli
