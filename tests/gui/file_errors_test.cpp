@@ -39,7 +39,8 @@ const std::vector<BrokenFile>& brokenSurfaces() {
        "Die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht 5 Dreiecke (334 Bytes), sie "
        "hat "
        "aber 84 Bytes"},
-      {"b.stl", "solid\nfacet normal 0 0 1\nouter lup\n", "Zeile 3: „lup“ ist kein Wort einer STL-Datei"},
+      {"b.stl", "solid\nfacet normal 0 0 1\nouter lup\nendsolid\n",
+       "Zeile 3: „lup“ ist kein Wort einer STL-Datei"},
       {"a.obj", "v 0 0 0\nv 1 0 point\n", "Zeile 2: „point“ steht, wo eine Koordinate stehen sollte"},
       {"b.obj", "v 0 0 0\nf 1 2\n", "Zeile 2: eine Fläche hat weniger als drei Ecken"},
       {"a.ply", "ply\nformat ascii 1.0\nfaces 3\nend_header\n",
@@ -51,7 +52,7 @@ const std::vector<BrokenFile>& brokenSurfaces() {
       {"b.vtk", vtk + "POINTS 5 float\n0 0 0\n",
        "Zeile 5: die Datei ist abgeschnitten: 15 Zahlen sollten folgen, aber nur 7 Bytes sind übrig"},
       {"a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"></VTKFile>",
-       "Die Datei enthält „ImageData“, keine VTK-Oberfläche (PolyData)"},
+       "Die Datei heißt .vtp, sieht aber aus wie eine VTK-XML-Datei ohne Oberfläche"},
       {"a.glb", std::string("glTF\2\0\0\0\1\0\0", 11),
        "Die Datei ist abgeschnitten: der Kopf sollte 4 Bytes haben, aber nur 3 sind übrig"},
       {"a.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})",
@@ -118,7 +119,7 @@ TEST(FileErrors, OfADamagedDicomHeaderAreSaidInGerman) {
   EXPECT_EQ(said(0x00200037, "DS1\\0\\0\\1\\0\\0"),
             "Ihr Kopf ist beschädigt: die Richtungen ihrer Zeilen und Spalten stehen nicht rechtwinklig");
   EXPECT_EQ(said(0x00280010, us(0)), "Ihr Kopf ist beschädigt: die Größe entlang einer Spalte ist 0");
-  EXPECT_EQ(said(0x00280004, "CSRGB"), "Es ist keine Schicht eines Scans: ist ein Farbbild");
+  EXPECT_EQ(said(0x00280004, "CSRGB"), "Es gibt keine Schichten eines Scans: „slice.dcm“ ist ein Farbbild");
 }
 
 TEST(FileErrors, OfWritingAreSaidInGerman) {
