@@ -151,8 +151,8 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
     return Q_EMIT scansFound(files.front());
   const bool others = !read.draft.organs.empty() || read.draft.files.rig;
   QStringList failures;
-  for (const std::string& failure : read.draft.files.failures)
-    failures.push_back(asSentence(failure));
+  for (const Error& failure : read.draft.files.failures)
+    failures.push_back(sentenceOf(failure));
   if (read.scan)
     takeScan(*read.scan, files, !others);
   if (others || !read.scan)

@@ -16,6 +16,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
+#include "window/file_actions.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window_test.h"
@@ -139,15 +140,19 @@ class GermanFiles : public WindowTest {
   InstalledLanguage german_{QStringLiteral("de")};
 };
 
-TEST_F(GermanFiles, ThatAreBrokenAreRefusedInGerman) {
+TEST_F(GermanFiles, ThatAreBrokenAreRefusedInGermanAloneAndAmongOthers) {
   QFile file(path(QStringLiteral("bauch.ply")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("ply\nformat ascii 1.0\nfaces 3\nend_header\n");
   file.close();
+  const auto refused = QStringLiteral("bauch.ply: Zeile 3: „faces“ ist kein Wort eines PLY-Kopfes. "
+                                      "Exportieren oder kopieren Sie die Datei neu.");
   open(file.fileName());
-  EXPECT_TRUE(message().contains(QStringLiteral("bauch.ply: Zeile 3: „faces“ ist kein Wort eines PLY-Kopfes. "
-                                                "Exportieren oder kopieren Sie die Datei neu.")))
-      << message().toStdString();
+  EXPECT_TRUE(message().contains(refused)) << message().toStdString();
+  window().files().open({sphereFile(), file.fileName()});
+  settle();
+  EXPECT_FALSE(document().organs().empty());
+  EXPECT_TRUE(message().contains(refused)) << message().toStdString();
 }
 
 } // namespace

@@ -291,7 +291,7 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      opened.failures.emplace_back(error.what());
+      opened.failures.push_back(error);
       if (!first)
         first = std::current_exception();
     }

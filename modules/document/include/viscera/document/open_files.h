@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/error.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/command.h"
 #include "viscera/document/organ_commands.h"
@@ -37,7 +38,7 @@ struct OpenedFiles {
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
   std::optional<NewRig> rig;                   ///< When there was a handle file.
   std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
-  std::vector<std::string> failures; ///< Of files that could not be read, each with its file's name.
+  std::vector<Error> failures; ///< Of files that could not be read, each with its file's name.
 
   /// Adds every organ, and the rig: one undo step.
   Command command() const;
