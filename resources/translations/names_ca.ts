@@ -1048,7 +1048,7 @@
     </message>
     <message>
         <source>Gastric peristalsis</source>
-        <translation>Peristaltisme gàstric</translation>
+        <translation>Peristalsi gàstrica</translation>
     </message>
     <message>
         <source>Gradient method</source>
@@ -1734,7 +1734,7 @@
     </message>
     <message>
         <source>LA cavity</source>
-        <translation>Cavitat de l’AE</translation>
+        <translation>Cav. AE</translation>
     </message>
     <message>
         <source>LPS</source>
@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>LV cavity</source>
-        <translation>Cavitat del VE</translation>
+        <translation>Cav. VE</translation>
     </message>
     <message>
         <source>LV dP/dt, largest</source>
@@ -2186,7 +2186,7 @@
     </message>
     <message>
         <source>RA cavity</source>
-        <translation>Cavitat de l’AD</translation>
+        <translation>Cav. AD</translation>
     </message>
     <message>
         <source>RAS</source>
@@ -2194,7 +2194,7 @@
     </message>
     <message>
         <source>RV cavity</source>
-        <translation>Cavitat del VD</translation>
+        <translation>Cav. VD</translation>
     </message>
     <message>
         <source>RV ejection fraction</source>

@@ -1734,7 +1734,7 @@
     </message>
     <message>
         <source>LA cavity</source>
-        <translation>Cavidad de la AI</translation>
+        <translation>Cav. AI</translation>
     </message>
     <message>
         <source>LPS</source>
@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>LV cavity</source>
-        <translation>Cavidad del VI</translation>
+        <translation>Cav. VI</translation>
     </message>
     <message>
         <source>LV dP/dt, largest</source>
@@ -2186,7 +2186,7 @@
     </message>
     <message>
         <source>RA cavity</source>
-        <translation>Cavidad de la AD</translation>
+        <translation>Cav. AD</translation>
     </message>
     <message>
         <source>RAS</source>
@@ -2194,7 +2194,7 @@
     </message>
     <message>
         <source>RV cavity</source>
-        <translation>Cavidad del VD</translation>
+        <translation>Cav. VD</translation>
     </message>
     <message>
         <source>RV ejection fraction</source>

@@ -406,7 +406,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message>
         <source>Gastric peristalsis</source>
-        <translation>Peristaltisme gàstric</translation>
+        <translation>Peristalsi gàstrica</translation>
     </message>
     <message>
         <source>Breathing</source>
