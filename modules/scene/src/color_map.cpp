@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::scene {
 namespace {
@@ -92,7 +93,7 @@ const ColorMap& colorMapByName(const std::string& name) {
       return map;
     names += (names.empty() ? "" : ", ") + map.name;
   }
-  throw UsageError("there is no colour map of this name", name, "use one of " + names);
+  throw UsageError("there is no colour map of this name", name, phrase("use one of %1", names));
 }
 
 ValueRange rangeOf(const Values& values) {
