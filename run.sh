@@ -12,7 +12,7 @@ source "$root/resources/scripts/prepare.sh"
 readonly build=$root/build/release
 mapfile -t packages < <(packages_to_build)
 install_packages "${packages[@]}"
-configure_and_build "$root" "$build" -DVISCERA_BUILD_TESTS=OFF -DVISCERA_BUILD_BENCHMARKS=OFF
+configure_and_build "$root" "$build" viscera_program -DVISCERA_BUILD_TESTS=OFF -DVISCERA_BUILD_BENCHMARKS=OFF
 
 readonly viscera=$build/bin/viscera
 if [ "${1:-}" = --build-only ]; then

@@ -76,7 +76,7 @@ if [ "$#" -eq 0 ]; then
 fi
 
 say "== Everything"
-configure_and_build "$root" "$build" \
+configure_and_build "$root" "$build" all \
   -DVISCERA_WERROR=ON -DVISCERA_BUILD_TESTS=ON -DVISCERA_BUILD_BENCHMARKS=ON
 use_own_environment
 start_display

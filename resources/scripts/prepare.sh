@@ -123,12 +123,12 @@ use_shared_cache() {
   export CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
-# configure_and_build SOURCE_DIRECTORY BUILD_DIRECTORY [CMAKE_OPTION...]
+# configure_and_build SOURCE_DIRECTORY BUILD_DIRECTORY TARGET [CMAKE_OPTION...]
 # Builds from nothing are what this is for, so several files are compiled as one.
 configure_and_build() {
-  local source_directory=$1 build_directory=$2
-  shift 2
+  local source_directory=$1 build_directory=$2 target=$3
+  shift 3
   use_shared_cache "$source_directory"
   cmake -S "$source_directory" -B "$build_directory" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVISCERA_UNITY=ON "$@" >&2
-  cmake --build "$build_directory" >&2
+  cmake --build "$build_directory" --target "$target" >&2
 }
