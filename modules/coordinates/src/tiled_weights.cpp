@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "simd/usable_kernels.h"
-#include "tile.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -18,27 +17,28 @@ constexpr Eigen::Index kTilesPerSum = 64;
 /// may be changed.
 template <class Rows, class Body>
 void forTiles(Eigen::Index begin, Eigen::Index end, Rows& points, const Body& body) {
-  const Eigen::Index whole = std::min(end, points.rows() / kTile);
+  const Eigen::Index whole = std::min(end, points.rows() / TiledWeights::kTile);
   for (Eigen::Index tile = begin; tile < whole; ++tile)
-    body(tile, points.data() + tile * kTile * 3);
+    body(tile, points.data() + tile * TiledWeights::kTile * 3);
   if (whole == end)
     return;
-  double last[kTile * 3] = {};
-  const std::size_t bytes = static_cast<std::size_t>(points.rows() - whole * kTile) * 3 * sizeof(double);
-  std::memcpy(last, points.data() + whole * kTile * 3, bytes);
+  double last[TiledWeights::kTile * 3] = {};
+  const std::size_t bytes =
+      static_cast<std::size_t>(points.rows() - whole * TiledWeights::kTile) * 3 * sizeof(double);
+  std::memcpy(last, points.data() + whole * TiledWeights::kTile * 3, bytes);
   body(whole, last);
   if constexpr (!std::is_const_v<Rows>)
-    std::memcpy(points.data() + whole * kTile * 3, last, bytes);
+    std::memcpy(points.data() + whole * TiledWeights::kTile * 3, last, bytes);
 }
 
 } // namespace
 
 TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles)
     : points_(points), handles_(handles),
-      data_(allocateZeroed(static_cast<std::size_t>(tiles() * kTile * handles))) {}
+      data_(allocateZeroed(static_cast<std::size_t>(tiles() * TiledWeights::kTile * handles))) {}
 
 TiledWeights::TiledWeights(const TiledWeights& other) : TiledWeights(other.points_, other.handles_) {
-  std::copy_n(other.tile(0), tiles() * kTile * handles_, tile(0));
+  std::copy_n(other.tile(0), tiles() * TiledWeights::kTile * handles_, tile(0));
 }
 
 TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
@@ -61,7 +61,7 @@ void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& poi
   assert(points.rows() == points_ && handle >= 0 && handle < handles_);
   parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
     forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
-      simd::tileKernels().addColumn(tile(index) + handle * kTile, delta.data(), rows);
+      simd::tileKernels().addColumn(tile(index) + handle * TiledWeights::kTile, delta.data(), rows);
     });
   });
 }

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "simd/usable_kernels.h"
-#include "tile.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -37,22 +36,24 @@ private:
 /// Adds the points of a tile to `extremes`; the bits of `failed` leave points out.
 void measureTile(const TiledWeights& weights, const Points& handles, const Points& rest, Eigen::Index tile,
                  unsigned failed, Extremes& extremes) {
-  const Eigen::Index first = tile * kTile, count = std::min<Eigen::Index>(kTile, rest.rows() - first);
-  double points[3 * kTile] = {}, found[5 * kTile];
+  const Eigen::Index first = tile * TiledWeights::kTile,
+                     count = std::min<Eigen::Index>(TiledWeights::kTile, rest.rows() - first);
+  double points[3 * TiledWeights::kTile] = {}, found[5 * TiledWeights::kTile];
   for (Eigen::Index lane = 0; lane < count; ++lane)
     for (int axis = 0; axis < 3; ++axis)
-      points[axis * kTile + lane] = rest(first + lane, axis);
+      points[axis * TiledWeights::kTile + lane] = rest(first + lane, axis);
   simd::tileKernels().measure(weights.tile(tile), handles.data(), handles.rows(), points, found);
   for (Eigen::Index lane = 0; lane < count; ++lane) {
     if (failed >> lane & 1)
       continue;
-    const double unity = found[3 * kTile + lane] - 1;
+    const double unity = found[3 * TiledWeights::kTile + lane] - 1;
     // The sums are relative to the point, so that an organ far from the origin is not measured by its
     // distance.
     Vec3 error;
     for (int axis = 0; axis < 3; ++axis)
-      error[axis] = found[axis * kTile + lane] + unity * points[axis * kTile + lane];
-    extremes.add(error.norm(), std::abs(unity), found[4 * kTile + lane]);
+      error[axis] =
+          found[axis * TiledWeights::kTile + lane] + unity * points[axis * TiledWeights::kTile + lane];
+    extremes.add(error.norm(), std::abs(unity), found[4 * TiledWeights::kTile + lane]);
   }
 }
 
@@ -60,7 +61,8 @@ void measureTile(const TiledWeights& weights, const Points& handles, const Point
 std::vector<std::uint16_t> failedLanes(const std::vector<int>& failures, Eigen::Index tiles) {
   std::vector<std::uint16_t> lanes(static_cast<std::size_t>(tiles));
   for (const int point : failures)
-    lanes[static_cast<std::size_t>(point / kTile)] |= static_cast<std::uint16_t>(1 << point % kTile);
+    lanes[static_cast<std::size_t>(point / TiledWeights::kTile)] |=
+        static_cast<std::uint16_t>(1 << point % TiledWeights::kTile);
   return lanes;
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "broyden_search.h"
+#include "rest_field.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
-#include "within_hull.h"
 
 namespace viscera::deformation {
 namespace {

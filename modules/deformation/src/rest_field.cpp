@@ -6,8 +6,6 @@
 
 #include <Eigen/LU>
 
-#include "within_hull.h"
-
 namespace viscera::deformation {
 namespace {
 

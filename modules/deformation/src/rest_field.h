@@ -9,6 +9,9 @@
 
 namespace viscera::deformation {
 
+/// Of the hull's diagonal, from its facets: what is nearer to one is not inside.
+inline constexpr double kWithinHull = 1e-6;
+
 /// Points in rows and layers, x first, and a vector at each.
 struct VectorGrid {
   Vec3 origin = Vec3::Zero();

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "celestial/celestial_function.h"
-#include "tile.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {
@@ -56,16 +55,16 @@ simd::CelestialProblem problemOf(const PointsOf<Dim>& handles,
 /// The 16 points of a tile axis by axis; the last point stands in for those that are missing.
 template <int Dim>
 void gather(const PointsOf<Dim>& points, Eigen::Index tile, double* byAxis) {
-  for (int lane = 0; lane < kTile; ++lane) {
-    const Eigen::Index point = std::min(tile * kTile + lane, points.rows() - 1);
+  for (int lane = 0; lane < TiledWeights::kTile; ++lane) {
+    const Eigen::Index point = std::min(tile * TiledWeights::kTile + lane, points.rows() - 1);
     for (int axis = 0; axis < Dim; ++axis)
-      byAxis[axis * kTile + lane] = points(point, axis);
+      byAxis[axis * TiledWeights::kTile + lane] = points(point, axis);
   }
 }
 
 /// Zero in the last tile's columns past the end.
 void clearPadding(TiledWeights& weights) {
-  for (Eigen::Index point = weights.points(); point < weights.tiles() * kTile; ++point)
+  for (Eigen::Index point = weights.points(); point < weights.tiles() * TiledWeights::kTile; ++point)
     for (Eigen::Index handle = 0; handle < weights.handles(); ++handle)
       weights.set(point, handle, 0);
 }
@@ -99,21 +98,21 @@ CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, cons
         progress.throwIfCancelled();
         std::vector<double> scratch(static_cast<std::size_t>(problem.count) * simd::kCelestialScratch);
         for (Eigen::Index tile = begin; tile < end; ++tile) {
-          double in[Dim * kTile], x[Dim * kTile];
+          double in[Dim * TiledWeights::kTile], x[Dim * TiledWeights::kTile];
           gather<Dim>(points, tile, in);
           failed[static_cast<std::size_t>(tile)] =
               static_cast<std::uint16_t>(kernel(problem, in, scratch.data(), solution.weights.tile(tile), x));
-          for (Eigen::Index point = tile * kTile; point < std::min((tile + 1) * kTile, points.rows());
-               ++point)
+          for (Eigen::Index point = tile * TiledWeights::kTile;
+               point < std::min((tile + 1) * TiledWeights::kTile, points.rows()); ++point)
             for (int axis = 0; axis < Dim; ++axis)
-              solution.x(point, axis) = x[axis * kTile + point % kTile];
+              solution.x(point, axis) = x[axis * TiledWeights::kTile + point % TiledWeights::kTile];
         }
         progress.report(static_cast<double>(done += end - begin) /
                         static_cast<double>(solution.weights.tiles()));
       });
   clearPadding(solution.weights);
   for (Eigen::Index point = 0; point < points.rows(); ++point)
-    if (failed[static_cast<std::size_t>(point / kTile)] >> (point % kTile) & 1)
+    if (failed[static_cast<std::size_t>(point / TiledWeights::kTile)] >> (point % TiledWeights::kTile) & 1)
       solution.failures.push_back(static_cast<int>(point));
   return solution;
 }
