@@ -16,6 +16,7 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/motion/circulating_heart.h"
+#include "viscera/motion/motion_copy.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
@@ -55,13 +56,6 @@ live::LiveStress::Options stressAtOnce(Threads threads) {
   options.frameSeconds = std::numeric_limits<double>::infinity();
   options.threads = options.witnesses.threads = threads;
   return options;
-}
-
-/// The peak over the sequence that the session was playing.
-void findPeak(live::LiveStress& stress, const document::DocumentState& state,
-              const presentation::ViewState& view, CommandContext& context) {
-  if (auto sequence = view.playing ? sequenceOf(state, view, context) : nullptr)
-    stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }
 
 /// From a side that is asked for, a view that cannot be read is as at first.
@@ -122,10 +116,22 @@ std::string PosedSession::makeStress(const presentation::ViewState& view, Comman
   const live::StressStatus& status = stress_.status();
   if (status.state != live::StressStatus::State::ready)
     return status.message.empty() ? "there is no organ" : status.message;
-  if (view.stress.peak)
-    findPeak(stress_, state(), view, context);
-  box_.runUntil([&] { return jobs_.idle(); });
+  findStressCycle(view, context);
   return {};
+}
+
+/// Over the sequence that the session was playing.
+void PosedSession::findStressCycle(const presentation::ViewState& view, CommandContext& context) {
+  const auto sequence = view.playing ? sequenceOf(state(), view, context) : nullptr;
+  if (!sequence)
+    return;
+  motion::MotionRunner runner(state(), live_, context.threads);
+  runner.setSequence(sequence);
+  runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
+                                     sequence->highestRatePerMinute()));
+  if (runner.movable())
+    stress_.findPeak(motion::posedCycle(runner, live_.copy()));
+  box_.runUntil([&] { return jobs_.idle(); });
 }
 
 live::LiveBend* PosedSession::makeBend() {

@@ -49,11 +49,13 @@ public:
   /// What bends the scan along with the pose, ready; null at rest. Throws `DataError` where it cannot be
   /// bound.
   live::LiveBend* makeBend();
-  /// Makes the stress map of the organ that the view is about, with the peak where it shows that. Returns why
-  /// there is none; empty when there is one.
+  /// Makes the stress map of the organ that the view is about, with its course over the sequence that the
+  /// session was playing. Returns why there is none; empty when there is one.
   std::string makeStress(const presentation::ViewState& view, CommandContext& context);
 
 private:
+  void findStressCycle(const presentation::ViewState& view, CommandContext& context);
+
   document::Document document_;
   document::UndoStack undo_{document_};
   ManualEventLoop box_;

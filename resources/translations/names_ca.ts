@@ -908,6 +908,10 @@
         <translation>Acoblament Ea/Ees</translation>
     </message>
     <message>
+        <source>Stress over the cycle</source>
+        <translation>Tensió durant el cicle</translation>
+    </message>
+    <message>
         <source>deg</source>
         <translation>°</translation>
     </message>
@@ -2111,10 +2115,6 @@
     <message>
         <source>Peak of volume ratio</source>
         <translation>Pic de la raó de volums</translation>
-    </message>
-    <message>
-        <source>Peak stress</source>
-        <translation>Tensió màxima</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>

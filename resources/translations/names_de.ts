@@ -908,6 +908,10 @@
         <translation>Kopplung Ea/Ees</translation>
     </message>
     <message>
+        <source>Stress over the cycle</source>
+        <translation>Stress über den Zyklus</translation>
+    </message>
+    <message>
         <source>deg</source>
         <translation>°</translation>
     </message>
@@ -2111,10 +2115,6 @@
     <message>
         <source>Peak of volume ratio</source>
         <translation>Spitze des Volumenverhältnisses</translation>
-    </message>
-    <message>
-        <source>Peak stress</source>
-        <translation>Spitzenstress</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>

@@ -908,6 +908,10 @@
         <translation>Acoplamiento Ea/Ees</translation>
     </message>
     <message>
+        <source>Stress over the cycle</source>
+        <translation>Estrés durante el ciclo</translation>
+    </message>
+    <message>
         <source>deg</source>
         <translation>°</translation>
     </message>
@@ -2111,10 +2115,6 @@
     <message>
         <source>Peak of volume ratio</source>
         <translation>Máximo de la razón de volúmenes</translation>
-    </message>
-    <message>
-        <source>Peak stress</source>
-        <translation>Estrés máximo</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>

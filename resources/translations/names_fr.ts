@@ -908,6 +908,10 @@
         <translation>Couplage Ea/Ees</translation>
     </message>
     <message>
+        <source>Stress over the cycle</source>
+        <translation>Contrainte sur le cycle</translation>
+    </message>
+    <message>
         <source>deg</source>
         <translation>°</translation>
     </message>
@@ -2111,10 +2115,6 @@
     <message>
         <source>Peak of volume ratio</source>
         <translation>Pic du rapport de volume</translation>
-    </message>
-    <message>
-        <source>Peak stress</source>
-        <translation>Contrainte de pic</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>

@@ -4933,14 +4933,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>The stress over time is drawn here while a sequence plays (Space).</source>
-        <translation>La tensió al llarg del temps es dibuixa aquí mentre es reprodueix una seqüència (Espai).</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
         <source>Rotational stress</source>
         <translation>Tensió rotacional</translation>
     </message>
@@ -4955,6 +4947,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>mean</source>
         <translation>mitjana</translation>
+    </message>
+    <message>
+        <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
+        <translation>La tensió durant un cicle de la seqüència es dibuixa aquí tan bon punt s’ha calculat.</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps en el cicle</translation>
     </message>
 </context>
 <context>

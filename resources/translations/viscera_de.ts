@@ -4933,14 +4933,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>The stress over time is drawn here while a sequence plays (Space).</source>
-        <translation>Der Stress im Zeitverlauf wird hier gezeichnet, während eine Sequenz läuft (Leertaste).</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>Rotational stress</source>
         <translation>Rotationsstress</translation>
     </message>
@@ -4955,6 +4947,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>mean</source>
         <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
+        <translation>Der Stress über einen Zyklus der Sequenz wird hier gezeichnet, sobald er berechnet ist.</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Zeit im Zyklus</translation>
     </message>
 </context>
 <context>

@@ -4933,14 +4933,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>The stress over time is drawn here while a sequence plays (Space).</source>
-        <translation>El estrés en el tiempo se dibuja aquí mientras se reproduce una secuencia (Espacio).</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
         <source>Rotational stress</source>
         <translation>Estrés rotacional</translation>
     </message>
@@ -4955,6 +4947,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>mean</source>
         <translation>media</translation>
+    </message>
+    <message>
+        <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
+        <translation>El estrés durante un ciclo de la secuencia se dibuja aquí en cuanto está calculado.</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Tiempo en el ciclo</translation>
     </message>
 </context>
 <context>

@@ -4933,14 +4933,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>The stress over time is drawn here while a sequence plays (Space).</source>
-        <translation>La contrainte au cours du temps est tracée ici pendant la lecture d’une séquence (Espace).</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
         <source>Rotational stress</source>
         <translation>Contrainte rotationnelle</translation>
     </message>
@@ -4955,6 +4947,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>mean</source>
         <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
+        <translation>La contrainte sur un cycle de la séquence est tracée ici dès qu’elle est calculée.</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps dans le cycle</translation>
     </message>
 </context>
 <context>

@@ -3,20 +3,16 @@
 namespace viscera::app {
 
 ComparedStress::ComparedStress(const Side& first, const Side& second, ViewModel& view, QObject* parent)
-    : QObject(parent), first_(first), second_(second), view_(view) {
+    : QObject(parent), first_(first), second_(second), view_(view),
+      cycle_(second.workspace, second.playback) {
   connect(&view, &ViewModel::changed, this, &ComparedStress::follow);
   connect(&first.picture, &Picture::changed, this, &ComparedStress::shareRange);
   connect(&second.picture, &Picture::changed, this, &ComparedStress::shareRange);
-  connect(&second.playback, &Playback::stateChanged, this, &ComparedStress::findWantedPeak);
   subscriptions_.push_back(second.workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       follow();
   }));
   subscriptions_.push_back(first.workspace.selection().onChange([this] { follow(); }));
-  subscriptions_.push_back(second.workspace.stress().onEvent([this](const live::StressEvent& event) {
-    if (event.status || event.peak)
-      findWantedPeak();
-  }));
   follow();
 }
 
@@ -41,19 +37,9 @@ void ComparedStress::follow() {
     second_.workspace.stress().setWanted(state.stress.witnesses);
     second_.workspace.stress().follow(organ);
   });
-  findWantedPeak();
+  // The worst of the second view's own cycle, where the first one shows that of its own.
+  cycle_.setWanted(state.shown.stress && state.stress.peak);
   shareRange();
-}
-
-/// The worst of the second view's own cycle, where the first one shows that of its own.
-void ComparedStress::findWantedPeak() {
-  live::LiveStress& stress = second_.workspace.stress();
-  const presentation::ViewState& state = view_.state();
-  if (!state.shown.stress || !state.stress.peak || stress.peak() || !second_.playback.sequence() ||
-      stress.status().state != live::StressStatus::State::ready)
-    return;
-  second_.workspace.guarded(
-      [&] { stress.findPeak(second_.playback.sharedSequence(), second_.playback.player().ratePerMinute()); });
 }
 
 void ComparedStress::shareRange() {

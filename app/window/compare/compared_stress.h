@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "window/stress/stress_cycle.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
 #include "window/view/view_model.h"
@@ -31,12 +32,12 @@ public:
 
 private:
   void follow();
-  void findWantedPeak();
   void shareRange();
 
   Side first_;
   Side second_;
   ViewModel& view_;
+  StressCycle cycle_; ///< Of the second view.
   std::vector<Subscription> subscriptions_;
 };
 

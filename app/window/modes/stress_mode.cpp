@@ -78,10 +78,7 @@ void StressMode::makeActions() {
                       {tr("Shift+M")},
                       tr("The largest value that each point reaches in one cycle of the sequence")},
                      false, [this](bool on) {
-                       if (on)
-                         model_.findPeak();
-                       else
-                         model_.setPeakShown(false);
+                       model_.setPeakShown(on);
                        syncActions();
                      });
   const auto toggle = [this](const char* id, const Actions::Description& description,
@@ -158,7 +155,7 @@ void StressMode::syncActions() {
   check("stress.threshold", look.threshold);
   check("stress.handles", look.handles);
   check("stress.others", look.others);
-  check("stress.peak", model_.peakShown());
+  check("stress.peak", look.peak);
   for (const char* id : kActionIds)
     actions_[id]->setEnabled(model_.active());
   actions_["stress.peakTime"]->setEnabled(model_.active() && model_.peakInstant() &&

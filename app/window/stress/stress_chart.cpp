@@ -4,8 +4,8 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -15,8 +15,6 @@
 
 namespace viscera::app {
 namespace {
-constexpr double kShownStressSeconds = 5; ///< Or a cycle and a half, which of a stomach's waves are longer.
-constexpr double kShownCycles = 1.5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 const Vec3 kMeanColor(0.31, 0.70, 0.75);
 const Vec3 kPercentileColor(0.90, 0.66, 0.25);
@@ -31,7 +29,8 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   chart_->setDecimalMark(decimalMark());
   auto* column = makeLayout<QVBoxLayout>(this, -1, {8, 4, 8, 4});
   column->addLayout(stack_);
-  auto* hint = new QLabel(tr("The stress over time is drawn here while a sequence plays (Space)."), this);
+  auto* hint = new QLabel(
+      tr("The stress over one cycle of the sequence is drawn here as soon as it is computed."), this);
   hint->setObjectName(QStringLiteral("muted"));
   hint->setAlignment(Qt::AlignCenter);
   hint->setWordWrap(true);
@@ -42,9 +41,8 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   window->SetMultiSamples(0);
   widget_->setRenderWindow(window);
   chart_->setWindow(window);
-  chart_->setAxes(tr("Time").toStdString(), "s", tr("Rotational stress").toStdString(),
+  chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Rotational stress").toStdString(),
                   inWords("deg").toStdString());
-  chart_->setTimeSpan(kShownStressSeconds);
   chart_->setLines({{tr("largest").toStdString(), kMaxColor},
                     {tr("95th percentile").toStdString(), kPercentileColor},
                     {tr("mean").toStdString(), kMeanColor}});
@@ -70,27 +68,37 @@ void StressChart::showEvent(QShowEvent* event) {
 void StressChart::refresh() {
   if (!isVisible())
     return;
-  chart_->setTimeSpan(std::max(kShownStressSeconds, kShownCycles * model_.periodSeconds()));
-  const auto& samples = model_.record().samples();
-  stack_->setCurrentIndex(samples.size() < 2 ? 0 : 1);
-  if (samples.empty() || samples.size() < charted_ || samples.back().seconds < chartedUntil_) {
-    chart_->clear();
-    charted_ = 0;
-  }
-  // The record drops its oldest samples when it is full: go by time.
-  std::size_t row = samples.size();
-  while (row > 0 && (charted_ == 0 || samples[row - 1].seconds > chartedUntil_))
-    --row;
-  for (; row < samples.size(); ++row) {
-    const deformation::StressStatistics& statistics = samples[row].statistics;
-    Values values(3);
-    values << statistics.max, statistics.percentile95, statistics.mean;
-    chart_->append(samples[row].seconds, kDegrees * values);
-    chartedUntil_ = samples[row].seconds;
-  }
-  charted_ = samples.size();
+  if (std::exchange(drawn_, model_.cycle()) != model_.cycle())
+    drawCycle();
+  stack_->setCurrentIndex(drawn_ ? 1 : 0);
+  const std::optional<double> fraction = model_.shownFraction();
+  if (drawn_ && fraction)
+    chart_->setCursor(*fraction * drawn_->periodSeconds);
+  else
+    chart_->hideCursor();
   chart_->update();
   widget_->renderWindow()->Render();
+}
+
+/// The end of the cycle is its beginning.
+void StressChart::drawCycle() {
+  chart_->clear();
+  if (!drawn_)
+    return;
+  std::vector<double> seconds, largest, percentile, mean;
+  const auto add = [&](double time, const deformation::StressStatistics& statistics) {
+    seconds.push_back(time);
+    largest.push_back(kDegrees * statistics.max);
+    percentile.push_back(kDegrees * statistics.percentile95);
+    mean.push_back(kDegrees * statistics.mean);
+  };
+  for (const live::StressSample& sample : drawn_->cycle)
+    add(sample.seconds, sample.statistics);
+  add(drawn_->periodSeconds, drawn_->cycle.front().statistics);
+  chart_->setTimeRange({0, drawn_->periodSeconds});
+  chart_->setCurve(0, seconds, std::move(largest));
+  chart_->setCurve(1, seconds, std::move(percentile));
+  chart_->setCurve(2, seconds, std::move(mean));
 }
 
 } // namespace viscera::app

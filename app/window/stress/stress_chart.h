@@ -13,8 +13,8 @@ class QStackedLayout;
 
 namespace viscera::app {
 
-/// A chart of the rotational stress over the time of a sequence: mean, 95th percentile and largest, as
-/// curves.
+/// A chart of the rotational stress over one whole cycle of a sequence: mean, 95th percentile and largest as
+/// curves, with a cursor at the instant that is shown.
 class StressChart final : public QWidget {
   Q_OBJECT
 
@@ -23,19 +23,21 @@ public:
   ~StressChart() override;
 
   void setTheme(const Theme& theme);
+  /// What is drawn; null: a hint.
+  const std::shared_ptr<const live::StressPeak>& drawnCycle() const { return drawn_; }
 
 protected:
   void showEvent(QShowEvent* event) override;
 
 private:
   void refresh();
+  void drawCycle();
 
   StressModel& model_;
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* widget_;
   QStackedLayout* stack_; ///< A hint, or the chart.
-  double chartedUntil_ = 0;
-  std::size_t charted_ = 0;
+  std::shared_ptr<const live::StressPeak> drawn_;
 };
 
 } // namespace viscera::app

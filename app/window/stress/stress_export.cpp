@@ -49,8 +49,7 @@ void StressExport::addTo(Actions& actions) {
     return model_.active() && model_.live().status().state == live::StressStatus::State::ready;
   };
   actions.enableWhile({std::begin(kMapActions), std::end(kMapActions)}, ready);
-  actions.enableWhile({"stress.exportCurve"},
-                      [this, ready] { return ready() && playback_.player().movable(); });
+  actions.enableWhile({"stress.exportCurve"}, [this, ready] { return ready() && model_.cycle(); });
   actions.enableWhile({"stress.exportProbes"},
                       [this, ready] { return ready() && !model_.marks().probes.empty(); });
   actions.enableWhile({"stress.exportProfiles"},
@@ -105,14 +104,9 @@ void StressExport::exportHistogram(const QString& file) {
 }
 
 void StressExport::exportCurve(const QString& file) {
-  write(tr("the curve"), file,
-        [gradients = model_.live().gradients(), count = model_.live().mesh()->witnesses,
-         sequence = playback_.sharedSequence(), rate = playback_.player().ratePerMinute(),
-         path = file.toStdString()](Progress& progress) {
-          const live::StressPeak peak =
-              live::stressPeak(*gradients, count, *sequence, rate, live::kPeakFrames, {}, progress);
-          live::writeStressCurve(path, peak.cycle);
-        });
+  write(tr("the curve"), file, [cycle = model_.cycle(), path = file.toStdString()](Progress&) {
+    live::writeStressCurve(path, cycle->cycle);
+  });
 }
 
 void StressExport::exportProbes(const QString& file) {

@@ -10,8 +10,6 @@ namespace viscera::app {
 namespace {
 
 constexpr int kStressUpdateMilliseconds = 100;
-/// Samples kept: two minutes at 60 frames a second.
-constexpr std::size_t kKeptSamples = 7200;
 /// Before every value that a quantity can have.
 constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
@@ -30,17 +28,15 @@ StressLook habit(StressLook look) {
 StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
                          const Picture& picture, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback), settings_(settings), view_(view),
-      picture_(picture), live_(workspace.stress()), record_(kKeptSamples) {
+      picture_(picture), live_(workspace.stress()), cycle_(workspace, playback) {
   throttle_.setSingleShot(true);
   throttle_.setInterval(kStressUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &StressModel::updated);
-  connect(&playback, &Playback::advanced, this, &StressModel::sample);
-  connect(&playback, &Playback::stateChanged, this, [this] {
-    if (!playback_.showing())
-      record_.clear();
-    findWantedPeak();
-    Q_EMIT updated();
+  connect(&playback, &Playback::advanced, this, [this] {
+    if (active() && !throttle_.isActive())
+      throttle_.start();
   });
+  connect(&playback, &Playback::stateChanged, this, &StressModel::updated);
   connect(&view, &ViewModel::changed, this, &StressModel::onView);
   connect(&picture, &Picture::changed, this, &StressModel::shownChanged);
   subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
@@ -67,7 +63,7 @@ void StressModel::follow() {
 /// The view's state is another one: tells what of it concerns the stress.
 void StressModel::onView() {
   if (const bool now = active(); std::exchange(knownActive_, now) != now) {
-    record_.clear();
+    cycle_.setWanted(now);
     follow();
     Q_EMIT activeChanged();
     Q_EMIT updated();
@@ -103,24 +99,13 @@ void StressModel::change(const std::function<void(StressLook&)>& edit) {
 
 void StressModel::onStress(const live::StressEvent& event) {
   if (event.sampled) {
-    record_.clear();
     setProbe(-1);
     Q_EMIT sampled();
   }
-  if (event.peak)
-    setPeakShown(live_.peak() != nullptr);
-  if (event.status || event.peak) {
+  if (event.status || event.peak)
     Q_EMIT statusChanged();
-    findWantedPeak();
-  }
   if ((event.moved || event.peak || event.sampled) && !throttle_.isActive())
     throttle_.start();
-}
-
-/// A session that was saved with a peak shows it again, once there are a map and its sequence.
-void StressModel::findWantedPeak() {
-  if (look().peak && active() && !live_.peak() && live_.status().state == live::StressStatus::State::ready)
-    findPeak();
 }
 
 QString StressModel::title() const {
@@ -134,21 +119,18 @@ QString StressModel::format(double value) const {
   return quantity.unit.empty() ? number : tr("%1 %2").arg(number, inWords(quantity.unit));
 }
 
+std::optional<double> StressModel::shownFraction() const {
+  return playback_.showing() ? std::optional(playback_.player().fraction()) : std::nullopt;
+}
+
 void StressModel::setPeakShown(bool shown) {
+  if (shown)
+    cycle_.retry();
   view_.change([&](presentation::ViewState& state) {
     if (state.stress.peak != shown && !state.stress.pinned)
       state.stress.range = {0, 0};
     state.stress.peak = shown;
   });
-}
-
-void StressModel::findPeak() {
-  const sequences::Sequence* sequence = playback_.sequence();
-  if (!sequence)
-    return;
-  if (live_.peak())
-    return setPeakShown(true);
-  workspace_.guarded([&] { live_.findPeak(playback_.sharedSequence(), playback_.player().ratePerMinute()); });
 }
 
 const live::StressSample* StressModel::peakInstant() const {
@@ -209,18 +191,6 @@ void StressModel::pinProbe() {
     if (pinned.organ == live_.organ() && pinned.rest == rest)
       return workspace_.note(tr("This point is probe %1 already.").arg(pinned.number));
   workspace_.perform(document::addStressProbe(live_.organ(), rest));
-}
-
-void StressModel::sample() {
-  if (!active() || live_.status().state != live::StressStatus::State::ready)
-    return;
-  const double seconds = playback_.player().playedSeconds();
-  const auto& samples = record_.samples();
-  // The same instant again is no news; a record that is given one begins anew.
-  if (samples.empty() || samples.back().seconds != seconds)
-    record_.add({seconds, live_.statistics()});
-  if (!throttle_.isActive())
-    throttle_.start();
 }
 
 } // namespace viscera::app

@@ -10,6 +10,7 @@
 #include "viscera/presentation/stress_values.h"
 #include "viscera/scene/color_map.h"
 #include "window/settings.h"
+#include "window/stress/stress_cycle.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
@@ -20,7 +21,7 @@ using presentation::GlyphChoice;
 using presentation::StressLook;
 
 /// The data of the mode Stress: the stress map of the current organ, live or as the peak over a cycle, and
-/// its course over time. Page, chart and probe read it. The look is a part of the view's state; it is
+/// its course over that cycle. Page, chart and probe read it. The look is a part of the view's state; it is
 /// remembered in the settings.
 class StressModel final : public QObject {
   Q_OBJECT
@@ -41,8 +42,8 @@ public:
   /// Changes a part of the look.
   void change(const std::function<void(StressLook&)>& edit);
 
-  /// Of the sequence that is there, s.
-  double periodSeconds() const { return playback_.player().periodSeconds(); }
+  /// Where in the cycle the sequence is shown, [0, 1]; none while the own pose is.
+  std::optional<double> shownFraction() const;
 
   /// The numbers that are shown, with their colours and range.
   const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
@@ -50,11 +51,9 @@ public:
   /// A number with its unit: "12.3 deg".
   QString format(double value) const;
 
-  /// The peak over a cycle instead of the map of this instant; nothing happens while there is none.
+  /// The peak over a cycle instead of the map of this instant; as soon as it is found.
   void setPeakShown(bool shown);
   bool peakShown() const { return look().peak && live_.peak(); }
-  /// Looks for the peak over one cycle of the sequence that is there, and shows it.
-  void findPeak();
   /// When the largest rotational stress of the cycle is reached; none without a peak.
   const live::StressSample* peakInstant() const;
   /// Shows the sequence at that instant instead of the peak over it.
@@ -62,8 +61,9 @@ public:
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? live_.peak()->map : live_.map(); }
 
-  /// The stress of the witnesses while a sequence played.
-  const live::StressRecord& record() const { return record_; }
+  /// The stress of the witnesses over one cycle of the sequence that is there, and the peak; null while it
+  /// is being found, and without a sequence.
+  std::shared_ptr<const live::StressPeak> cycle() const { return live_.peak(); }
 
   /// The point that is being looked at, -1: none.
   int probe() const { return look().probe; }
@@ -106,8 +106,6 @@ private:
   void follow();
   void onView();
   void onStress(const live::StressEvent& event);
-  void findWantedPeak();
-  void sample();
 
   Workspace& workspace_;
   Playback& playback_;
@@ -115,10 +113,10 @@ private:
   ViewModel& view_;
   const Picture& picture_;
   live::LiveStress& live_;
+  StressCycle cycle_;
   StressLook known_; ///< That everybody was told of.
   bool knownActive_ = false;
   QString caution_;
-  live::StressRecord record_;
   QTimer throttle_;
   std::vector<Subscription> subscriptions_;
 };

@@ -427,7 +427,7 @@ void StressPage::syncNumbers() {
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);
   max_->setText(any ? model_.format(summary.max) : none);
-  const live::StressSample* peak = model_.peakShown() ? model_.peakInstant() : nullptr;
+  const live::StressSample* peak = model_.peakInstant();
   setFactShown(peakTime_, peak);
   toPeak_->setVisible(peak);
   if (peak)

@@ -65,7 +65,7 @@ private:
   QLabel* percentile_ = nullptr;
   QLabel* max_ = nullptr;
   QLabel* folded_ = nullptr;
-  QLabel* peakTime_ = nullptr; ///< Of the cycle; only while the peak is shown.
+  QLabel* peakTime_ = nullptr; ///< Of the cycle; only while there is one.
   QPushButton* toPeak_ = nullptr;
   Histogram* histogram_ = nullptr;
   MarksBox* marks_ = nullptr;

@@ -119,14 +119,6 @@ void VolumeMonitor::update() {
   Q_EMIT updated();
 }
 
-VolumeMonitor::Cause VolumeMonitor::causeOf(const Side& side) {
-  const document::DocumentState& state = side.workspace->state();
-  Cause cause{side.playback->player().runner().revision(), state.rig, state.system, {}};
-  for (const auto& organ : *state.organs)
-    cause.organs.emplace_back(organ->id, organ->mesh, organ->volumeLocked);
-  return cause;
-}
-
 void VolumeMonitor::measureCycles() {
   for (int side = 0; side < static_cast<int>(sides_.size()); ++side)
     if (sides_[side].workspace)
@@ -143,21 +135,13 @@ void VolumeMonitor::measure(int index) {
     side.curves.reset();
     return;
   }
-  const Cause cause = causeOf(side);
+  const motion::MotionCause cause = motion::causeOf(runner);
   if (side.cause == cause)
     return;
   side.cause = cause;
   side.curves.reset();
-  // The worker has organs of its own; surfaces and bindings are shared.
-  auto work = [state = workspace.state(), organs = std::make_shared<live::PosedCopy>(workspace.live().copy()),
-               sequence = runner.sequence(), rate = runner.ratePerMinute(),
-               prescribed = runner.prescribed()](Progress& progress) {
-    motion::MotionRunner ahead(state, *organs);
-    ahead.setSequence(sequence);
-    ahead.setRatePerMinute(rate);
-    ahead.prescribe(prescribed);
-    return motion::measureCycle(ahead, progress);
-  };
+  auto work = [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](
+                  Progress& progress) { return motion::measureCycle(ahead->runner(), progress); };
   auto done = [self = QPointer(this), index, cause](JobResult<motion::CycleCurves> result) {
     if (!self || self->sides_[index].cause != cause)
       return;

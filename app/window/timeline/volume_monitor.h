@@ -7,11 +7,11 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/cycle_curves.h"
+#include "viscera/motion/motion_copy.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/color_map.h"
 #include "window/timeline/playback.h"
@@ -81,20 +81,11 @@ Q_SIGNALS:
   void updated();
 
 private:
-  /// All that a cycle depends on.
-  struct Cause {
-    std::uint64_t motion = 0; ///< `MotionRunner::revision`.
-    std::shared_ptr<const document::Rig> rig;
-    std::shared_ptr<const document::SystemChoice> system;
-    /// For each organ its identity, its surface, and whether its volume is locked.
-    std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool>> organs;
-    bool operator==(const Cause&) const = default;
-  };
   /// One view and what is known about its beat.
   struct Side {
     Workspace* workspace = nullptr;
     Playback* playback = nullptr;
-    std::optional<Cause> cause;                ///< Of what is measured or being measured.
+    std::optional<motion::MotionCause> cause;  ///< Of what is measured or being measured.
     std::optional<motion::CycleCurves> curves; ///< None while it is being measured.
     std::vector<Subscription> subscriptions;
   };
@@ -104,7 +95,6 @@ private:
   void rebuild();
   void sample();
   void sampleDrag(bool goesOn);
-  static Cause causeOf(const Side& side);
   /// Begins to measure each cycle that is not the one known.
   void measureCycles();
   void measure(int side);

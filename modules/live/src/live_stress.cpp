@@ -9,7 +9,6 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
-#include "viscera/document/rig_commands.h"
 #include "viscera/live/stress_files.h"
 
 namespace viscera::live {
@@ -91,6 +90,7 @@ struct LiveStress::Impl {
   StressEvent pending;
   Signal<const StressEvent&> events;
   std::int64_t ticket = 0;
+  std::int64_t peakTicket = 0; ///< Another number when the peak that is looked for is no longer wanted.
   std::vector<Subscription> subscriptions;
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
 
@@ -280,6 +280,7 @@ void LiveStress::Impl::takeBound(BoundWitnesses result) {
 
 void LiveStress::Impl::dropPeak() {
   jobs.cancelSlot(kPeakSlot);
+  ++peakTicket;
   if (peak)
     pending.peak = true;
   peak.reset();
@@ -419,25 +420,30 @@ std::shared_ptr<const deformation::WitnessGradients> LiveStress::gradients() con
   return impl_->bound.gradients;
 }
 
-void LiveStress::findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute) {
+void LiveStress::findPeak(PosedCycle cycle) {
   Impl& impl = *impl_;
   if (impl.status.state != StressState::ready)
     throw UsageError("There is no stress map yet", {}, "wait until the witness points are there");
-  document::requireFits(impl.document.rig(), *sequence);
-  const auto work = [sequence = std::move(sequence), ratePerMinute, gradients = impl.bound.gradients,
+  dropPeak();
+  const auto work = [cycle = std::move(cycle), gradients = impl.bound.gradients,
                      witnesses = impl.mesh->witnesses, threads = impl.options.threads](Progress& progress) {
-    return stressPeak(*gradients, witnesses, *sequence, ratePerMinute, kPeakFrames, threads, progress);
+    return stressPeak(*gradients, witnesses, cycle, kPeakFrames, threads, progress);
   };
   const auto done = [weak = std::weak_ptr<Impl*>(impl.self),
-                     gradients = impl.bound.gradients](JobResult<StressPeak> result) {
+                     mine = impl.peakTicket](JobResult<StressPeak> result) {
     const auto alive = weak.lock();
-    if (!alive || !result.value || (*alive)->bound.gradients != gradients)
+    if (!alive || !result.value || (*alive)->peakTicket != mine)
       return;
     (*alive)->peak = std::make_shared<const StressPeak>(std::move(*result.value));
     (*alive)->pending.peak = true;
     (*alive)->tell();
   };
-  impl.jobs.submit<StressPeak>("Peak stress", kPeakSlot, work, done);
+  impl.jobs.submit<StressPeak>("Stress over the cycle", kPeakSlot, work, done);
+}
+
+void LiveStress::dropPeak() {
+  impl_->dropPeak();
+  impl_->tell();
 }
 
 std::shared_ptr<const StressPeak> LiveStress::peak() const {

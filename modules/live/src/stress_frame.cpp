@@ -23,31 +23,21 @@ void takeWorse(deformation::StressMap& worst, const deformation::StressMap& map)
 
 } // namespace
 
-void StressRecord::add(const StressSample& sample) {
-  if (!samples_.empty() && sample.seconds <= samples_.back().seconds)
-    samples_.clear();
-  if (capacity_ > 0 && samples_.size() >= 2 * capacity_)
-    samples_.erase(samples_.begin(), samples_.end() - static_cast<std::ptrdiff_t>(capacity_));
-  samples_.push_back(sample);
-}
-
 StressPeak stressPeak(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
-                      const sequences::Sequence& sequence, double ratePerMinute, int frames, Threads threads,
-                      Progress& progress) {
+                      const PosedCycle& cycle, int frames, Threads threads, Progress& progress) {
   StressPeak peak;
-  Points pose;
+  peak.periodSeconds = cycle.periodSeconds;
   deformation::StressMap map;
   for (int frame = 0; frame < frames; ++frame) {
     progress.throwIfCancelled();
-    progress.report(static_cast<double>(frame) / frames, "peak stress over the sequence");
-    const double seconds = 60.0 / ratePerMinute * frame / frames;
-    sequence.poseAt(seconds, ratePerMinute, pose);
-    gradients.evaluate(pose, map, threads);
+    const double fraction = static_cast<double>(frame) / frames;
+    progress.report(fraction, "peak stress over the sequence");
+    gradients.evaluate(cycle.poseAt(fraction), map, threads);
     if (frame == 0)
       peak.map = map;
     else
       takeWorse(peak.map, map);
-    peak.cycle.push_back({seconds, deformation::statisticsOf(map, witnesses)});
+    peak.cycle.push_back({fraction * cycle.periodSeconds, deformation::statisticsOf(map, witnesses)});
   }
   peak.map.folded = static_cast<int>((peak.map.volumeRatio.array() <= 0).count());
   progress.report(1);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "viscera/core/error.h"
 #include "viscera/motion/heart_walls.h"
 
 namespace viscera::motion {
@@ -28,9 +27,7 @@ std::vector<double> instantsOf(const sequences::Sequence& sequence, double rateP
 } // namespace
 
 CycleCurves measureCycle(MotionRunner& runner, Progress& progress) {
-  if (!runner.movable())
-    throw UsageError("There is no sequence that could move these handles", {},
-                     "choose a sequence, and use its handles");
+  runner.requireMovable();
   CycleCurves curves;
   const HeartWalls walls(runner);
   std::vector<sequences::WallPlaces> places;

@@ -50,12 +50,18 @@ bool MotionRunner::movable() const {
   }
 }
 
+void MotionRunner::requireMovable() const {
+  if (!movable())
+    throw UsageError("There is no sequence that could move these handles", {},
+                     "choose a sequence, and use its handles");
+}
+
 bool MotionRunner::keepsVolumes() const {
   return prescribed_ || std::any_of(state_.organs->begin(), state_.organs->end(),
                                     [](const auto& organ) { return organ->volumeLocked; });
 }
 
-deformation::RestoredPose MotionRunner::keptPose(double seconds) {
+deformation::RestoredPose MotionRunner::restoredPose(double seconds) {
   sequence_->poseAt(seconds, rate_, pose_);
   if (!keepsVolumes())
     return {pose_, true, 0, 0, {}};
@@ -70,7 +76,7 @@ deformation::RestoredPose MotionRunner::keptPose(double seconds) {
 void MotionRunner::requireReachable() {
   for (int instant = 0; movable() && instant < kTriedInstants; ++instant) {
     const double fraction = static_cast<double>(instant) / kTriedInstants;
-    const auto tried = keptPose(fraction * periodSeconds());
+    const auto tried = restoredPose(fraction * periodSeconds());
     if (tried.restored)
       continue;
     std::string wanted = "the locked volumes cannot be kept";
@@ -82,23 +88,25 @@ void MotionRunner::requireReachable() {
   }
 }
 
+std::optional<Points> MotionRunner::poseAt(double seconds) {
+  obstacle_.clear();
+  try {
+    deformation::RestoredPose kept = restoredPose(seconds);
+    if (kept.restored)
+      return std::move(kept.pose);
+    obstacle_ = std::move(kept.reason);
+    return std::nullopt;
+  } catch (const DataError& error) {
+    obstacle_ = error.what(); // An organ is still being bound: it moves on as the sequence says.
+    return pose_;
+  }
+}
+
 std::vector<double> MotionRunner::show(double seconds) {
   obstacle_.clear();
-  if (movable()) {
-    try {
-      auto kept = keptPose(seconds);
-      if (kept.restored)
-        pose_ = std::move(kept.pose);
-      else
-        obstacle_ = std::move(kept.reason);
-    } catch (const DataError& error) {
-      obstacle_ = error.what(); // An organ is still being bound: it moves on as the sequence says.
-      organs_.showPose(pose_);
-      return volumesMl();
-    }
-    if (obstacle_.empty())
-      organs_.showPose(pose_);
-  }
+  if (movable())
+    if (const std::optional<Points> pose = poseAt(seconds))
+      organs_.showPose(*pose);
   return volumesMl();
 }
 

@@ -57,6 +57,14 @@ struct Stressed : tests::BoundSession {
   }
 };
 
+/// One second long.
+PosedCycle cycleOf(std::shared_ptr<const sequences::Sequence> sequence) {
+  return {1, [sequence = std::move(sequence), pose = Points()](double fraction) mutable -> const Points& {
+            sequence->poseAt(fraction, 60, pose);
+            return pose;
+          }};
+}
+
 double largest(const Values& values) {
   return values.cwiseAbs().maxCoeff();
 }
@@ -236,9 +244,10 @@ TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   const auto sway = std::make_shared<viscera::tests::Sway>(
       s.restHandles(),
       std::vector<viscera::tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
-  s.stress.findPeak(sway, 60);
+  s.stress.findPeak(cycleOf(sway));
   s.box.runUntil([&] { return s.stress.peak() != nullptr; });
   const StressPeak& peak = *s.stress.peak();
+  EXPECT_EQ(peak.periodSeconds, 1);
   Values stress = Values::Zero(peak.map.rotationalStress.size());
   Values stretch = stress;
   double worst = 0;
@@ -261,7 +270,29 @@ TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   // Other handles: the peak is not theirs.
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
   EXPECT_EQ(s.stress.peak(), nullptr);
-  EXPECT_THROW(s.stress.findPeak(sway, 60), DataError);
+}
+
+TEST(LiveStress, PeakIsOfTheCycleThatWasAskedForLast) {
+  Stressed s;
+  s.begin();
+  const auto swaying = [&](double mm) {
+    return cycleOf(std::make_shared<viscera::tests::Sway>(
+        s.restHandles(), std::vector<viscera::tests::Swing>{{0, Vec3(mm, 0, 0)}}));
+  };
+  const auto found = [&] {
+    s.box.runUntil([&] { return s.stress.peak() != nullptr; });
+    return largest(s.stress.peak()->map.rotationalStress);
+  };
+  s.stress.findPeak(swaying(20));
+  const double far = found();
+  s.stress.findPeak(swaying(10));
+  EXPECT_EQ(s.stress.peak(), nullptr) << "that of the cycle before";
+  EXPECT_LT(found(), far);
+  s.stress.findPeak(swaying(10));
+  s.stress.findPeak(swaying(20));
+  EXPECT_EQ(found(), far);
+  s.stress.dropPeak();
+  EXPECT_EQ(s.stress.peak(), nullptr);
 }
 
 TEST(StressQuantity, IsNotANumberWhereTheTissueIsFoldedExceptForFoldingItself) {
@@ -294,17 +325,6 @@ TEST(StressQuantity, SummaryAgreesWithTheStatisticsOfTheMap) {
   EXPECT_NEAR(summary.mean, degrees * statistics.mean, 1e-10);
   EXPECT_NEAR(summary.percentile95, degrees * statistics.percentile95, 1e-12);
   EXPECT_NEAR(summary.max, degrees * statistics.max, 1e-12);
-}
-
-TEST(StressRecord, BeginsAnewWhenSomebodyGoesBackAndDropsTheOldest) {
-  StressRecord record(3);
-  for (int i = 0; i < 7; ++i)
-    record.add({0.1 * i, {}});
-  EXPECT_GE(record.samples().size(), 3u);
-  EXPECT_LE(record.samples().size(), 6u);
-  EXPECT_NEAR(record.samples().back().seconds, 0.6, 1e-12);
-  record.add({0.2, {}});
-  EXPECT_EQ(record.samples().size(), 1u);
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/motion/cycle_curves.h"
+#include "viscera/motion/motion_copy.h"
 
 namespace viscera::motion {
 namespace {
@@ -112,6 +113,26 @@ TEST_F(Runner, ACopyOfTheOrgansShowsTheSamePointsToTheBitWithItsLocksWhateverThe
     EXPECT_EQ(copied.show(static_cast<double>(i) * 0.17)[0], volumes[i]);
     EXPECT_EQ(*copy.sharedPoints(organ), seen[i]) << "instant " << i;
   }
+}
+
+TEST_F(Runner, ACopyOfTheMotionGivesTheSamePosesUnderLocksAndStopsWhereTheyCannotBeKept) {
+  undo_.perform(document::setVolumeLocked(egg(), true));
+  const MotionCause cause = causeOf(runner_);
+  const live::PosedCycle cycle = posedCycle(runner_, live_.copy());
+  EXPECT_EQ(cycle.periodSeconds, kPeriodSeconds);
+  for (const double fraction : {0.0, 0.3, 0.5}) {
+    runner_.show(fraction * kPeriodSeconds);
+    EXPECT_EQ(cycle.poseAt(fraction), live_.shownPose()) << fraction;
+  }
+  EXPECT_EQ(causeOf(runner_), cause) << "showing changes nothing that a cycle depends on";
+  undo_.perform(document::setVolumeLocked(egg(), false));
+  EXPECT_NE(causeOf(runner_), cause);
+  prescribe({{0, restMl_}, {0.5, 40 * restMl_}});
+  const live::PosedCycle tooFar = posedCycle(runner_, live_.copy());
+  const Points kept = tooFar.poseAt(0);
+  EXPECT_EQ(tooFar.poseAt(0.5), kept);
+  runner_.setSequence(nullptr);
+  EXPECT_THROW(posedCycle(runner_, live_.copy()), UsageError);
 }
 
 TEST_F(Runner, APrescribedVolumeIsMetAtEveryInstant) {

@@ -92,9 +92,11 @@ public:
   /// The derivatives in use; null before the first binding.
   std::shared_ptr<const deformation::WitnessGradients> gradients() const;
 
-  /// Finds the peak over one cycle of `sequence` (slot "stress/peak"). Throws `UsageError` when the map is
-  /// not ready, what `requireFits` throws when the sequence moves other handles.
-  void findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute);
+  /// Finds the peak over a cycle (slot "stress/peak"); the one before is dropped. Throws `UsageError` when
+  /// the map is not ready. A cycle of other handles is refused by the job.
+  void findPeak(PosedCycle cycle);
+  /// Drops the peak, and stops looking for one: the cycle is another one.
+  void dropPeak();
   /// The peak for the mesh and binding in use; null when none was found.
   std::shared_ptr<const StressPeak> peak() const;
 

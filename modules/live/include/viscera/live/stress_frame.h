@@ -14,7 +14,6 @@
 #include "viscera/deformation/witness_interpolation.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/ids.h"
-#include "viscera/sequences/sequence.h"
 
 /// The stress map of one organ at one instant, its course over time, and its peak over a cycle.
 namespace viscera::live {
@@ -25,20 +24,11 @@ struct StressSample {
   deformation::StressStatistics statistics;
 };
 
-/// The course of stress over time, for a chart. For one thread.
-class StressRecord {
-public:
-  /// Keeps the last `capacity` samples at least, twice as many at most; 0 keeps all.
-  explicit StressRecord(std::size_t capacity = 0) : capacity_(capacity) {}
-
-  /// A time that is not later than the last one (somebody went back) begins a new record.
-  void add(const StressSample& sample);
-  void clear() { samples_.clear(); }
-  const std::vector<StressSample>& samples() const { return samples_; }
-
-private:
-  std::size_t capacity_;
-  std::vector<StressSample> samples_;
+/// One cycle of a sequence as the poses that it gives the handles.
+struct PosedCycle {
+  double periodSeconds = 0;
+  /// At a fraction of the cycle, [0, 1): `n x 3` mm, valid until the next call. For one thread.
+  std::function<const Points&(double fraction)> poseAt;
 };
 
 /// The largest stress at every point over one cycle of a sequence.
@@ -46,15 +36,15 @@ struct StressPeak {
   /// The largest rotational stress, the largest and the smallest stretch, and the volume ratio that is
   /// farthest from 1 (by its factor; one at most 0 before all others) over the cycle, each by itself.
   deformation::StressMap map;
-  std::vector<StressSample> cycle; ///< Of the witness points, evenly over the cycle.
+  std::vector<StressSample> cycle; ///< Of the witness points, evenly over the cycle, its end left out.
+  double periodSeconds = 0;
 };
 
-/// Goes through one cycle of `sequence` at `ratePerMinute` in `frames` steps, at least 1. Statistics are of
-/// the first `witnesses` points. Throws `Cancelled`, `DataError` for a sequence that moves another number of
-/// handles. Deterministic; for any thread. O(frames x points x handles).
+/// Goes through one cycle in `frames` steps, at least 1. Statistics are of the first `witnesses` points.
+/// Throws `Cancelled`, `DataError` for poses of another number of handles. Deterministic; for any thread.
+/// O(frames x points x handles).
 StressPeak stressPeak(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
-                      const sequences::Sequence& sequence, double ratePerMinute, int frames, Threads threads,
-                      Progress& progress);
+                      const PosedCycle& cycle, int frames, Threads threads, Progress& progress);
 
 /// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
 /// open, or evaluated by a movie. Whoever keeps a pointer keeps its memory; points and map follow the

@@ -46,6 +46,8 @@ public:
 
   /// Whether the handles are the sequence's, so that it can move them. O(handles).
   bool movable() const;
+  /// Throws `UsageError` where it is not.
+  void requireMovable() const;
 
   /// Prescribes a volume, or none.
   void prescribe(std::optional<PrescribedVolume> volume);
@@ -60,6 +62,9 @@ public:
   /// Where volumes cannot be kept, the last pose in which they could stays. Throws `DataError` as
   /// `PosedOrgans::showPose`.
   std::vector<double> show(double seconds);
+  /// The pose that `show` would give the handles there, `n x 3` mm; none where volumes cannot be kept. The
+  /// sequence has to be `movable`.
+  std::optional<Points> poseAt(double seconds);
   /// Why the volumes could not be kept in the pose asked for last; empty when they were.
   const std::string& obstacle() const { return obstacle_; }
   /// The volume of each organ of the document, in its order, ml; 0 for an open surface.
@@ -67,7 +72,7 @@ public:
 
 private:
   bool keepsVolumes() const;
-  deformation::RestoredPose keptPose(double seconds);
+  deformation::RestoredPose restoredPose(double seconds);
 
   const document::DocumentState& state_;
   live::PosedOrgans& organs_;
@@ -77,7 +82,7 @@ private:
   std::optional<PrescribedVolume> prescribed_;
   std::uint64_t revision_ = 0;
   std::string obstacle_;
-  Points pose_;
+  Points pose_; ///< That the sequence asked for last.
 };
 
 } // namespace viscera::motion

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "viscera/document/document.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/live/stress_frame.h"
+#include "viscera/motion/motion_runner.h"
+
+namespace viscera::motion {
+
+/// All that the poses of a document's organs over one cycle depend on: what was computed for one is valid as
+/// long as it is equal to `causeOf` of the same runner.
+struct MotionCause {
+  std::uint64_t revision = 0; ///< Of the runner: sequence, rate and prescribed volume.
+  std::shared_ptr<const document::Rig> rig;
+  std::shared_ptr<const document::SystemChoice> system;
+  /// For each organ its identity, its surface, and whether its volume is locked.
+  std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool>> organs;
+  bool operator==(const MotionCause&) const = default;
+};
+
+/// O(organs).
+MotionCause causeOf(const MotionRunner& runner);
+
+/// A copy of what a runner plays, with organs of its own, so that a worker can go through a cycle while the
+/// document goes on: surfaces and bindings are shared, volumes are kept or met as in the original. For one
+/// thread, which need not be the document's.
+///
+///     auto copy = std::make_shared<MotionCopy>(player.runner(), live.copy());
+///     jobs.submit<CycleCurves>("Volumes", "cycle",
+///                              [copy](Progress& p) { return measureCycle(copy->runner(), p); }, take);
+class MotionCopy {
+public:
+  MotionCopy(const MotionRunner& original, live::PosedCopy organs);
+  MotionCopy(const MotionCopy&) = delete;
+  MotionCopy& operator=(const MotionCopy&) = delete;
+
+  MotionRunner& runner() { return runner_; }
+
+private:
+  const document::DocumentState state_;
+  live::PosedCopy organs_;
+  MotionRunner runner_;
+};
+
+/// The cycle that a runner plays, for whoever computes something over it on another thread. Where volumes
+/// cannot be kept the handles stay in the last pose in which they could, as they do while it plays. Throws
+/// `UsageError` when the runner has nothing that it could move.
+live::PosedCycle posedCycle(const MotionRunner& original, live::PosedCopy organs);
+
+} // namespace viscera::motion
