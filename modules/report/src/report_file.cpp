@@ -209,6 +209,7 @@ void PdfPages::keepTogether() {
       QTextBlockFormat format = block.blockFormat();
       format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
       cursor.setBlockFormat(format);
+      text_.setPageSize(text_.pageSize()); // Anew from the top: Qt leaves tables that follow where they were.
     }
   }
 }

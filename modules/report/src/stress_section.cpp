@@ -128,14 +128,17 @@ PictureGrid cycleChart(const live::StressPeak& peak) {
   panel.curves = {{said("Largest"), curveColor(0), {}, {}},
                   {said("95th percentile"), curveColor(3), {}, {}},
                   {said("Mean"), curveColor(1), {}, {}}};
-  for (const live::StressSample& sample : peak.cycle) {
-    const double values[] = {sample.statistics.max, sample.statistics.percentile95, sample.statistics.mean};
+  const auto add = [&](double seconds, const deformation::StressStatistics& statistics) {
+    const double values[] = {statistics.max, statistics.percentile95, statistics.mean};
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-      panel.curves[i].x.push_back(sample.seconds);
+      panel.curves[i].x.push_back(seconds);
       panel.curves[i].y.push_back(kDegrees * values[i]);
     }
-  }
-  panel.xRange = scene::ValueRange{peak.cycle.front().seconds, peak.cycle.back().seconds};
+  };
+  for (const live::StressSample& sample : peak.cycle)
+    add(sample.seconds, sample.statistics);
+  add(peak.periodSeconds, peak.cycle.front().statistics); // The end of a cycle is its beginning.
+  panel.xRange = scene::ValueRange{0, peak.periodSeconds};
   return chart(panel, said("Over one cycle of the sequence"));
 }
 
