@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "build_paths.h"
+#include "mesh_checks.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/label_map.h"
@@ -16,18 +17,13 @@
 namespace viscera::medical_io {
 namespace {
 
+using test::warnsOf;
+
 const std::filesystem::path kOrgans = VISCERA_SHARED_ORGANS;
 
 #define SKIP_WITHOUT(file)                                                                                   \
   if (!std::filesystem::exists(file))                                                                        \
   GTEST_SKIP() << (file).filename() << " is not there; it is not part of the project"
-
-bool warnsOf(const SurfaceFile& surface, const std::string& words) {
-  for (const std::string& warning : surface.warnings)
-    if (warning.find(words) != std::string::npos)
-      return true;
-  return false;
-}
 
 TEST(SharedOrgans, LiverOfTriangleStripsIsClosedAndManifold) {
   const auto file = kOrgans / "liver.vtk";
@@ -96,6 +92,11 @@ TEST(SharedOrgans, LabelsOfTheAbdomenAreClosedAndAsLargeAsTheirVoxels) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::cout << surfaces.size() << " labels into surfaces: " << seconds.count() << " s\n";
   ASSERT_EQ(surfaces.size(), map.segments.size());
+  Eigen::Index triangles = 0;
+  for (const LabelSurface& surface : surfaces)
+    triangles += surface.mesh.triangles.rows();
+  EXPECT_NEAR(static_cast<double>(triangles), 884000, 500)
+      << "the figure of README.md and docs/performance.md";
   for (const LabelSurface& surface : surfaces) {
     SCOPED_TRACE(map.segments[surface.segment].name);
     const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);

@@ -1,0 +1,139 @@
+#include "stress_fixture.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include <cmath>
+
+#include "sway.h"
+#include "viscera/document/organ_commands.h"
+#include "window/stress/stress_chart.h"
+
+namespace viscera::tests {
+namespace {
+
+/// The map over the cycle of a sequence.
+class StressOverACycle : public StressModeTest {
+protected:
+  /// A sequence that swings the first handle that far, mm.
+  std::shared_ptr<Sway> swing(double mm) {
+    return std::make_shared<Sway>(document().rig().restPositions(), std::vector<Swing>{{0, Vec3(mm, 0, 0)}});
+  }
+  void give(const std::shared_ptr<Sway>& sequence) {
+    window().playback().setSequence(sequence, document().organs().front()->id);
+  }
+  app::StressChart& chart() { return *window().findChild<app::StressChart*>(); }
+  bool drawn(const std::shared_ptr<const live::StressPeak>& than) {
+    return waitUntil([&] {
+      return model().cycle() && model().cycle() != than && chart().drawnCycle() == model().cycle();
+    });
+  }
+  /// The cycle's curve is what the map says at the instants that are shown.
+  void expectTheCurveIsWhatIsShown() {
+    const auto cycle = model().cycle();
+    ASSERT_TRUE(cycle);
+    EXPECT_EQ(cycle->periodSeconds, window().playback().player().periodSeconds());
+    for (const std::size_t instant : {std::size_t{5}, cycle->cycle.size() / 3, cycle->cycle.size() - 1}) {
+      window().playback().seek(cycle->cycle[instant].seconds / cycle->periodSeconds);
+      EXPECT_NEAR(model().live().statistics().max, cycle->cycle[instant].statistics.max, 1e-9) << instant;
+      EXPECT_NEAR(model().live().statistics().mean, cycle->cycle[instant].statistics.mean, 1e-9) << instant;
+    }
+  }
+};
+
+TEST_F(StressOverACycle, IsDrawnWholeBeforeAFrameWasPlayed) {
+  give(swing(30));
+  enter();
+  window().playback().seek(0);
+  ASSERT_TRUE(drawn(nullptr));
+  EXPECT_GE(model().cycle()->cycle.size(), 60u);
+  EXPECT_GT(model().peakInstant()->statistics.max, 0.01);
+  EXPECT_FALSE(model().peakShown()) << "the map of the instant stays";
+  EXPECT_TRUE(window().actions()["stress.exportCurve"]->isEnabled());
+  expectTheCurveIsWhatIsShown();
+}
+
+TEST_F(StressOverACycle, IsOfTheRateAndTheSequenceThatAreThere) {
+  give(swing(30));
+  enter();
+  window().playback().seek(0);
+  ASSERT_TRUE(drawn(nullptr));
+  window().actions()["stress.peak"]->trigger();
+  settle();
+  ASSERT_TRUE(model().peakShown());
+  const auto first = model().cycle();
+  const double period = first->periodSeconds;
+  window().playback().setRate(2 * window().playback().player().ratePerMinute());
+  ASSERT_TRUE(drawn(first));
+  EXPECT_NEAR(model().cycle()->periodSeconds, period / 2, 1e-12);
+  EXPECT_TRUE(model().peakShown()) << "of the other rate";
+  const auto second = model().cycle();
+  give(swing(10));
+  window().playback().seek(0);
+  ASSERT_TRUE(drawn(second));
+  EXPECT_LT(model().peakInstant()->statistics.max,
+            first->cycle[model().cycle()->cycle.size() / 4].statistics.max);
+  expectTheCurveIsWhatIsShown();
+  window().playback().forgetAll();
+  ASSERT_TRUE(waitUntil([this] { return !model().cycle(); }));
+  EXPECT_FALSE(model().peakShown());
+  EXPECT_FALSE(window().actions()["stress.exportCurve"]->isEnabled());
+}
+
+TEST_F(StressOverACycle, KeepsALockedVolumeAsThePlayingOrganDoes) {
+  give(swing(30));
+  enter();
+  window().playback().seek(0);
+  ASSERT_TRUE(drawn(nullptr));
+  const auto free = model().cycle();
+  window().workspace().perform(document::setVolumeLocked(document().organs().front()->id, true));
+  ASSERT_TRUE(drawn(free));
+  const std::size_t quarter = free->cycle.size() / 4;
+  EXPECT_GT(std::abs(model().cycle()->cycle[quarter].statistics.mean - free->cycle[quarter].statistics.mean),
+            1e-6)
+      << "the lock moves handles";
+  expectTheCurveIsWhatIsShown();
+}
+
+TEST_F(StressOverACycle, MovesTheMapWhileItPlaysAndHasAPeak) {
+  enter();
+  give(swing(30));
+  settle();
+  key(Qt::Key_Space);
+  EXPECT_EQ(window().mode(), "stress");
+  for (int frame = 0; frame < 12; ++frame) {
+    now_ += 0.02;
+    window().playback().advance();
+  }
+  EXPECT_GT(model().shown().summary().max, 0.5);
+  key(Qt::Key_Space);
+  // The peak over the cycle is at least the map of every instant.
+  const Values now = *model().shown().values();
+  window().actions()["stress.peak"]->trigger();
+  ASSERT_TRUE(waitUntil([this] { return model().peakShown(); }));
+  const Eigen::Index witnesses = model().live().mesh()->witnesses;
+  EXPECT_GE((*model().shown().values() - now).minCoeff(), -0.2);
+  EXPECT_GT(model().shown().summary().max, now.head(witnesses).maxCoeff() - 0.2);
+  // The peak's instant is that of the largest value of the cycle.
+  EXPECT_TRUE(find<QLabel>("stressPeakTime")->isVisible());
+  const double largest = model().peakInstant()->statistics.max;
+  for (const live::StressSample& sample : model().live().peak()->cycle)
+    EXPECT_LE(sample.statistics.max, largest);
+  window().actions()["stress.peakTime"]->trigger();
+  settle();
+  EXPECT_FALSE(model().peakShown());
+  EXPECT_NEAR(model().live().statistics().max, largest, 1e-9);
+  window().actions()["stress.peak"]->trigger();
+  settle();
+  EXPECT_TRUE(model().peakShown());
+  // Back to the own pose, which is at rest.
+  window().actions()["stress.peak"]->trigger();
+  QTest::mouseClick(find<QPushButton>("stressOwnPose"), Qt::LeftButton);
+  settle();
+  EXPECT_LT(model().shown().summary().max, 1e-6);
+}
+
+} // namespace
+} // namespace viscera::tests
