@@ -36,9 +36,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 900, kHeight = 600;
-/// Drivers and instruments differ in the last bits of colours and at edges.
-constexpr int kSameColor = 8;
-constexpr double kMostDiffering = 0.005;
 
 constexpr const char* kPlugin = VISCERA_BINARY_DIR "/lib/viscera/plugins/localised_scc_plugin.so";
 

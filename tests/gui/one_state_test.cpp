@@ -18,8 +18,6 @@ namespace viscera::tests {
 namespace {
 
 constexpr std::size_t kHeartHandles = 222, kLiverHandles = 38;
-constexpr double kMostDiffering = 0.005;
-constexpr int kSameColor = 8;
 
 class OneState : public PlayMode {
 protected:

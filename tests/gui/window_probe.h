@@ -22,6 +22,10 @@
 /// put together.
 namespace viscera::tests {
 
+/// Drivers and instruments differ in the last bits of colours and at edges.
+inline constexpr int kSameColor = 8;
+inline constexpr double kMostDiffering = 0.005;
+
 /// Where an organ is drawn, or why it is not.
 struct ShownOrgan {
   bool drawn = false;

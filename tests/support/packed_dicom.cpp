@@ -24,12 +24,12 @@
 namespace viscera::tests {
 namespace {
 
-void require(const OFCondition& condition) {
+void requireDone(const OFCondition& condition) {
   if (condition.bad())
     throw std::runtime_error(std::string("DCMTK cannot pack: ") + condition.text());
 }
 
-void require(OPJ_BOOL done) {
+void requireDone(OPJ_BOOL done) {
   if (done == OPJ_FALSE)
     throw std::runtime_error("OpenJPEG cannot pack");
 }
@@ -58,15 +58,15 @@ std::string codeStream(const Uint16* pixels, Uint16 columns, Uint16 rows, Uint16
   parameters.numresolution = 3; // Pictures of tests are small.
   const std::unique_ptr<opj_codec_t, void (*)(opj_codec_t*)> codec(opj_create_compress(OPJ_CODEC_J2K),
                                                                    opj_destroy_codec);
-  require(opj_setup_encoder(codec.get(), &parameters, image.get()));
+  requireDone(opj_setup_encoder(codec.get(), &parameters, image.get()));
   const std::unique_ptr<opj_stream_t, void (*)(opj_stream_t*)> stream(opj_stream_create(1 << 16, OPJ_FALSE),
                                                                       opj_stream_destroy);
   std::string bytes;
   opj_stream_set_user_data(stream.get(), &bytes, nullptr);
   opj_stream_set_write_function(stream.get(), append);
-  require(opj_start_compress(codec.get(), image.get(), stream.get()));
-  require(opj_encode(codec.get(), stream.get()));
-  require(opj_end_compress(codec.get(), stream.get()));
+  requireDone(opj_start_compress(codec.get(), image.get(), stream.get()));
+  requireDone(opj_encode(codec.get(), stream.get()));
+  requireDone(opj_end_compress(codec.get(), stream.get()));
   return bytes;
 }
 
@@ -74,20 +74,20 @@ std::string codeStream(const Uint16* pixels, Uint16 columns, Uint16 rows, Uint16
 void packAsJpeg2000(DcmDataset& dataset) {
   const Uint16* pixels = nullptr;
   Uint16 columns = 0, rows = 0, bits = 0;
-  require(dataset.findAndGetUint16Array(DCM_PixelData, pixels));
-  require(dataset.findAndGetUint16(DCM_Columns, columns));
-  require(dataset.findAndGetUint16(DCM_Rows, rows));
-  require(dataset.findAndGetUint16(DCM_BitsStored, bits));
+  requireDone(dataset.findAndGetUint16Array(DCM_PixelData, pixels));
+  requireDone(dataset.findAndGetUint16(DCM_Columns, columns));
+  requireDone(dataset.findAndGetUint16(DCM_Rows, rows));
+  requireDone(dataset.findAndGetUint16(DCM_BitsStored, bits));
   std::string stream = codeStream(pixels, columns, rows, bits);
   stream.resize(stream.size() + stream.size() % 2);
   auto sequence = std::make_unique<DcmPixelSequence>(DCM_PixelSequenceTag);
-  require(sequence->insert(new DcmPixelItem(DCM_PixelItemTag))); // An empty table of offsets.
+  requireDone(sequence->insert(new DcmPixelItem(DCM_PixelItemTag))); // An empty table of offsets.
   auto item = std::make_unique<DcmPixelItem>(DCM_PixelItemTag);
-  require(item->putUint8Array(reinterpret_cast<const Uint8*>(stream.data()), stream.size()));
-  require(sequence->insert(item.release()));
+  requireDone(item->putUint8Array(reinterpret_cast<const Uint8*>(stream.data()), stream.size()));
+  requireDone(sequence->insert(item.release()));
   auto pixelData = std::make_unique<DcmPixelData>(DCM_PixelData);
   pixelData->putOriginalRepresentation(EXS_JPEG2000LosslessOnly, nullptr, sequence.release());
-  require(dataset.insert(pixelData.release(), OFTrue));
+  requireDone(dataset.insert(pixelData.release(), OFTrue));
 }
 
 } // namespace
@@ -106,14 +106,14 @@ std::string packedDicom(const std::string& plain, const std::string& packing) {
   DJLSEncoderRegistration::registerCodecs();
   const TemporaryFolder folder;
   DcmFileFormat format;
-  require(format.loadFile(folder.put("plain.dcm", plain).c_str()));
-  require(format.loadAllDataIntoMemory());
+  requireDone(format.loadFile(folder.put("plain.dcm", plain).c_str()));
+  requireDone(format.loadAllDataIntoMemory());
   const E_TransferSyntax syntax = kSyntaxes.at(packing);
   if (syntax == EXS_JPEG2000LosslessOnly)
     packAsJpeg2000(*format.getDataset());
   else
-    require(format.getDataset()->chooseRepresentation(syntax, nullptr));
-  require(format.saveFile((folder / "packed.dcm").c_str(), syntax));
+    requireDone(format.getDataset()->chooseRepresentation(syntax, nullptr));
+  requireDone(format.saveFile((folder / "packed.dcm").c_str(), syntax));
   return contentsOf(folder / "packed.dcm");
 }
 

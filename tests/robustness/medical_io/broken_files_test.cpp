@@ -9,10 +9,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "good_files.h"
 #include "label_files.h"
+#include "memory_use.h"
 #include "packed_bytes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
@@ -27,18 +27,11 @@ namespace {
 
 using tests::FileUse;
 using tests::GoodFile;
+using tests::kMostExtraKilobytes;
+using tests::peakKilobytes;
 using tests::TemporaryFolder;
 
-/// A reader may take a few times a file's size; what a header promises would be gigabytes.
-constexpr long kMostExtraKilobytes = 200 * 1024;
-
 enum class Outcome { read, readLess, refused };
-
-long peakKilobytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
-}
 
 /// Labelled voxels.
 Eigen::Index sizeOfLabels(const std::filesystem::path& file) {

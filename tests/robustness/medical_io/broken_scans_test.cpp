@@ -2,9 +2,9 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "dicom_slices.h"
+#include "memory_use.h"
 #include "packed_bytes.h"
 #include "packed_dicom.h"
 #include "phantom_scan.h"
@@ -16,16 +16,11 @@
 namespace viscera::medical_io {
 namespace {
 
+using tests::kMostExtraKilobytes;
+using tests::peakKilobytes;
 using tests::TemporaryFolder;
 
-constexpr long kMostExtraKilobytes = 200 * 1024;
 constexpr int kCuts = 25, kFlips = 40;
-
-long peakKilobytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
-}
 
 tests::LabelImage phantom() {
   tests::LabelImage image = tests::orientedPhantomGrid(0, {0, 1, 2});

@@ -28,7 +28,7 @@ using tests::write;
 using viscera::tests::contentsOf;
 using viscera::tests::TemporaryFolder;
 
-using State = SurfaceFinding::State;
+using Finding = SurfaceFinding::State;
 
 ordered_json jsonOf(const std::filesystem::path& file) {
   return ordered_json::parse(contentsOf(file));
@@ -165,7 +165,7 @@ TEST(SessionFile, NamesASampleOrganAndMakesItAgain) {
   const OpenedSession opened = readBack(folder / "a.viscera");
   EXPECT_TRUE(identical(opened.contents.state, contents.state));
   EXPECT_EQ(opened.surfaces[1].source, "sample:liver/outer@low");
-  EXPECT_EQ(opened.surfaces[1].state, State::found);
+  EXPECT_EQ(opened.surfaces[1].state, Finding::found);
 }
 
 TEST(SessionFile, FindsAnOrganThatMovedWithTheSessionOrBesideItOrUnderAnotherName) {
@@ -185,7 +185,7 @@ TEST(SessionFile, FindsAnOrganThatMovedWithTheSessionOrBesideItOrUnderAnotherNam
   // Not beside the session, but where it was.
   std::filesystem::copy_file(folder / "a.viscera", folder / "elsewhere" / "b.viscera");
   const OpenedSession opened = readBack(folder / "elsewhere" / "b.viscera");
-  EXPECT_EQ(opened.surfaces[1].state, State::moved);
+  EXPECT_EQ(opened.surfaces[1].state, Finding::moved);
   EXPECT_THAT(joined(opened.warnings), HasSubstr("liver.vtp"));
 }
 
@@ -201,7 +201,7 @@ TEST(SessionFile, NamesAnOrganWhoseFileVanishedOpensTheRestAndKeepsItsRecord) {
 
   const OpenedSession opened = readBack(folder / "a.viscera");
   ASSERT_EQ(opened.contents.state.organs->size(), 2u);
-  EXPECT_EQ(opened.surfaces[1].state, State::missing);
+  EXPECT_EQ(opened.surfaces[1].state, Finding::missing);
   EXPECT_THAT(joined(opened.warnings), HasSubstr("liver.vtp is not there any more"));
   EXPECT_FALSE((*opened.contents.state.organs)[1]->parent) << "its parent is not there";
   write(folder / "b.viscera", opened.contents);
@@ -236,7 +236,7 @@ TEST(SessionFile, SaysThatAnOrgansFileHasChangedAndUsesIt) {
   write(folder / "a.viscera", fullContents(folder));
   ballFile(folder, "liver.vtp", 45);
   const OpenedSession opened = readBack(folder / "a.viscera");
-  EXPECT_EQ(opened.surfaces[1].state, State::changed);
+  EXPECT_EQ(opened.surfaces[1].state, Finding::changed);
   EXPECT_THAT(joined(opened.warnings), HasSubstr("liver.vtp has changed"));
   EXPECT_NEAR((*opened.contents.state.organs)[1]->mesh->points.row(0).norm(), 45, 1e-3);
   EXPECT_TRUE((*opened.contents.state.organs)[1]->volumeLocked);

@@ -14,7 +14,7 @@ namespace {
 
 /// The mesh without the triangles for which `gone` says so.
 template <class Gone>
-TriangleMesh without(TriangleMesh mesh, Gone gone) {
+TriangleMesh withoutWhere(TriangleMesh mesh, Gone gone) {
   std::vector<Eigen::Vector3i> kept;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     if (!gone(t, mesh))
@@ -32,7 +32,7 @@ double highest(const TriangleMesh& mesh, Eigen::Index t) {
 
 TEST(CloseHoles, AMissingSideOfABoxIsFlatAgainAndTheVolumeExact) {
   const TriangleMesh box = tests::box(2, 3, 4);
-  const auto open = without(box, [](Eigen::Index t, const TriangleMesh&) { return t < 2; });
+  const auto open = withoutWhere(box, [](Eigen::Index t, const TriangleMesh&) { return t < 2; });
   ASSERT_EQ(checkSurface(open).boundaryEdges, 4);
   const ClosedSurface closed = closeHoles(open);
   EXPECT_EQ(closed.holes, 1);
@@ -44,7 +44,7 @@ TEST(CloseHoles, AMissingSideOfABoxIsFlatAgainAndTheVolumeExact) {
 
 TEST(CloseHoles, AMissingTriangleComesBackWithoutANewPoint) {
   const TriangleMesh ball = tests::sphere(2);
-  const auto open = without(ball, [](Eigen::Index t, const TriangleMesh&) { return t == 17; });
+  const auto open = withoutWhere(ball, [](Eigen::Index t, const TriangleMesh&) { return t == 17; });
   const ClosedSurface closed = closeHoles(open);
   EXPECT_EQ(closed.mesh.points, ball.points);
   EXPECT_EQ(closed.mesh.triangles.rows(), ball.triangles.rows());
@@ -54,7 +54,8 @@ TEST(CloseHoles, AMissingTriangleComesBackWithoutANewPoint) {
 TEST(CloseHoles, ACutBallIsClosedByAFlatCapThatRunsTheSameWayRound) {
   TriangleMesh ball = tests::sphere(4);
   ball.colors = Colors::Constant(ball.points.rows(), 3, 200);
-  const auto open = without(ball, [](Eigen::Index t, const TriangleMesh& m) { return highest(m, t) > 0.5; });
+  const auto open =
+      withoutWhere(ball, [](Eigen::Index t, const TriangleMesh& m) { return highest(m, t) > 0.5; });
   const SurfaceReport before = checkSurface(open);
   ASSERT_GT(before.boundaryEdges, 20);
   const ClosedSurface closed = closeHoles(open);
@@ -88,7 +89,7 @@ TEST(CloseHoles, SeveralHolesAreClosedAlsoWhereTwoTouchAtAVertex) {
     if (t != around.front() && touches(around.front(), t) == 1)
       opposite = t;
   ASSERT_GE(opposite, 0);
-  const auto open = without(ball, [&](Eigen::Index t, const TriangleMesh& m) {
+  const auto open = withoutWhere(ball, [&](Eigen::Index t, const TriangleMesh& m) {
     return t == around.front() || t == opposite || t == m.triangles.rows() - 1;
   });
   const ClosedSurface closed = closeHoles(open);

@@ -16,8 +16,8 @@
 namespace viscera::live {
 namespace {
 
-using State = StressStatus::State;
-constexpr double kAtOnce = std::numeric_limits<double>::infinity();
+using StressState = StressStatus::State;
+constexpr double kBoundAtOnce = std::numeric_limits<double>::infinity();
 
 /// A document with a ball, bound, and its stress.
 struct Stressed : tests::BoundSession {
@@ -25,7 +25,7 @@ struct Stressed : tests::BoundSession {
   StressEvent heard;
   Subscription subscription;
 
-  explicit Stressed(double frameSeconds = kAtOnce, int witnesses = 400)
+  explicit Stressed(double frameSeconds = kBoundAtOnce, int witnesses = 400)
       : stress(document, registry, live, jobs, options(frameSeconds, witnesses)) {
     subscription = stress.onEvent([this](const StressEvent& event) {
       heard.status |= event.status;
@@ -42,12 +42,12 @@ struct Stressed : tests::BoundSession {
     return options;
   }
 
-  void waitFor(State state) {
+  void waitFor(StressState state) {
     box.runUntil([&] { return stress.status().state == state; });
   }
   void begin() {
     stress.follow(organ());
-    waitFor(State::ready);
+    waitFor(StressState::ready);
   }
   Points restHandles() const { return document.rig().restPositions(); }
   void move(std::size_t handle, const Vec3& by) {
@@ -76,7 +76,7 @@ TEST(LiveStress, FollowsThePoseWhereTheOrganItselfCannotBeBound) {
   Points in(2, 3);
   in << 20, 20, -60, 20, 20, 60;
   s.undo.perform(document::moveRestHandles({s.handle(3), s.handle(7)}, in));
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   ASSERT_EQ(s.live.status(s.organ()).state, BindingStatus::State::failed);
   s.move(8, {0, 0, 25});
   Stressed fresh;
@@ -89,7 +89,7 @@ TEST(LiveStress, FollowsThePoseWhereTheOrganItselfCannotBeBound) {
 
 TEST(LiveStress, FillsTheOrganAndIsNothingAtRest) {
   Stressed s;
-  EXPECT_EQ(s.stress.status().state, State::off);
+  EXPECT_EQ(s.stress.status().state, StressState::off);
   s.begin();
   ASSERT_TRUE(s.stress.mesh());
   EXPECT_TRUE(s.heard.sampled && s.heard.moved && s.heard.status);
@@ -148,7 +148,7 @@ TEST(LiveStress, BindsAnewWhenRestHandlesOrTheSystemChange) {
   const auto before = s.stress.gradients();
   const Values mapBefore = s.stress.map().rotationalStress;
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   EXPECT_NE(s.stress.gradients(), before);
   EXPECT_NE(s.stress.map().rotationalStress, mapBefore);
   const auto second = s.stress.gradients();
@@ -163,9 +163,9 @@ TEST(LiveStress, BindsAnewWhenRestHandlesOrTheSystemChange) {
 TEST(LiveStress, BindsOnTheQueueWhenThatTakesLongAndShowsNoWrongMapMeanwhile) {
   Stressed s(0);
   s.stress.follow(s.organ());
-  s.box.runUntil([&] { return s.stress.status().state == State::binding; });
+  s.box.runUntil([&] { return s.stress.status().state == StressState::binding; });
   EXPECT_EQ(s.stress.points().rows(), 0);
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   s.move(0, Vec3(10, 0, 0));
   const Values map = s.stress.map().rotationalStress;
   Stressed atOnce;
@@ -178,11 +178,11 @@ TEST(LiveStress, CanBeCancelledAndGoesOnWhenAsked) {
   Stressed s;
   s.stress.follow(s.organ());
   s.jobs.cancelAll();
-  s.waitFor(State::cancelled);
+  s.waitFor(StressState::cancelled);
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
-  EXPECT_EQ(s.stress.status().state, State::cancelled) << "no surprise work after a cancellation";
+  EXPECT_EQ(s.stress.status().state, StressState::cancelled) << "no surprise work after a cancellation";
   s.stress.retry();
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   EXPECT_GT(s.stress.mesh()->witnesses, 0);
 }
 
@@ -191,14 +191,14 @@ TEST(LiveStress, KeepsWhatItHasWhileNobodyLooksAndTakesAnotherNumberOfWitnesses)
   s.begin();
   const auto mesh = s.stress.mesh();
   s.stress.follow({});
-  EXPECT_EQ(s.stress.status().state, State::off);
+  EXPECT_EQ(s.stress.status().state, StressState::off);
   s.move(0, Vec3(10, 0, 0));
   s.stress.follow(s.organ());
-  EXPECT_EQ(s.stress.status().state, State::ready);
+  EXPECT_EQ(s.stress.status().state, StressState::ready);
   EXPECT_EQ(s.stress.mesh(), mesh);
   EXPECT_GT(s.stress.statistics().max, 0.01);
   s.stress.setWanted(800);
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   EXPECT_GT(s.stress.mesh()->witnesses, mesh->witnesses);
   EXPECT_THROW(s.stress.setWanted(10), UsageError);
 }
@@ -210,23 +210,23 @@ TEST(LiveStress, SaysWhyThereIsNoMapAndForgetsAnOrganThatIsGone) {
   for (std::size_t i = 2; i < s.document.rig().handles.size(); ++i)
     most.push_back(s.handle(i));
   s.undo.perform(document::removeHandles(most));
-  EXPECT_EQ(s.stress.status().state, State::failed);
+  EXPECT_EQ(s.stress.status().state, StressState::failed);
   EXPECT_THAT(s.stress.status().message, testing::HasSubstr("handles"));
   EXPECT_EQ(s.stress.map().rotationalStress.size(), 0);
   s.undo.undo();
-  EXPECT_EQ(s.stress.status().state, State::ready);
+  EXPECT_EQ(s.stress.status().state, StressState::ready);
   s.undo.perform(document::removeOrgans({s.organ()}));
-  EXPECT_EQ(s.stress.status().state, State::off);
+  EXPECT_EQ(s.stress.status().state, StressState::off);
 }
 
 TEST(LiveStress, LeavesOutTheOrgansCavities) {
-  Stressed s(kAtOnce, 2000);
+  Stressed s(kBoundAtOnce, 2000);
   s.begin();
   const auto whole = s.stress.mesh();
   document::NewOrgan cavity = tests::ball("Cavity", 15);
   cavity.organ.parent = s.organ();
   s.undo.perform(document::addOrgans({cavity}));
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   EXPECT_LT(s.stress.mesh()->witnesses, whole->witnesses);
   EXPECT_GT(s.stress.mesh()->witnesses, whole->witnesses / 2);
   const double volume =
@@ -234,7 +234,7 @@ TEST(LiveStress, LeavesOutTheOrgansCavities) {
   const double before = deformation::tetrahedronVolumes(whole->points, whole->tetrahedra).sum();
   EXPECT_NEAR(before - volume, 4.0 / 3 * std::numbers::pi * 15 * 15 * 15, 0.1 * (before - volume));
   s.undo.undo();
-  s.waitFor(State::ready);
+  s.waitFor(StressState::ready);
   EXPECT_EQ(s.stress.mesh()->points, whole->points);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using tests::ball;
 
-constexpr double kAllowedError = 1e-9;
+constexpr double kAllowedVolumeError = 1e-9;
 
 /// A document with a ball, kept bound at once, and a keeper of its locked volumes.
 struct Keeping : tests::Session {
@@ -42,7 +42,7 @@ TEST(VolumeKeeper, AMotionUnderWayKeepsItsVolumeWhenAnotherOneIsAskedFor) {
   s.keeper.poseOfVolume(s.organ(), 0.9 * s.document.organs().front()->restVolumeMm3);
   motion.translate({6, 4, -3});
   s.take(motion);
-  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
 }
 
 TEST(VolumeKeeper, AMotionOfALockedOrganKeepsItsVolumeAndUndoUnlocksAgain) {
@@ -51,7 +51,7 @@ TEST(VolumeKeeper, AMotionOfALockedOrganKeepsItsVolumeAndUndoUnlocksAgain) {
   LockedMotion motion = s.keeper.begin({s.handle(9)});
   motion.translate({6, 4, -3});
   s.take(motion);
-  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
   EXPECT_GT((s.live.points(s.organ()) - s.document.organs().front()->mesh->points).norm(), 0.1);
   s.undo.undo();
   s.undo.undo();
@@ -71,7 +71,7 @@ TEST(VolumeKeeper, TheVolumeThatIsKeptIsTheOneThatTheOrganHas) {
   LockedMotion motion = s.keeper.begin({s.handle(8), s.handle(1)});
   motion.translate({6, 4, -3});
   s.take(motion);
-  EXPECT_NEAR(s.relativeChange(), before, kAllowedError);
+  EXPECT_NEAR(s.relativeChange(), before, kAllowedVolumeError);
 }
 
 TEST(VolumeKeeper, ALongWalkDoesNotDrift) {
@@ -82,7 +82,7 @@ TEST(VolumeKeeper, ALongWalkDoesNotDrift) {
     motion.translate({std::sin(i), std::cos(3 * i), std::sin(2 * i)});
     s.take(motion);
   }
-  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
 }
 
 TEST(VolumeKeeper, SeveralLockedOrgansOnTheSameHandlesAllKeepTheirVolumes) {
@@ -95,7 +95,7 @@ TEST(VolumeKeeper, SeveralLockedOrgansOnTheSameHandlesAllKeepTheirVolumes) {
   EXPECT_EQ(motion.obstacle(), "");
   s.take(motion);
   for (const std::size_t place : {0, 1, 2})
-    EXPECT_LE(std::abs(s.relativeChange(place)), kAllowedError) << place;
+    EXPECT_LE(std::abs(s.relativeChange(place)), kAllowedVolumeError) << place;
 }
 
 TEST(VolumeKeeper, MarkedHandlesCompensateAndLockedOnesNeverMove) {
@@ -127,7 +127,7 @@ TEST(VolumeKeeper, AMirroredPairMovesMirroredAndKeepsTheVolume) {
   EXPECT_NEAR((sagittal.reflectedDirection(one) - other).norm(), 0, 1e-12);
   EXPECT_GT(one.norm(), 1);
   s.take(motion);
-  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
 }
 
 TEST(VolumeKeeper, ATargetVolumeIsMetAndAnotherLockedOrganKeepsItsOwn) {
@@ -136,8 +136,8 @@ TEST(VolumeKeeper, ATargetVolumeIsMetAndAnotherLockedOrganKeepsItsOwn) {
   s.undo.perform(document::setVolumeLocked(s.organ(1), true));
   const double target = 0.93 * s.document.organs().front()->restVolumeMm3;
   s.undo.perform(document::setPose(s.keeper.poseOfVolume(s.organ(), target)));
-  EXPECT_NEAR(s.relativeChange(0), -0.07, kAllowedError);
-  EXPECT_LE(std::abs(s.relativeChange(1)), kAllowedError);
+  EXPECT_NEAR(s.relativeChange(0), -0.07, kAllowedVolumeError);
+  EXPECT_LE(std::abs(s.relativeChange(1)), kAllowedVolumeError);
 }
 
 TEST(VolumeKeeper, ATargetOutOfReachIsRefusedInWords) {

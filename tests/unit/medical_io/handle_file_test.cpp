@@ -44,7 +44,7 @@ std::string point(const std::string& label, const std::string& position, const s
   return R"({"label": ")" + label + R"(", "position": )" + position + more + "}";
 }
 
-std::string problemOf(const std::filesystem::path& file) {
+std::string problemOfHandles(const std::filesystem::path& file) {
   try {
     readHandles(file);
   } catch (const DataError& error) {
@@ -76,10 +76,10 @@ TEST(HandleFile, RoundTripKeepsEveryBitAndEveryField) {
 TEST(HandleFile, WritesWhatSlicerNeedsToShowPoints) {
   const TemporaryFolder folder;
   writeHandles(folder / "rig.mrk.json", awkwardRig());
-  const auto json = nlohmann::json::parse(contentsOf(folder / "rig.mrk.json"));
-  EXPECT_THAT(json.at("@schema").get<std::string>(), HasSubstr("markups-schema-v1.0.3.json"));
-  ASSERT_EQ(json.at("markups").size(), 2U) << "one list a group";
-  const auto& list = json.at("markups").at(0);
+  const auto written = nlohmann::json::parse(contentsOf(folder / "rig.mrk.json"));
+  EXPECT_THAT(written.at("@schema").get<std::string>(), HasSubstr("markups-schema-v1.0.3.json"));
+  ASSERT_EQ(written.at("markups").size(), 2U) << "one list a group";
+  const auto& list = written.at("markups").at(0);
   EXPECT_EQ(list.at("type"), "Fiducial");
   EXPECT_EQ(list.at("coordinateSystem"), "LPS");
   EXPECT_EQ(list.at("coordinateUnits"), "mm");
@@ -180,9 +180,9 @@ TEST(HandleFile, BadPositionsAreNamedByListAndPoint) {
   const std::string good = point("a", "[1,0,0]");
   for (const char* position : {"[1, 2]", "[1, 2, \"x\"]", "[1, 2, null]", "\"here\"", "{}"}) {
     const auto file = folder.put("f.mrk.json", markups(good + "," + point("b", position)));
-    EXPECT_THAT(problemOf(file), HasSubstr("List \"F\", point 2")) << position;
+    EXPECT_THAT(problemOfHandles(file), HasSubstr("List \"F\", point 2")) << position;
   }
-  EXPECT_THAT(problemOf(folder.put("f.mrk.json", markups(good + R"(,{"label": "b"})"))),
+  EXPECT_THAT(problemOfHandles(folder.put("f.mrk.json", markups(good + R"(,{"label": "b"})"))),
               HasSubstr("point 2"));
 }
 
@@ -190,15 +190,16 @@ TEST(HandleFile, WhatIsNoHandleFileIsRefusedWithAReason) {
   const TemporaryFolder folder;
   EXPECT_THROW(readHandles(folder / "missing.mrk.json"), NoInputError);
   EXPECT_THROW(readHandles(folder.path()), NoInputError);
-  EXPECT_THAT(problemOf(folder.put("empty.mrk.json", "")), HasSubstr("empty"));
-  EXPECT_THAT(problemOf(folder.put("cut.mrk.json", R"({"markups": [{"type":)")), HasSubstr("JSON"));
-  EXPECT_THAT(problemOf(folder.put("other.mrk.json", R"({"handles": []})")), HasSubstr("no \"markups\""));
-  EXPECT_THAT(problemOf(folder.put("array.mrk.json", "[1, 2]")), HasSubstr("no \"markups\""));
-  EXPECT_THAT(problemOf(folder.put("none.mrk.json", markups(""))), HasSubstr("no points"));
-  EXPECT_THAT(problemOf(folder.put("axes.mrk.json",
-                                   markups(point("a", "[1,0,0]"), R"(, "coordinateSystem": "LAS")"))),
+  EXPECT_THAT(problemOfHandles(folder.put("empty.mrk.json", "")), HasSubstr("empty"));
+  EXPECT_THAT(problemOfHandles(folder.put("cut.mrk.json", R"({"markups": [{"type":)")), HasSubstr("JSON"));
+  EXPECT_THAT(problemOfHandles(folder.put("other.mrk.json", R"({"handles": []})")),
+              HasSubstr("no \"markups\""));
+  EXPECT_THAT(problemOfHandles(folder.put("array.mrk.json", "[1, 2]")), HasSubstr("no \"markups\""));
+  EXPECT_THAT(problemOfHandles(folder.put("none.mrk.json", markups(""))), HasSubstr("no points"));
+  EXPECT_THAT(problemOfHandles(folder.put("axes.mrk.json",
+                                          markups(point("a", "[1,0,0]"), R"(, "coordinateSystem": "LAS")"))),
               HasSubstr("LAS"));
-  EXPECT_THAT(problemOf(folder.put("off.off", "OFF\n1 0 0\n0 0 0\n")), HasSubstr("an OFF surface"));
+  EXPECT_THAT(problemOfHandles(folder.put("off.off", "OFF\n1 0 0\n0 0 0\n")), HasSubstr("an OFF surface"));
 }
 
 TEST(Fcsv, ReadsSlicersTable) {
@@ -234,10 +235,10 @@ TEST(Fcsv, AxesByNumberAreThoseOfOldSlicers) {
 TEST(Fcsv, BadNumbersAreNamedByLine) {
   const TemporaryFolder folder;
   const auto file = folder.put("f.fcsv", "# CoordinateSystem = LPS\nn,1,2,3,0,0,0,1,1,1,0,a,,\nn,1,x,3\n");
-  EXPECT_THAT(problemOf(file), HasSubstr("Line 3"));
-  EXPECT_THAT(problemOf(folder.put("g.fcsv", "# CoordinateSystem = LPS\nn,1,2\n")),
+  EXPECT_THAT(problemOfHandles(file), HasSubstr("Line 3"));
+  EXPECT_THAT(problemOfHandles(folder.put("g.fcsv", "# CoordinateSystem = LPS\nn,1,2\n")),
               HasSubstr("coordinate z"));
-  EXPECT_THAT(problemOf(folder.put("h.fcsv", "# CoordinateSystem = LPS\nn,1,2,nan,0\n")),
+  EXPECT_THAT(problemOfHandles(folder.put("h.fcsv", "# CoordinateSystem = LPS\nn,1,2,nan,0\n")),
               HasSubstr("Line 2"));
 }
 

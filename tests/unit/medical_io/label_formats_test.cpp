@@ -22,14 +22,14 @@ using tests::gzipped;
 using tests::LabelImage;
 using tests::TemporaryFolder;
 
-LabelMap read(const std::filesystem::path& file) {
+LabelMap readLabels(const std::filesystem::path& file) {
   Progress progress;
   return readLabelMap(file, progress);
 }
 
-std::string problemOf(const std::filesystem::path& file) {
+std::string problemOfLabels(const std::filesystem::path& file) {
   try {
-    read(file);
+    readLabels(file);
   } catch (const DataError& error) {
     return error.what();
   }
@@ -38,14 +38,14 @@ std::string problemOf(const std::filesystem::path& file) {
 }
 
 /// Two boxes, labels 5 and 300.
-LabelImage twoOrgans() {
+LabelImage twoPlainOrgans() {
   LabelImage image = tests::emptyLabels();
   image.fill({2, 3, 4}, {6, 8, 9}, 5);
   image.fill({12, 3, 4}, {14, 5, 6}, 300);
   return image;
 }
 
-/// The two organs of `twoOrgans`, whatever they are called.
+/// The two organs of `twoPlainOrgans`, whatever they are called.
 void expectTwoOrgans(const LabelMap& map) {
   ASSERT_EQ(map.segments.size(), 2U);
   EXPECT_EQ(map.segments[0].label, 5);
@@ -69,68 +69,69 @@ protected:
 };
 
 TEST_F(LabelFormats, GiveEveryLabelItsVoxelsAndItsBox) {
-  expectTwoOrgans(read(folder_.put("a.nii", tests::niftiFile(twoOrgans()))));
-  expectTwoOrgans(read(folder_.put("a.nrrd", tests::nrrdFile(twoOrgans()))));
-  expectTwoOrgans(read(folder_.put("a.mha", tests::metaImageFile(twoOrgans()))));
+  expectTwoOrgans(readLabels(folder_.put("a.nii", tests::niftiFile(twoPlainOrgans()))));
+  expectTwoOrgans(readLabels(folder_.put("a.nrrd", tests::nrrdFile(twoPlainOrgans()))));
+  expectTwoOrgans(readLabels(folder_.put("a.mha", tests::metaImageFile(twoPlainOrgans()))));
 }
 
 TEST_F(LabelFormats, AreReadPacked) {
-  const LabelImage image = twoOrgans();
-  expectTwoOrgans(read(folder_.put("a.nii.gz", gzipped(tests::niftiFile(image)))));
+  const LabelImage image = twoPlainOrgans();
+  expectTwoOrgans(readLabels(folder_.put("a.nii.gz", gzipped(tests::niftiFile(image)))));
   const std::string voxels = tests::voxelBytes(image.voxels);
   std::string nrrd = replaced(tests::nrrdFile(image), "encoding: raw", "encoding: gzip");
   nrrd.resize(nrrd.size() - voxels.size());
-  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + gzipped(voxels))));
+  expectTwoOrgans(readLabels(folder_.put("a.nrrd", nrrd + gzipped(voxels))));
   for (const char* name : {"bzip2", "bz2"})
-    expectTwoOrgans(read(folder_.put(
+    expectTwoOrgans(readLabels(folder_.put(
         "b.nrrd", replaced(nrrd, "encoding: gzip", "encoding: " + std::string(name)) + bzipped(voxels))));
   const std::string header =
       replaced(tests::metaImageHeader(image, "LOCAL"), "CompressedData = False", "CompressedData = True");
-  expectTwoOrgans(read(folder_.put("a.mha", header + tests::zlibPacked(voxels))));
+  expectTwoOrgans(readLabels(folder_.put("a.mha", header + tests::zlibPacked(voxels))));
 }
 
 /// Several streams one behind the other are one file; parallel bzip2 programs write nothing else.
 TEST_F(LabelFormats, AreReadPackedInSeveralParts) {
-  const std::string voxels = tests::voxelBytes(twoOrgans().voxels);
-  std::string nrrd = replaced(tests::nrrdFile(twoOrgans()), "encoding: raw", "encoding: bzip2");
+  const std::string voxels = tests::voxelBytes(twoPlainOrgans().voxels);
+  std::string nrrd = replaced(tests::nrrdFile(twoPlainOrgans()), "encoding: raw", "encoding: bzip2");
   nrrd.resize(nrrd.size() - voxels.size());
+  expectTwoOrgans(readLabels(
+      folder_.put("a.nrrd", nrrd + bzipped(voxels.substr(0, 1000)) + bzipped(voxels.substr(1000)))));
+  const std::string bytes = tests::niftiFile(twoPlainOrgans());
   expectTwoOrgans(
-      read(folder_.put("a.nrrd", nrrd + bzipped(voxels.substr(0, 1000)) + bzipped(voxels.substr(1000)))));
-  const std::string bytes = tests::niftiFile(twoOrgans());
-  expectTwoOrgans(
-      read(folder_.put("a.nii.gz", gzipped(bytes.substr(0, 1000)) + gzipped(bytes.substr(1000)))));
+      readLabels(folder_.put("a.nii.gz", gzipped(bytes.substr(0, 1000)) + gzipped(bytes.substr(1000)))));
 }
 
 TEST_F(LabelFormats, AreReadInBothByteOrders) {
-  const LabelImage image = twoOrgans();
+  const LabelImage image = twoPlainOrgans();
   std::string voxels = tests::voxelBytes(image.voxels);
   for (std::size_t i = 0; i < voxels.size(); i += 2)
     std::swap(voxels[i], voxels[i + 1]);
   std::string nrrd = replaced(tests::nrrdFile(image), "endian: little", "endian: big");
   nrrd.resize(nrrd.size() - voxels.size());
-  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + voxels)));
+  expectTwoOrgans(readLabels(folder_.put("a.nrrd", nrrd + voxels)));
   const std::string header =
       replaced(tests::metaImageHeader(image, "LOCAL"), "ByteOrderMSB = False", "ByteOrderMSB = True");
-  expectTwoOrgans(read(folder_.put("a.mha", header + voxels)));
+  expectTwoOrgans(readLabels(folder_.put("a.mha", header + voxels)));
 }
 
 TEST_F(LabelFormats, AreReadWithTheirVoxelsInAFileBeside) {
-  const LabelImage image = twoOrgans();
+  const LabelImage image = twoPlainOrgans();
   folder_.put("voxels.raw", tests::voxelBytes(image.voxels));
-  expectTwoOrgans(read(folder_.put("a.mhd", tests::metaImageHeader(image, "voxels.raw"))));
+  expectTwoOrgans(readLabels(folder_.put("a.mhd", tests::metaImageHeader(image, "voxels.raw"))));
   std::string nrrd = replaced(tests::nrrdFile(image), "endian:", "data file: voxels.raw\nendian:");
   nrrd.resize(nrrd.size() - tests::voxelBytes(image.voxels).size());
-  expectTwoOrgans(read(folder_.put("a.nhdr", nrrd)));
+  expectTwoOrgans(readLabels(folder_.put("a.nhdr", nrrd)));
 }
 
 TEST_F(LabelFormats, WithoutTheFileBesideAreRefused) {
-  EXPECT_THROW(read(folder_.put("a.mhd", tests::metaImageHeader(twoOrgans(), "gone.raw"))), NoInputError);
-  EXPECT_THAT(problemOf(folder_.put("b.mhd", tests::metaImageHeader(twoOrgans(), "/etc/passwd"))),
+  EXPECT_THROW(readLabels(folder_.put("a.mhd", tests::metaImageHeader(twoPlainOrgans(), "gone.raw"))),
+               NoInputError);
+  EXPECT_THAT(problemOfLabels(folder_.put("b.mhd", tests::metaImageHeader(twoPlainOrgans(), "/etc/passwd"))),
               HasSubstr("another folder"));
 }
 
 TEST_F(LabelFormats, OfNiftiInTwoFilesAreReadByEitherName) {
-  const tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  const tests::NiftiHalves halves = tests::niftiHalves(twoPlainOrgans());
   folder_.put("a 50%.hdr", halves.header);
   folder_.put("a 50%.img", halves.voxels);
   folder_.put("b.HDR", halves.header);
@@ -144,18 +145,19 @@ TEST_F(LabelFormats, OfNiftiInTwoFilesAreReadByEitherName) {
     SCOPED_TRACE(name);
     EXPECT_EQ(fileKind(folder_ / name), FileKind::labelMap);
     EXPECT_TRUE(isLabelMap(folder_ / name));
-    expectTwoOrgans(read(folder_ / name));
+    expectTwoOrgans(readLabels(folder_ / name));
   }
 }
 
 TEST_F(LabelFormats, OfNiftiInTwoFilesMayBeginBehindOtherBytesAndHaveATableOfNames) {
-  tests::NiftiHalves halves = tests::niftiHalves(
-      twoOrgans(), tests::NiftiForm::sform, "<E><LabelTable><Label Key=\"5\">liver</Label></LabelTable></E>");
+  tests::NiftiHalves halves =
+      tests::niftiHalves(twoPlainOrgans(), tests::NiftiForm::sform,
+                         "<E><LabelTable><Label Key=\"5\">liver</Label></LabelTable></E>");
   tests::putBytes<float>(halves.header, 108, 16.0F);
   folder_.put("a.img", std::string(16, 'x') + halves.voxels);
   for (const bool packed : {false, true}) {
-    const LabelMap map = packed ? read(folder_.put("a.hdr.gz", gzipped(halves.header)))
-                                : read(folder_.put("a.hdr", halves.header));
+    const LabelMap map = packed ? readLabels(folder_.put("a.hdr.gz", gzipped(halves.header)))
+                                : readLabels(folder_.put("a.hdr", halves.header));
     expectTwoOrgans(map);
     EXPECT_EQ(map.segments[0].name, "liver");
     std::filesystem::remove(folder_ / "a.hdr");
@@ -163,10 +165,10 @@ TEST_F(LabelFormats, OfNiftiInTwoFilesMayBeginBehindOtherBytesAndHaveATableOfNam
 }
 
 TEST_F(LabelFormats, OfNiftiInTwoFilesWithoutTheOtherHalfSayWhichIsMissing) {
-  const tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  const tests::NiftiHalves halves = tests::niftiHalves(twoPlainOrgans());
   const auto missing = [&](const std::filesystem::path& file) {
     try {
-      read(file);
+      readLabels(file);
     } catch (const NoInputError& error) {
       return std::string(error.what());
     }
@@ -175,28 +177,29 @@ TEST_F(LabelFormats, OfNiftiInTwoFilesWithoutTheOtherHalfSayWhichIsMissing) {
   EXPECT_THAT(missing(folder_.put("a.hdr", halves.header)), HasSubstr("\"a.img\", is not beside it"));
   EXPECT_THAT(missing(folder_.put("b.img", halves.voxels)), HasSubstr("\"b.hdr\", is not beside it"));
   folder_.put("a.img", halves.voxels.substr(1));
-  EXPECT_THAT(problemOf(folder_ / "a.hdr"), HasSubstr("\"a.img\", cannot be used: The file is cut off"));
-  EXPECT_THAT(problemOf(folder_ / "a.img"), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfLabels(folder_ / "a.hdr"),
+              HasSubstr("\"a.img\", cannot be used: The file is cut off"));
+  EXPECT_THAT(problemOfLabels(folder_ / "a.img"), HasSubstr("cut off"));
 }
 
 TEST_F(LabelFormats, AreReadAsText) {
-  const LabelImage image = twoOrgans();
+  const LabelImage image = twoPlainOrgans();
   std::string text;
   for (const std::int16_t v : image.voxels)
     text += std::to_string(v) + " ";
   std::string nrrd = replaced(tests::nrrdFile(image), "encoding: raw", "encoding: ascii");
   nrrd.resize(nrrd.size() - tests::voxelBytes(image.voxels).size());
-  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + text)));
+  expectTwoOrgans(readLabels(folder_.put("a.nrrd", nrrd + text)));
 }
 
 TEST_F(LabelFormats, ApplyTheScaleOfNifti) {
-  LabelImage image = twoOrgans();
+  LabelImage image = twoPlainOrgans();
   for (std::int16_t& v : image.voxels)
     v = static_cast<std::int16_t>(v == 0 ? -10 : v == 5 ? 0 : 590);
   std::string bytes = tests::niftiFile(image);
   tests::putBytes<float>(bytes, 112, 0.5F);
   tests::putBytes<float>(bytes, 116, 5.0F);
-  expectTwoOrgans(read(folder_.put("a.nii", bytes)));
+  expectTwoOrgans(readLabels(folder_.put("a.nii", bytes)));
 }
 
 /// As 3D Slicer writes it when segments overlap: a list axis first, one label in two layers.
@@ -212,7 +215,7 @@ TEST_F(LabelFormats, OfSlicerGiveOverlappingSegmentsNamesAndColours) {
   set(0, 1, 1, 1, 2);
   for (int j = 3; j < 6; ++j)
     set(1, 5, j, 4, 1);
-  const LabelMap map = read(folder_.put(
+  const LabelMap map = readLabels(folder_.put(
       "a.seg.nrrd",
       tests::nrrdFile(
           image, "left-posterior-superior",
@@ -248,9 +251,9 @@ TEST_F(LabelFormats, OfTotalSegmentatorGiveTheNamesOfTheirTable) {
       R"(<Label Key="300" Red="1" Green="1" Blue="0">kidney_right</Label>)"
       R"(<Label Key="6" Red="1" Green="0" Blue="0">stomach</Label>)"
       R"(</LabelTable><StudyMetaDataLinkSet/><VolumeType>Label</VolumeType></VolumeInformation></CaretExtension>)";
-  const std::string bytes = tests::niftiFile(twoOrgans(), tests::NiftiForm::sform, xml);
+  const std::string bytes = tests::niftiFile(twoPlainOrgans(), tests::NiftiForm::sform, xml);
   for (const char* name : {"a.nii", "a.nii.gz"}) {
-    const LabelMap map = read(folder_.put(name, name[5] == '\0' ? bytes : gzipped(bytes)));
+    const LabelMap map = readLabels(folder_.put(name, name[5] == '\0' ? bytes : gzipped(bytes)));
     expectTwoOrgans(map);
     EXPECT_EQ(map.segments[0].name, "liver");
     EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(0.2, 0.4, 0.6)));
@@ -260,7 +263,7 @@ TEST_F(LabelFormats, OfTotalSegmentatorGiveTheNamesOfTheirTable) {
 }
 
 TEST_F(LabelFormats, TakeTheNamesOfATableBeside) {
-  const std::string bytes = tests::nrrdFile(twoOrgans());
+  const std::string bytes = tests::nrrdFile(twoPlainOrgans());
   struct Table {
     const char* name;
     const char* contents;
@@ -274,7 +277,7 @@ TEST_F(LabelFormats, TakeTheNamesOfATableBeside) {
     SCOPED_TRACE(table.name);
     const TemporaryFolder folder;
     folder.put(table.name, table.contents);
-    const LabelMap map = read(folder.put("p_seg.nrrd", bytes));
+    const LabelMap map = readLabels(folder.put("p_seg.nrrd", bytes));
     ASSERT_EQ(map.segments.size(), 2U);
     EXPECT_EQ(map.segments[0].name, "spleen");
     EXPECT_EQ(map.segments[1].name, "left kidney");
@@ -286,59 +289,64 @@ TEST_F(LabelFormats, TakeTheNamesOfATableBeside) {
 }
 
 TEST_F(LabelFormats, WithoutNamesAreNumberedAndCannotBeConfused) {
-  const LabelMap map = read(folder_.put("a.mha", tests::metaImageFile(twoOrgans())));
+  const LabelMap map = readLabels(folder_.put("a.mha", tests::metaImageFile(twoPlainOrgans())));
   EXPECT_EQ(map.segments[0].name, "label 5");
   EXPECT_FALSE(map.segments[0].named);
   EXPECT_FALSE(map.segments[0].color.isApprox(map.segments[1].color, 0.05));
   folder_.put("a.json", R"({"5": "kidney", "300": "kidney"})");
-  const LabelMap twins = read(folder_.put("a.mha", tests::metaImageFile(twoOrgans())));
+  const LabelMap twins = readLabels(folder_.put("a.mha", tests::metaImageFile(twoPlainOrgans())));
   EXPECT_EQ(twins.segments[0].name, "kidney");
   EXPECT_EQ(twins.segments[1].name, "kidney 2");
 }
 
 TEST_F(LabelFormats, OfImagesAreNoLabelMaps) {
-  LabelImage image = twoOrgans();
+  LabelImage image = twoPlainOrgans();
   image.at(0, 0, 0) = -1000;
-  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::nrrdFile(image))), HasSubstr("an image, not labels"));
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::nrrdFile(image))),
+              HasSubstr("an image, not labels"));
   LabelImage gradient = tests::emptyLabels();
   for (std::size_t v = 0; v < gradient.voxels.size(); ++v)
     gradient.voxels[v] = static_cast<std::int16_t>(v);
-  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::nrrdFile(gradient))), HasSubstr("different values"));
-  std::string fractions = tests::niftiFile(twoOrgans());
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::nrrdFile(gradient))),
+              HasSubstr("different values"));
+  std::string fractions = tests::niftiFile(twoPlainOrgans());
   tests::putBytes<float>(fractions, 112, 0.1F);
-  EXPECT_THAT(problemOf(folder_.put("a.nii", fractions)), HasSubstr("an image, not labels"));
-  EXPECT_THAT(problemOf(folder_.put("a.mha", tests::metaImageFile(tests::emptyLabels()))),
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nii", fractions)), HasSubstr("an image, not labels"));
+  EXPECT_THAT(problemOfLabels(folder_.put("a.mha", tests::metaImageFile(tests::emptyLabels()))),
               HasSubstr("no labelled voxel"));
 }
 
 TEST_F(LabelFormats, ThatPromiseMoreThanTheyHaveAreRefusedBeforeMemoryIsTaken) {
-  std::string nifti = tests::niftiFile(twoOrgans());
+  std::string nifti = tests::niftiFile(twoPlainOrgans());
   for (std::size_t d = 0; d < 3; ++d)
     tests::putBytes<std::int16_t>(nifti, 42 + 2 * d, 32767);
-  EXPECT_THAT(problemOf(folder_.put("a.nii", nifti)), HasSubstr("cut off"));
-  EXPECT_THAT(problemOf(folder_.put("a.nii.gz", gzipped(nifti))), HasSubstr("cut off"));
-  const std::string voxels = tests::voxelBytes(twoOrgans().voxels);
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nii", nifti)), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nii.gz", gzipped(nifti))), HasSubstr("cut off"));
+  const std::string voxels = tests::voxelBytes(twoPlainOrgans().voxels);
   folder_.put("b.img.gz", gzipped(voxels));
-  tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  tests::NiftiHalves halves = tests::niftiHalves(twoPlainOrgans());
   for (std::size_t d = 0; d < 3; ++d)
     tests::putBytes<std::int16_t>(halves.header, 42 + 2 * d, 32767);
-  EXPECT_THAT(problemOf(folder_.put("b.hdr", halves.header)), HasSubstr("cut off"));
-  std::string bzip2 = replaced(tests::nrrdFile(twoOrgans()), "24 20 16", "60000 60000 60000");
+  EXPECT_THAT(problemOfLabels(folder_.put("b.hdr", halves.header)), HasSubstr("cut off"));
+  std::string bzip2 = replaced(tests::nrrdFile(twoPlainOrgans()), "24 20 16", "60000 60000 60000");
   bzip2 = replaced(bzip2, "encoding: raw", "encoding: bzip2");
   bzip2.resize(bzip2.size() - voxels.size());
-  EXPECT_THAT(problemOf(folder_.put("b.nrrd", bzip2 + bzipped(voxels))), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfLabels(folder_.put("b.nrrd", bzip2 + bzipped(voxels))), HasSubstr("cut off"));
   for (const char* sizes : {"60000 60000 60000", "24 20 17"})
-    EXPECT_THAT(problemOf(folder_.put("a.nrrd", replaced(tests::nrrdFile(twoOrgans()), "24 20 16", sizes))),
+    EXPECT_THAT(problemOfLabels(
+                    folder_.put("a.nrrd", replaced(tests::nrrdFile(twoPlainOrgans()), "24 20 16", sizes))),
                 HasSubstr("cut off"));
-  EXPECT_THAT(problemOf(folder_.put(
-                  "a.mha", replaced(tests::metaImageFile(twoOrgans()), "24 20 16", "9999 9999 9999"))),
+  EXPECT_THAT(problemOfLabels(folder_.put(
+                  "a.mha", replaced(tests::metaImageFile(twoPlainOrgans()), "24 20 16", "9999 9999 9999"))),
               HasSubstr("cut off"));
 }
 
 TEST_F(LabelFormats, UnderAnotherNameSayWhatTheyAre) {
-  EXPECT_THAT(problemOf(folder_.put("a.nii", tests::nrrdFile(twoOrgans()))), HasSubstr("an NRRD image"));
-  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::niftiFile(twoOrgans()))), HasSubstr("a NIfTI image"));
-  EXPECT_THAT(problemOf(folder_.put("a.stl", tests::niftiFile(twoOrgans()))),
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nii", tests::nrrdFile(twoPlainOrgans()))),
+              HasSubstr("an NRRD image"));
+  EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::niftiFile(twoPlainOrgans()))),
+              HasSubstr("a NIfTI image"));
+  EXPECT_THAT(problemOfLabels(folder_.put("a.stl", tests::niftiFile(twoPlainOrgans()))),
               HasSubstr("none of a label map"));
 }
 
@@ -360,7 +368,7 @@ TEST_F(LabelFolder, OfMasksIsOnePatient) {
   put("spleen.nii.gz", {-1, -1, -1}, {0, 0, 0});
   folder_.put("statistics.json", "{}");
   EXPECT_TRUE(isLabelMap(folder_.path()));
-  const LabelMap map = read(folder_.path());
+  const LabelMap map = readLabels(folder_.path());
   ASSERT_EQ(map.segments.size(), 3U);
   EXPECT_EQ(map.segments[0].name, "heart");
   EXPECT_EQ(map.segments[1].name, "liver");
@@ -380,7 +388,7 @@ TEST_F(LabelFolder, OfMasksInTwoFilesHasEachOnce) {
     folder_.put(name + std::string(".hdr"), halves.header);
     folder_.put(name + std::string(".img"), halves.voxels);
   }
-  const LabelMap map = read(folder_.path());
+  const LabelMap map = readLabels(folder_.path());
   ASSERT_EQ(map.segments.size(), 2U);
   EXPECT_EQ(map.segments[0].name, "liver");
   EXPECT_EQ(map.segments[1].name, "spleen");
@@ -392,19 +400,20 @@ TEST_F(LabelFolder, WithMasksOfTwoImagesIsRefused) {
   other.indexToLps.translation() = Vec3(0, 0, 3);
   other.fill({1, 1, 1}, {3, 3, 3}, 1);
   folder_.put("spleen.nii.gz", gzipped(tests::niftiFile(other)));
-  EXPECT_THAT(problemOf(folder_.path()), testing::AllOf(HasSubstr("spleen.nii.gz"), HasSubstr("elsewhere")));
+  EXPECT_THAT(problemOfLabels(folder_.path()),
+              testing::AllOf(HasSubstr("spleen.nii.gz"), HasSubstr("elsewhere")));
 }
 
 TEST_F(LabelFolder, WithoutMasksOrWithALabelMapIsRefused) {
   EXPECT_FALSE(isLabelMap(folder_.path()));
-  EXPECT_THAT(problemOf(folder_.path()), HasSubstr("holds no label map"));
-  folder_.put("all.nii", tests::niftiFile(twoOrgans()));
-  EXPECT_THAT(problemOf(folder_.path()), HasSubstr("2 labels"));
+  EXPECT_THAT(problemOfLabels(folder_.path()), HasSubstr("holds no label map"));
+  folder_.put("all.nii", tests::niftiFile(twoPlainOrgans()));
+  EXPECT_THAT(problemOfLabels(folder_.path()), HasSubstr("2 labels"));
 }
 
 TEST(LabelMapReading, CanBeCancelled) {
   const TemporaryFolder folder;
-  const auto file = folder.put("a.nii", tests::niftiFile(twoOrgans()));
+  const auto file = folder.put("a.nii", tests::niftiFile(twoPlainOrgans()));
   Progress progress;
   progress.cancel();
   EXPECT_THROW(readLabelMap(file, progress), Cancelled);
@@ -413,9 +422,9 @@ TEST(LabelMapReading, CanBeCancelled) {
 
 TEST(LabelMapBounds, GoAroundWholeVoxels) {
   const TemporaryFolder folder;
-  LabelImage image = twoOrgans();
+  LabelImage image = twoPlainOrgans();
   image.indexToLps = Eigen::Translation3d(10, 20, 30) * Eigen::Scaling(2.0, -1.0, 3.0);
-  const LabelMap map = read(folder.put("a.nrrd", tests::nrrdFile(image)));
+  const LabelMap map = readLabels(folder.put("a.nrrd", tests::nrrdFile(image)));
   EXPECT_TRUE(map.bounds().low.isApprox(Vec3(9, 20.5 - 20, 28.5)));
   EXPECT_TRUE(map.bounds().high.isApprox(Vec3(57, 20.5, 76.5)));
   EXPECT_NEAR(map.volumeMl(map.segments[1]), 27 * 6 / 1000.0, 1e-12);

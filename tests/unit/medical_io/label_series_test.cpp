@@ -16,20 +16,20 @@ std::vector<tests::LabelImage> phases(std::size_t count) {
   return list;
 }
 
-struct Read {
+struct ReadSeries {
   std::vector<LabelMap> maps;
   SeriesTimes times;
 };
 
-Read read(const std::filesystem::path& file) {
-  Read result;
+ReadSeries readSeries(const std::filesystem::path& file) {
+  ReadSeries result;
   Progress progress;
   result.times = readLabelSeries(file, progress,
                                  [&](std::size_t, LabelMap&& map) { result.maps.push_back(std::move(map)); });
   return result;
 }
 
-void expectPhases(const Read& found, const std::vector<tests::LabelImage>& written) {
+void expectPhases(const ReadSeries& found, const std::vector<tests::LabelImage>& written) {
   ASSERT_EQ(found.maps.size(), written.size());
   for (std::size_t phase = 0; phase < written.size(); ++phase) {
     const LabelMap& map = found.maps[phase];
@@ -46,7 +46,7 @@ TEST(LabelSeries, ReadsNiftiWithTimeLastInItsUnit) {
   tests::TemporaryFolder folder;
   const auto written = phases(12);
   // Single precision: 66.6667 ms become 0.0666667 s only nearly.
-  const Read found = read(folder.put("cine.nii", tests::nifti4d(written, 66.6667, 16)));
+  const ReadSeries found = readSeries(folder.put("cine.nii", tests::nifti4d(written, 66.6667, 16)));
   expectPhases(found, written);
   ASSERT_TRUE(found.times.periodSeconds);
   EXPECT_NEAR(*found.times.periodSeconds, 0.8, 1e-5);
@@ -56,22 +56,24 @@ TEST(LabelSeries, ReadsNiftiWithTimeLastInItsUnit) {
 
 TEST(LabelSeries, TakesSecondsAndMicrosecondsToo) {
   tests::TemporaryFolder folder;
-  EXPECT_NEAR(*read(folder.put("s.nii", tests::nifti4d(phases(5), 0.2, 8))).times.periodSeconds, 1, 1e-6);
-  EXPECT_NEAR(*read(folder.put("u.nii", tests::nifti4d(phases(5), 200000, 24))).times.periodSeconds, 1, 1e-6);
+  EXPECT_NEAR(*readSeries(folder.put("s.nii", tests::nifti4d(phases(5), 0.2, 8))).times.periodSeconds, 1,
+              1e-6);
+  EXPECT_NEAR(*readSeries(folder.put("u.nii", tests::nifti4d(phases(5), 200000, 24))).times.periodSeconds, 1,
+              1e-6);
 }
 
 TEST(LabelSeries, AsksForThePeriodWhereStepOrUnitSayNothing) {
   tests::TemporaryFolder folder;
-  EXPECT_FALSE(read(folder.put("none.nii", tests::nifti4d(phases(5), 0, 8))).times.periodSeconds);
-  EXPECT_FALSE(read(folder.put("unit.nii", tests::nifti4d(phases(5), 40, 0))).times.periodSeconds);
+  EXPECT_FALSE(readSeries(folder.put("none.nii", tests::nifti4d(phases(5), 0, 8))).times.periodSeconds);
+  EXPECT_FALSE(readSeries(folder.put("unit.nii", tests::nifti4d(phases(5), 40, 0))).times.periodSeconds);
   // A step of 1 s would be five seconds a beat and more.
-  EXPECT_FALSE(read(folder.put("one.nii", tests::nifti4d(phases(6), 1, 8))).times.periodSeconds);
+  EXPECT_FALSE(readSeries(folder.put("one.nii", tests::nifti4d(phases(6), 1, 8))).times.periodSeconds);
 }
 
 TEST(LabelSeries, ReadsTheSequencesOfSlicerWithTimeFirst) {
   tests::TemporaryFolder folder;
   const auto written = phases(5);
-  const Read found = read(folder.put(
+  const ReadSeries found = readSeries(folder.put(
       "cine.seq.nrrd", tests::sequenceNrrd(written, "labels: \"time\" \"\" \"\" \"\"\n"
                                                     "axis 0 index type:=numeric\n"
                                                     "axis 0 index unit:=ms\n"
@@ -86,21 +88,21 @@ TEST(LabelSeries, ReadsTheSequencesOfSlicerWithTimeFirst) {
 
 TEST(LabelSeries, SaysWhatItTakesTimesWithoutAUnitFor) {
   tests::TemporaryFolder folder;
-  const Read found = read(
+  const ReadSeries found = readSeries(
       folder.put("cine.seq.nrrd", tests::sequenceNrrd(phases(4), "axis 0 index values:=0 250 500 750\n")));
   EXPECT_NEAR(found.times.periodSeconds.value_or(0), 1, 1e-12);
   EXPECT_NE(found.times.doubt.find("taken as milliseconds"), std::string::npos);
-  EXPECT_FALSE(
-      read(folder.put("frames.seq.nrrd", tests::sequenceNrrd(phases(4), "axis 0 index values:=0 1 2 3\n")))
-          .times.periodSeconds);
+  EXPECT_FALSE(readSeries(folder.put("frames.seq.nrrd",
+                                     tests::sequenceNrrd(phases(4), "axis 0 index values:=0 1 2 3\n")))
+                   .times.periodSeconds);
 }
 
 TEST(LabelSeries, IsCutOffOrNot) {
   tests::TemporaryFolder folder;
   std::string bytes = tests::nifti4d(phases(5), 100, 16);
   bytes.resize(bytes.size() - 100);
-  EXPECT_THROW(read(folder.put("cut.nii", bytes)), DataError);
-  EXPECT_THROW(read(folder.put("ball.obj", "v 0 0 0\n")), DataError);
+  EXPECT_THROW(readSeries(folder.put("cut.nii", bytes)), DataError);
+  EXPECT_THROW(readSeries(folder.put("ball.obj", "v 0 0 0\n")), DataError);
 }
 
 TEST(DicomTimes, ComeFromTriggerTimesAndTheNominalInterval) {

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using tests::contentsOf;
 using tests::TemporaryFolder;
 
-std::string problemOf(const std::filesystem::path& file) {
+std::string problemOfSurface(const std::filesystem::path& file) {
   try {
     readSurface(file);
   } catch (const DataError& error) {
@@ -46,12 +46,12 @@ TEST(ReadSurface, MissingFilesAndFoldersAreNoInput) {
 TEST(ReadSurface, EmptyFilesAreSaidToBeEmpty) {
   const TemporaryFolder folder;
   for (const std::string& extension : surfaceExtensions())
-    EXPECT_THAT(problemOf(folder.put("empty" + extension, "")), HasSubstr("empty")) << extension;
+    EXPECT_THAT(problemOfSurface(folder.put("empty" + extension, "")), HasSubstr("empty")) << extension;
 }
 
 TEST(ReadSurface, UnknownEndingsAreListedWithWhatTheFileLooksLike) {
   const TemporaryFolder folder;
-  EXPECT_THAT(problemOf(folder.put("organ.xyz", tetrahedronObj())),
+  EXPECT_THAT(problemOfSurface(folder.put("organ.xyz", tetrahedronObj())),
               testing::AllOf(HasSubstr(".xyz"), HasSubstr("an OBJ surface"), HasSubstr(".vtp")));
 }
 
@@ -68,17 +68,17 @@ TEST(ReadSurface, AWronglyNamedFileIsNamedAsWhatItIs) {
         continue;
       writeSurface(folder / ("right" + real), mesh);
       const auto file = folder.put("wrong" + claimed, contentsOf(folder / ("right" + real)));
-      EXPECT_THAT(problemOf(file),
+      EXPECT_THAT(problemOfSurface(file),
                   testing::AllOf(HasSubstr(description), HasSubstr("rename it"), HasSubstr(real)));
     }
 }
 
 TEST(ReadSurface, ImagesAndArchivesAreNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(problemOf(folder.put("a.stl", "NRRD0004\ntype: short\n")), HasSubstr("NRRD"));
-  EXPECT_THAT(problemOf(folder.put("a.obj", "\x1f\x8b\x08 packed")), HasSubstr("gzip"));
-  EXPECT_THAT(problemOf(folder.put("a.ply", "PK\x03\x04 packed")), HasSubstr("ZIP"));
-  EXPECT_THAT(problemOf(folder.put("a.vtk", "\x89PNG\r\n")), HasSubstr("picture"));
+  EXPECT_THAT(problemOfSurface(folder.put("a.stl", "NRRD0004\ntype: short\n")), HasSubstr("NRRD"));
+  EXPECT_THAT(problemOfSurface(folder.put("a.obj", "\x1f\x8b\x08 packed")), HasSubstr("gzip"));
+  EXPECT_THAT(problemOfSurface(folder.put("a.ply", "PK\x03\x04 packed")), HasSubstr("ZIP"));
+  EXPECT_THAT(problemOfSurface(folder.put("a.vtk", "\x89PNG\r\n")), HasSubstr("picture"));
 }
 
 TEST(ReadSurface, EqualPointsAreMergedAndUnusedOnesDropped) {
@@ -113,19 +113,20 @@ TEST(ReadSurface, ATriangleWithoutAreaStaysBecauseItClosesTheSurface) {
 TEST(ReadSurface, PointsThatAreNotFiniteAreNamedUnlessUnused) {
   const TemporaryFolder folder;
   for (const char* bad : {"nan", "inf", "-inf", "1e999", "1e300"})
-    EXPECT_THAT(problemOf(folder.put("a.obj", std::string("v 1 2 3\nv 0 ") + bad + " 0\nv 0 1 0\nf 1 2 3\n")),
-                HasSubstr("Point 1 "))
+    EXPECT_THAT(
+        problemOfSurface(folder.put("a.obj", std::string("v 1 2 3\nv 0 ") + bad + " 0\nv 0 1 0\nf 1 2 3\n")),
+        HasSubstr("Point 1 "))
         << bad;
   EXPECT_EQ(readSurface(folder.put("b.obj", tetrahedronObj("", "v nan 0 0\n"))).mesh.points.rows(), 4);
 }
 
 TEST(ReadSurface, IndicesOutOfRangeAreNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(problemOf(folder.put("a.obj", tetrahedronObj("", "f 1 2 5\n"))), HasSubstr("point 4"));
-  EXPECT_THAT(problemOf(folder.put("b.obj", "v 0 0 0\nf -1 -2 -1\n")), HasSubstr("Line 2"));
-  EXPECT_THAT(problemOf(folder.put("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")),
+  EXPECT_THAT(problemOfSurface(folder.put("a.obj", tetrahedronObj("", "f 1 2 5\n"))), HasSubstr("point 4"));
+  EXPECT_THAT(problemOfSurface(folder.put("b.obj", "v 0 0 0\nf -1 -2 -1\n")), HasSubstr("Line 2"));
+  EXPECT_THAT(problemOfSurface(folder.put("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")),
               HasSubstr("point 3"));
-  EXPECT_THAT(problemOf(folder.put("d.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")),
+  EXPECT_THAT(problemOfSurface(folder.put("d.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")),
               HasSubstr("point -1"));
 }
 

@@ -17,7 +17,7 @@ using sample_organs::Resolution;
 using sequences::Peristalsis;
 using tests::SequenceScene;
 
-constexpr double kRate = 3;
+constexpr double kWavesPerMinute = 3;
 
 class WorkingStomach : public SequenceScene {
 public:
@@ -103,13 +103,13 @@ TEST(PeristalsisSetup, surfaceNarrowsAsMuchAsMeasuredInPeople) {
   double deepest = 0;
   for (int frame = 0; frame < 40; ++frame) {
     const double t = frame * 0.5;
-    stomach.show(t, kRate);
+    stomach.show(t, kWavesPerMinute);
     double part = 0;
     double s = 0;
     wall.narrowest(stomach.posed("outer").points, part, s);
     // Near the pylorus, which closes by itself, the wall is bent too sharply for that.
     if (s < stomach.peristalsis().rig().anatomy.course.pylorus - 12) {
-      EXPECT_NEAR(part, 1 - stomach.peristalsis().waves().constriction(s, t, kRate), 0.08)
+      EXPECT_NEAR(part, 1 - stomach.peristalsis().waves().constriction(s, t, kWavesPerMinute), 0.08)
           << t << " at " << s;
     }
     deepest = std::max(deepest, 1 - part);
@@ -149,11 +149,11 @@ TEST(PeristalsisSetup, wavesOnTheSurfaceHaveTheSpeedTheNumberAndTheDepthOfPeople
   WorkingStomach stomach(Resolution::medium);
   const WallDistance wall(stomach);
   const sequences::GastricCourse& course = stomach.peristalsis().rig().anatomy.course;
-  const double period = 60 / kRate, step = period / 40;
+  const double period = 60 / kWavesPerMinute, step = period / 40;
   std::vector<std::vector<double>> profiles;
   double waves = 0;
   for (int frame = 0; frame < 40; ++frame) {
-    stomach.show(frame * step, kRate);
+    stomach.show(frame * step, kWavesPerMinute);
     EXPECT_NEAR(stomach.volumeMl("outer"), stomach.peristalsis().keptMl(), 1e-3) << frame;
     profiles.push_back(wall.narrowing(stomach.posed("outer").points));
     waves += wavesIn(profiles.back(), WallDistance::sliceAt(course.midBody) + 1,
@@ -182,9 +182,9 @@ TEST(PeristalsisSetup, pylorusOfTheSurfaceShutsBeforeTheWaveIsThereAndOpensAfter
   const double pylorus = stomach.peristalsis().rig().anatomy.course.pylorus;
   double widest = 1, shut = 0;
   for (int frame = 0; frame < 40; ++frame) {
-    stomach.show(frame * 0.5, kRate);
+    stomach.show(frame * 0.5, kWavesPerMinute);
     const std::vector<double> profile = wall.narrowing(stomach.posed("outer").points);
-    const double closure = stomach.peristalsis().waves().pyloricClosure(frame * 0.5, kRate);
+    const double closure = stomach.peristalsis().waves().pyloricClosure(frame * 0.5, kWavesPerMinute);
     const double at = profile[WallDistance::sliceAt(pylorus)];
     widest = std::min(widest, at);
     if (closure > 0.99) {
@@ -199,7 +199,7 @@ TEST(PeristalsisSetup, pylorusOfTheSurfaceShutsBeforeTheWaveIsThereAndOpensAfter
 TEST(PeristalsisSetup, surfaceDoesNotCrossItselfAndItsTrianglesKeepTheirShape) {
   WorkingStomach stomach(Resolution::medium);
   for (int frame = 0; frame < 24; ++frame) {
-    stomach.show(frame / 24.0 * 60 / kRate, kRate);
+    stomach.show(frame / 24.0 * 60 / kWavesPerMinute, kWavesPerMinute);
     EXPECT_EQ(tests::selfIntersections(stomach.posed("outer")), 0) << frame;
     EXPECT_GT(stomach.worstTriangle("outer"), 0.4) << frame;
   }
@@ -209,7 +209,7 @@ TEST(PeristalsisSetup, oesophagusAndDuodenumHardlyMove) {
   WorkingStomach stomach(Resolution::medium);
   const Points& rest = stomach.setup().organ.surfaces.front().mesh->points;
   for (int frame = 0; frame < 20; ++frame) {
-    stomach.show(frame, kRate);
+    stomach.show(frame, kWavesPerMinute);
     const Points points = stomach.posed("outer").points;
     for (Eigen::Index i = 0; i < rest.rows(); ++i) {
       const bool oesophagus = rest(i, 2) > 125;

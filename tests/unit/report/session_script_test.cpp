@@ -16,7 +16,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* kHostile = "x'; touch owned #\ntouch owned\nEND_OF_FILE\n`touch owned` $(touch owned)";
+constexpr const char* kHostileName =
+    "x'; touch owned #\ntouch owned\nEND_OF_FILE\n`touch owned` $(touch owned)";
 
 /// Runs a script in a folder in which `viscera` does nothing, and returns what the shell did.
 int runInShell(const TemporaryFolder& folder, const std::string& script) {
@@ -44,14 +45,14 @@ TEST(SessionScript, PosesEachOrganByItsHandlesAndParameters) {
 }
 
 TEST(SessionScript, TakesNoNameForACommand) {
-  ReportedSession session({kHostile});
-  session.undo.perform(document::editHandles({session.handle(0)}, {kHostile, kHostile, {}, {}, {}}));
-  session.undo.perform(document::addGroup(kHostile, {1, 0, 0}, {session.handle(0), session.handle(1)}));
-  session.undo.perform(document::addMeasurement({{}, {}}, kHostile));
+  ReportedSession session({kHostileName});
+  session.undo.perform(document::editHandles({session.handle(0)}, {kHostileName, kHostileName, {}, {}, {}}));
+  session.undo.perform(document::addGroup(kHostileName, {1, 0, 0}, {session.handle(0), session.handle(1)}));
+  session.undo.perform(document::addMeasurement({{}, {}}, kHostileName));
   session.record();
   presentation::ViewState view;
   view.shown.stress = true;
-  view.motions = {{session.organ(), kHostile}};
+  view.motions = {{session.organ(), kHostileName}};
   const TemporaryFolder folder;
   for (const int motion : {-1, 0}) {
     view.playing = presentation::Playing{motion, 0.3, 30, 1, true, false};

@@ -12,13 +12,13 @@
 namespace viscera::scene {
 namespace {
 
-constexpr double kRadius = 40; ///< Of the ball that is measured, mm.
+constexpr double kBallRadius = 40; ///< Of the ball that is measured, mm.
 
 class Measurements : public testing::Test {
 protected:
   explicit Measurements(double ratio = 1)
       : window(static_cast<int>(640 * ratio), static_cast<int>(480 * ratio), ratio), glyphs(window.view) {
-    ball = window.addOrgan(tests::sphere(4, kRadius));
+    ball = window.addOrgan(tests::sphere(4, kBallRadius));
     ball->setColor({0.7, 0.3, 0.25});
     window.view.setOrientationCubeShown(false);
     window.view.setScaleBarShown(false);
@@ -137,7 +137,7 @@ TEST_F(Measurements, MarksAreFoundByTheMouseAlsoBehindAnOrgan) {
 
 TEST_F(Measurements, StayInFrontOfOrgansThatComeLater) {
   show({{{{-30, 0, 6}, {30, 0, 6}}, "", false}});
-  auto other = window.addOrgan(tests::sphere(3, kRadius + 5));
+  auto other = window.addOrgan(tests::sphere(3, kBallRadius + 5));
   other->setColor({0.2, 0.2, 0.2});
   window.render();
   const double with = brightnessAt({0, 0, 6});

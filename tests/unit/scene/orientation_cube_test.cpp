@@ -17,11 +17,11 @@ using tests::ViewInWindow;
 constexpr double kMiddle = 52;
 constexpr double kBeside = 38;
 
-struct Expected {
+struct SeenFaces {
   StandardView view, right, top;
 };
 
-class CubeFromASide : public testing::TestWithParam<Expected> {
+class CubeFromASide : public testing::TestWithParam<SeenFaces> {
 protected:
   /// The side at a place in logical pixels from the middle of the cube.
   std::optional<StandardView> at(ViewInWindow& window, double ratio, double x, double y) {
@@ -44,12 +44,12 @@ TEST_P(CubeFromASide, NamesItsOwnSideAndThoseAround) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, CubeFromASide,
-    testing::Values(Expected{StandardView::anterior, StandardView::left, StandardView::superior},
-                    Expected{StandardView::posterior, StandardView::right, StandardView::superior},
-                    Expected{StandardView::left, StandardView::posterior, StandardView::superior},
-                    Expected{StandardView::right, StandardView::anterior, StandardView::superior},
-                    Expected{StandardView::superior, StandardView::right, StandardView::anterior},
-                    Expected{StandardView::inferior, StandardView::left, StandardView::anterior}),
+    testing::Values(SeenFaces{StandardView::anterior, StandardView::left, StandardView::superior},
+                    SeenFaces{StandardView::posterior, StandardView::right, StandardView::superior},
+                    SeenFaces{StandardView::left, StandardView::posterior, StandardView::superior},
+                    SeenFaces{StandardView::right, StandardView::anterior, StandardView::superior},
+                    SeenFaces{StandardView::superior, StandardView::right, StandardView::anterior},
+                    SeenFaces{StandardView::inferior, StandardView::left, StandardView::anterior}),
     [](const auto& parameters) { return nameOf(parameters.param.view); });
 
 /// How many pixels of the cube's corner differ between two pictures, as a part.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <sys/resource.h>
+
+namespace viscera::tests {
+
+/// A reader may take a few times a file's size; what a header promises would be gigabytes.
+constexpr long kMostExtraKilobytes = 200 * 1024;
+
+/// The most memory that this process has had until now.
+inline long peakKilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+} // namespace viscera::tests
