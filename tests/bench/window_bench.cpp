@@ -51,7 +51,7 @@ QApplication& application() {
     app::prepareForApplication();
     auto application = std::make_unique<QApplication>(count, arguments);
     app::setUpApplication(*application);
-    return application;
+    return application.release(); // It outlives everything: at the exit Qt's own parts go first.
   }();
   return *made;
 }
