@@ -785,6 +785,10 @@
         <translation>S’enllaça l’espai entre els tiradors</translation>
     </message>
     <message>
+        <source>Blend</source>
+        <translation>Mescla</translation>
+    </message>
+    <message>
         <source>Blue to red</source>
         <translation>De blau a vermell</translation>
     </message>
@@ -888,6 +892,10 @@
         </translation>
     </message>
     <message>
+        <source>Connection</source>
+        <translation>Connexió</translation>
+    </message>
+    <message>
         <source>Contractility of the left ventricle</source>
         <translation>Contractilitat del ventricle esquerre</translation>
     </message>
@@ -908,8 +916,88 @@
         <translation>Acoblament Ea/Ees</translation>
     </message>
     <message>
+        <source>Inner</source>
+        <translation>Interior</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivell</translation>
+    </message>
+    <message>
+        <source>Locality</source>
+        <translation>Localitat</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desfasament</translation>
+    </message>
+    <message>
+        <source>Partitions</source>
+        <translation>Particions</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punts</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Políedres</translation>
+    </message>
+    <message>
+        <source>Positivity</source>
+        <translation>Positivitat</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolució</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Mostres</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Mostreig</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Llavor</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplaçament</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Suavitat</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Aturada</translation>
+    </message>
+    <message>
         <source>Stress over the cycle</source>
         <translation>Tensió durant el cicle</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objectiu</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transferència</translation>
     </message>
     <message>
         <source>deg</source>

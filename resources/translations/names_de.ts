@@ -785,6 +785,10 @@
         <translation>Der Raum zwischen den Griffen wird gebunden</translation>
     </message>
     <message>
+        <source>Blend</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
         <source>Blue to red</source>
         <translation>Blau nach Rot</translation>
     </message>
@@ -888,6 +892,10 @@
         </translation>
     </message>
     <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
         <source>Contractility of the left ventricle</source>
         <translation>Kontraktilität des linken Ventrikels</translation>
     </message>
@@ -908,8 +916,88 @@
         <translation>Kopplung Ea/Ees</translation>
     </message>
     <message>
+        <source>Inner</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Locality</source>
+        <translation>Lokalität</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Partitions</source>
+        <translation>Zerlegungen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Polyeder</translation>
+    </message>
+    <message>
+        <source>Positivity</source>
+        <translation>Positivität</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
         <source>Stress over the cycle</source>
         <translation>Stress über den Zyklus</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Übertragung</translation>
     </message>
     <message>
         <source>deg</source>

@@ -785,6 +785,10 @@
         <translation>Enlace del espacio entre los tiradores</translation>
     </message>
     <message>
+        <source>Blend</source>
+        <translation>Mezcla</translation>
+    </message>
+    <message>
         <source>Blue to red</source>
         <translation>De azul a rojo</translation>
     </message>
@@ -888,6 +892,10 @@
         </translation>
     </message>
     <message>
+        <source>Connection</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
         <source>Contractility of the left ventricle</source>
         <translation>Contractilidad del ventrículo izquierdo</translation>
     </message>
@@ -908,8 +916,88 @@
         <translation>Acoplamiento Ea/Ees</translation>
     </message>
     <message>
+        <source>Inner</source>
+        <translation>Interior</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>Locality</source>
+        <translation>Localidad</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desfase</translation>
+    </message>
+    <message>
+        <source>Partitions</source>
+        <translation>Particiones</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Poliedros</translation>
+    </message>
+    <message>
+        <source>Positivity</source>
+        <translation>Positividad</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolución</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Muestreo</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Suavidad</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
         <source>Stress over the cycle</source>
         <translation>Estrés durante el ciclo</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transferencia</translation>
     </message>
     <message>
         <source>deg</source>

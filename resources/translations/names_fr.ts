@@ -785,6 +785,10 @@
         <translation>Liaison de l’espace entre les poignées</translation>
     </message>
     <message>
+        <source>Blend</source>
+        <translation>Mélange</translation>
+    </message>
+    <message>
         <source>Blue to red</source>
         <translation>Du bleu au rouge</translation>
     </message>
@@ -888,6 +892,10 @@
         </translation>
     </message>
     <message>
+        <source>Connection</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
         <source>Contractility of the left ventricle</source>
         <translation>Contractilité du ventricule gauche</translation>
     </message>
@@ -908,8 +916,88 @@
         <translation>Couplage Ea/Ees</translation>
     </message>
     <message>
+        <source>Inner</source>
+        <translation>Intérieur</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Locality</source>
+        <translation>Localité</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Partitions</source>
+        <translation>Partitions</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Polyèdres</translation>
+    </message>
+    <message>
+        <source>Positivity</source>
+        <translation>Positivité</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Douceur</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
         <source>Stress over the cycle</source>
         <translation>Contrainte sur le cycle</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
     </message>
     <message>
         <source>deg</source>

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <QXmlStreamReader>
 
+#include <cctype>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,7 @@
 #include "viscera/live/stress_quantity.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/plugin/registry.h"
 #include "window/language.h"
 #include "window/modes/stress_mode.h"
 #include "window/panels/organ_panel.h"
@@ -137,6 +139,13 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
     expect(parameter.title);
   for (const auto& system : document::organSystems())
     expect(system);
+  const plugin::Registry systems = plugin::builtInRegistry();
+  for (const plugin::Registry::Entry& entry : systems.list())
+    for (const coordinates::Parameter& parameter : entry.system->parameters()) {
+      std::string label = parameter.name;
+      label[0] = static_cast<char>(std::toupper(label[0]));
+      expect(label);
+    }
   for (const auto& sample : motion::sampleSequences()) {
     expect(sample.name);
     for (const auto& role : motion::landmarkRoles(sample.id)) {

@@ -131,6 +131,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
   QString name = text(parameter.name);
   if (!name.isEmpty())
     name[0] = name[0].toUpper();
+  name = inWords(name.toStdString()); // The identifier is a word, which the command line takes as it is.
   const auto present = [this, parameter] { return workspace_.document().system().parameters.get(parameter); };
   if (!parameter.choices.empty()) {
     auto* box = new QWidget(parameterBox_);
