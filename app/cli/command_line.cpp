@@ -28,7 +28,6 @@ namespace viscera::app::cli {
 namespace {
 
 constexpr int kUsage = 64;
-constexpr int kInternal = 70;
 constexpr int kMostThreads = 1024;
 
 /// One line that shows how far a command is, drawn again and again; nothing at all where nobody watches. For
@@ -126,11 +125,11 @@ int guarded(std::ostream& err, const std::function<int()>& work) {
   } catch (const Error& error) {
     return complain(err, error.exitCode(), error.what());
   } catch (const std::bad_alloc&) {
-    return complain(err, kInternal, "out of memory (try a smaller model, or close other programs)");
+    return complain(err, kInternalError, "out of memory (try a smaller model, or close other programs)");
   } catch (const std::exception& error) {
-    return complain(err, kInternal, std::string("internal error: ") + error.what());
+    return complain(err, kInternalError, std::string("internal error: ") + error.what());
   } catch (...) {
-    return complain(err, kInternal, "internal error of unknown kind");
+    return complain(err, kInternalError, "internal error of unknown kind");
   }
 }
 
@@ -181,7 +180,8 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
     if (file.rfind(kSample, 0) != 0)
       continue;
     if (window.files.size() > 1)
-      throw UsageError("It is opened in the window alone", file, "open the files by the window's menu File");
+      throw UsageError("A sample organ cannot be opened together with other files", file,
+                       "open the files in the window with File > Open");
     window.sample = file.substr(kSample.size());
     const std::vector<std::string> names = sample_organs::sampleNames(samples);
     if (std::find(names.begin(), names.end(), window.sample) == names.end())

@@ -16,7 +16,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "internal_error.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 

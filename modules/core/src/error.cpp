@@ -38,4 +38,9 @@ CannotCreateError::CannotCreateError(std::string what, std::string where, std::s
 
 Cancelled::Cancelled() : Error(130, "cancelled") {}
 
+Error notEnoughMemory() {
+  return Error(kInternalError, "There is not enough memory", "",
+               "close other programs, or use fewer handles or smaller organs");
+}
+
 } // namespace viscera

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <thread>
 
-#include "internal_error.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera {
@@ -17,8 +16,7 @@ std::shared_ptr<const Error> asError(const std::exception& exception) {
   if (const auto* known = dynamic_cast<const Error*>(&exception))
     return std::make_shared<const Error>(*known);
   if (dynamic_cast<const std::bad_alloc*>(&exception))
-    return std::make_shared<const Error>(kInternalError, "There is not enough memory", "",
-                                         "close other programs, or use fewer handles or smaller organs");
+    return std::make_shared<const Error>(notEnoughMemory());
   return std::make_shared<const Error>(kInternalError, phrase("Internal error: %1", exception.what()));
 }
 

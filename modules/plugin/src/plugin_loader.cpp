@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -21,8 +22,6 @@ namespace fs = std::filesystem;
 
 const QString kIid = QStringLiteral(VISCERA_COORDINATE_SYSTEM_PLUGIN_IID);
 const QString kIidName = kIid.section('/', 0, 0);
-
-constexpr int kInternalError = 70;
 
 /// A plugin's system behind a wall: whatever it throws that is not one of our errors arrives as one, with the
 /// plugin's name, so that a foreign mistake never ends the program.
@@ -65,6 +64,8 @@ private:
       return call();
     } catch (const Error&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      throw; // No fault of the plugin.
     } catch (const std::exception& error) {
       throw Error(kInternalError, "system '" + id_ + "' failed: " + error.what(), file_,
                   "choose another system");
@@ -142,10 +143,10 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
 
 std::vector<fs::path> librariesIn(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (QLibrary::isLibrary(QString::fromStdString(entry.path().string())))
-      files.push_back(entry.path());
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (QLibrary::isLibrary(QString::fromStdString(entry->path().string())))
+      files.push_back(entry->path());
   std::sort(files.begin(), files.end());
   return files;
 }

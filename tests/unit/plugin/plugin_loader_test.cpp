@@ -1,13 +1,38 @@
 #include "viscera/plugin/plugin_loader.h"
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <new>
+
+#include <dirent.h>
+#include <dlfcn.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "build_paths.h"
 #include "viscera/core/error.h"
+
+namespace viscera::plugin {
+
+/// So many entries of folders can be read; below 0: all.
+int readableEntries = -1;
+
+} // namespace viscera::plugin
+
+/// The C library's, until a disk fails.
+extern "C" [[gnu::visibility("default")]] dirent* readdir(DIR* folder) {
+  static const auto own = reinterpret_cast<decltype(&readdir)>(::dlsym(RTLD_NEXT, "readdir"));
+  int& left = viscera::plugin::readableEntries;
+  if (left == 0) {
+    errno = EIO;
+    return nullptr;
+  }
+  left = std::max(left - 1, -1);
+  return own(folder);
+}
 
 namespace viscera::plugin {
 namespace {
@@ -90,6 +115,13 @@ TEST_F(PluginLoaderTest, AForeignExceptionInASystemArrivesAsAnErrorThatNamesTheP
   }
 }
 
+TEST_F(PluginLoaderTest, ThatMemoryIsShortIsNoFaultOfAPlugin) {
+  load(kFaulty / "plugin_duplicate.so");
+  Progress progress;
+  EXPECT_THROW(registry_.find("failing")->gradients({}, Points(0, 3), {}, progress), std::bad_alloc)
+      << "the program has a sentence for it";
+}
+
 TEST_F(PluginLoaderTest, OneBadPluginDoesNotKeepTheOthersOut) {
   fs::copy_file(kFaulty / "plugin_throws.so", folder_ / "a_throws.so");
   std::ofstream(folder_ / "b_text.so") << "no library";
@@ -100,6 +132,16 @@ TEST_F(PluginLoaderTest, OneBadPluginDoesNotKeepTheOthersOut) {
   EXPECT_NE(reports[1].problem, "");
   EXPECT_EQ(reports[2].problem, "");
   EXPECT_TRUE(registry_.contains("localised-s-celestial"));
+}
+
+TEST_F(PluginLoaderTest, AFolderThatFailsWhileItIsReadKeepsNothingElseOut) {
+  for (const char* name : {"a.so", "b.so", "c.so"})
+    std::ofstream(folder_ / name) << "no library";
+  readableEntries = 4; // Of the five with "." and "..".
+  EXPECT_NO_THROW(loadPlugins({folder_}, registry_));
+  EXPECT_EQ(readableEntries, 0);
+  readableEntries = -1;
+  EXPECT_EQ(loadPlugins({folder_}, registry_).size(), 3u);
 }
 
 TEST_F(PluginLoaderTest, SearchesWhatIsGivenThenTheEnvironmentThenTheInstallation) {

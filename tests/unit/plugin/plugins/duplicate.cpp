@@ -1,3 +1,4 @@
+#include <new>
 #include <stdexcept>
 
 #include <QObject>
@@ -18,6 +19,10 @@ public:
   std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet&, const Points&,
                                              const coordinates::BindOptions&, Progress&) const override {
     throw std::logic_error("out of cheese");
+  }
+  coordinates::CoordinateGradients gradients(const coordinates::HandleSet&, const Points&,
+                                             const coordinates::BindOptions&, Progress&) const override {
+    throw std::bad_alloc();
   }
 };
 

@@ -6,6 +6,9 @@
 /// The exceptions for errors that a user can do something about. A caller's mistake is an assertion instead.
 namespace viscera {
 
+/// sysexits.h: an internal error, the exit code of what no caller and no data is to blame for.
+inline constexpr int kInternalError = 70;
+
 /// The base of all errors: it says what went wrong, where (a file, an element), and what to try, and joins
 /// the three in its message.
 class Error : public std::runtime_error {
@@ -54,5 +57,8 @@ class Cancelled : public Error {
 public:
   Cancelled();
 };
+
+/// What `std::bad_alloc` is for a user, with what to try. Its exit code is that of an internal error.
+Error notEnoughMemory();
 
 } // namespace viscera
