@@ -5,15 +5,15 @@
 namespace viscera::app::cli {
 namespace {
 
-const char* nameOf(medical_io::Light light) {
-  switch (light) {
-  case medical_io::Light::good:
+const char* nameOf(medical_io::FindingSeverity severity) {
+  switch (severity) {
+  case medical_io::FindingSeverity::good:
     return "good";
-  case medical_io::Light::note:
+  case medical_io::FindingSeverity::note:
     return "note";
-  case medical_io::Light::doubt:
+  case medical_io::FindingSeverity::doubt:
     return "doubt";
-  case medical_io::Light::fault:
+  case medical_io::FindingSeverity::fault:
     break;
   }
   return "fault";
@@ -43,13 +43,14 @@ nlohmann::ordered_json numbersJson(const Vec3& v) {
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings) {
   auto list = nlohmann::ordered_json::array();
   for (const medical_io::Finding& finding : findings)
-    list.push_back({{"light", nameOf(finding.light)}, {"text", finding.text}, {"repairs", finding.repairs}});
+    list.push_back(
+        {{"light", nameOf(finding.severity)}, {"text", finding.text}, {"repairs", finding.repairs}});
   return list;
 }
 
 void appendFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings) {
   for (const medical_io::Finding& finding : findings)
-    if (finding.light >= medical_io::Light::doubt &&
+    if (finding.severity >= medical_io::FindingSeverity::doubt &&
         std::find(warnings.begin(), warnings.end(), finding.text) == warnings.end())
       warnings.push_back(finding.text);
 }

@@ -45,6 +45,8 @@ public:
       addSegment(segment);
     DcmDataset dataset;
     require(segmentation_->writeDataset(dataset));
+    if (!writing_.characterSet.empty())
+      require(dataset.putAndInsertString(DCM_SpecificCharacterSet, writing_.characterSet.c_str()));
     const TemporaryFolder folder;
     DcmFileFormat format(&dataset);
     require(format.saveFile((folder / "a.dcm").c_str(), EXS_LittleEndianExplicit));

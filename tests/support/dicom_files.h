@@ -12,6 +12,7 @@ struct DicomWriting {
   bool fractional = false; ///< Labelled voxels have the largest fraction, 3 of 4 others next to none.
   bool withoutEmptyFrames = true;
   std::vector<std::string> names; ///< Of the labels 1, 2, ...; as many segments.
+  std::string characterSet = {};  ///< That these names are written in, "ISO_IR 100"; empty: says none.
   double lastSliceOffMm = 0; ///< The last slice lies so much farther than the others are from each other.
 };
 

@@ -27,7 +27,7 @@ double millimetres(const std::string& unit) {
   for (const medical_io::LengthUnit& known : medical_io::lengthUnits())
     if (known.id == unit)
       return known.mm;
-  throw UsageError("It is not a unit that is known", unit);
+  throw UsageError("Unknown unit", unit);
 }
 
 medical_io::Space spaceNamed(const std::string& name) {
@@ -53,7 +53,7 @@ public:
     options.add_option("--space", space_, "Axes to write in: LPS or RAS")
         ->check(CLI::IsMember({"LPS", "RAS"}))
         ->capture_default_str();
-    options.add_option("--from-space", fromSpace_, "Axes that IN is in, whatever it says itself")
+    options.add_option("--from-space", fromSpace_, "Axes of IN; overrides what the file states")
         ->check(CLI::IsMember({"LPS", "RAS"}));
     options.add_option("--unit", unit_, "Unit of IN's coordinates; OUT is in mm")
         ->check(CLI::IsMember({"mm", "cm", "m", "in"}))

@@ -36,10 +36,10 @@ constexpr std::size_t kMany = 6;
 enum { kEveryOrgan, kToLookAt, kFirstShared };
 
 QString summaryOf(const document::ImportDraft& draft) {
-  const auto of = [&](auto light) {
+  const auto of = [&](auto severity) {
     return static_cast<int>(
         std::count_if(draft.organs.begin(), draft.organs.end(), [&](const document::DraftOrgan& organ) {
-          return organ.included && organ.assessment.worst() == light;
+          return organ.included && organ.assessment.worst() == severity;
         }));
   };
   if (!draft.questionable())
@@ -47,7 +47,7 @@ QString summaryOf(const document::ImportDraft& draft) {
   if (draft.organs.size() <= kMany)
     return ImportPanel::tr(
         "Check the findings first. Nothing is in the document yet, and no file is changed.");
-  const int faults = of(medical_io::Light::fault), doubts = of(medical_io::Light::doubt);
+  const int faults = of(medical_io::FindingSeverity::fault), doubts = of(medical_io::FindingSeverity::doubt);
   return ImportPanel::tr("%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the "
                          "document yet, and no file is changed.")
       .arg(draft.organs.size())
@@ -59,7 +59,8 @@ QString summaryOf(const document::ImportDraft& draft) {
 /// "Triangles that face inward: 12 of 95 organs".
 QString sharedText(const document::SharedFinding& shared, const document::ImportDraft& draft) {
   if (shared.ofThePatient)
-    return ImportPanel::tr("%1 of %2 organs are not life-sized; the unit of length is one for the patient")
+    return ImportPanel::tr("%1 of %2 organs are not life-sized; a change of unit applies to all organs from "
+                           "surface files")
         .arg(shared.organs.size())
         .arg(draft.organs.size());
   return ImportPanel::tr("%1: %2 of %3 organs")
@@ -170,7 +171,7 @@ void ImportPanel::addCommon(const document::ImportDraft& draft) {
   if (draft.arrangement)
     lines.emplace_back(*draft.arrangement, all);
   for (const document::SharedFinding& shared : shared_)
-    lines.emplace_back(medical_io::Finding{shared.light, sharedText(shared, draft).toStdString(),
+    lines.emplace_back(medical_io::Finding{shared.severity, sharedText(shared, draft).toStdString(),
                                            shared.repairs, shared.subject},
                        shared.mends);
   if (lines.empty())

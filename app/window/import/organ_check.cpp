@@ -20,20 +20,20 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kLightWidth = 18;
+constexpr int kSeverityWidth = 18;
 constexpr int kButtonSpacing = 4;
 
 /// A shape beside the colour, for people who tell colours badly.
-QLabel* lightLabel(medical_io::Light light, QWidget* parent) {
+QLabel* severityLabel(medical_io::FindingSeverity severity, QWidget* parent) {
   struct Look {
     const char* name;
     const char* sign;
   };
   static const Look kLooks[] = {{"good", "\u2713"}, {"note", "i"}, {"doubt", "!"}, {"fault", "\u2715"}};
-  const Look& look = kLooks[static_cast<std::size_t>(light)];
+  const Look& look = kLooks[static_cast<std::size_t>(severity)];
   auto* label = new QLabel(QString::fromUtf8(look.sign), parent);
   label->setProperty("light", QLatin1String(look.name));
-  label->setFixedSize(kLightWidth, kLightWidth);
+  label->setFixedSize(kSeverityWidth, kSeverityWidth);
   label->setAlignment(Qt::AlignCenter);
   return label;
 }
@@ -101,7 +101,7 @@ QString subjectName(medical_io::FindingSubject subject) {
 
 FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : QWidget(parent) {
   auto* row = makeLayout<QHBoxLayout>(this, 8);
-  row->addWidget(lightLabel(finding.light, this), 0, Qt::AlignTop);
+  row->addWidget(severityLabel(finding.severity, this), 0, Qt::AlignTop);
   auto* column = new QVBoxLayout;
   column->setSpacing(4);
   row->addLayout(column, 1);
@@ -130,9 +130,11 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, 
   column->addLayout(makeHeading(organ, detail.file));
   if (!organ.included || brief)
     return;
-  for (auto light : {medical_io::Light::fault, medical_io::Light::doubt, medical_io::Light::note})
+  for (auto severity : {medical_io::FindingSeverity::fault, medical_io::FindingSeverity::doubt,
+                        medical_io::FindingSeverity::note})
     for (const medical_io::Finding& finding : organ.assessment.findings)
-      if (finding.light == light && (detail.size || finding.subject != medical_io::FindingSubject::size)) {
+      if (finding.severity == severity &&
+          (detail.size || finding.subject != medical_io::FindingSubject::size)) {
         auto* line = new FindingLine(finding, this);
         connect(line, &FindingLine::repairRequested, this, &OrganCheck::repairRequested);
         column->addWidget(line);
@@ -163,11 +165,11 @@ QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool withFil
 QWidget* OrganCheck::makeGoodLine(const document::DraftOrgan& organ) {
   QStringList good;
   for (const medical_io::Finding& finding : organ.assessment.findings)
-    if (finding.light == medical_io::Light::good)
+    if (finding.severity == medical_io::FindingSeverity::good)
       good.push_back(asSentence(finding.text));
   auto* line = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(line, 8);
-  row->addWidget(lightLabel(medical_io::Light::good, line));
+  row->addWidget(severityLabel(medical_io::FindingSeverity::good, line));
   auto* label = new QLabel(tr("%n {check|checks} passed", nullptr, static_cast<int>(good.size())), line);
   label->setObjectName(QStringLiteral("muted"));
   label->setToolTip(good.join(QLatin1Char('\n')));

@@ -20,7 +20,7 @@ QString repairTip(const std::string& id);
 /// The heading above findings of one subject: "Facing".
 QString subjectName(medical_io::FindingSubject subject);
 
-/// One finding as a line: a light, a sentence, and buttons for the repairs that would help.
+/// One finding as a line: an icon of its severity, a sentence, and buttons for the repairs that would help.
 class FindingLine final : public QWidget {
   Q_OBJECT
 

@@ -12,8 +12,8 @@ namespace viscera::document {
 namespace {
 
 using medical_io::Finding;
+using medical_io::FindingSeverity;
 using medical_io::FindingSubject;
-using medical_io::Light;
 
 void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Progress& progress) {
   const auto read = files.surfaces.find(place);
@@ -83,7 +83,7 @@ SharedFinding sharedBy(FindingSubject subject, const std::vector<FoundIn>& where
   SharedFinding shared;
   shared.subject = subject;
   for (const FoundIn& one : where) {
-    shared.light = std::max(shared.light, one.finding->light);
+    shared.severity = std::max(shared.severity, one.finding->severity);
     shared.organs.push_back(one.organ);
   }
   shared.repairs = commonRepairs(where);
@@ -198,7 +198,7 @@ std::vector<SharedFinding> sharedFindings(const ImportDraft& draft) {
   for (std::size_t place = 0; place < draft.organs.size(); ++place)
     if (draft.organs[place].included)
       for (const Finding& finding : draft.organs[place].assessment.findings)
-        if (finding.light >= Light::doubt)
+        if (finding.severity >= FindingSeverity::doubt)
           found[finding.subject].push_back({place, &finding});
   std::vector<SharedFinding> shared;
   for (const auto& [subject, where] : found) {
@@ -209,7 +209,7 @@ std::vector<SharedFinding> sharedFindings(const ImportDraft& draft) {
       unify(shared.back(), where, draft);
   }
   std::stable_sort(shared.begin(), shared.end(), [](const SharedFinding& a, const SharedFinding& b) {
-    return std::pair(a.light, a.organs.size()) > std::pair(b.light, b.organs.size());
+    return std::pair(a.severity, a.organs.size()) > std::pair(b.severity, b.organs.size());
   });
   return shared;
 }

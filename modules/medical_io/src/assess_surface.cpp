@@ -68,8 +68,8 @@ public:
 private:
   const SurfaceReport& report() const { return result_.report; }
 
-  void add(Light light, std::string text, std::vector<std::string> repairs = {}) {
-    result_.findings.push_back({light, std::move(text), std::move(repairs), subject_});
+  void add(FindingSeverity severity, std::string text, std::vector<std::string> repairs = {}) {
+    result_.findings.push_back({severity, std::move(text), std::move(repairs), subject_});
   }
 
   void checkAxes(const Bounds& box) {
@@ -81,7 +81,7 @@ private:
       const bool left = norm->side == BodySide::left;
       const long at = std::lround(x);
       const char* why = origin_.statedSpace ? "it may be mirrored" : "the file may be in RAS, or mirrored";
-      add(Light::doubt,
+      add(FindingSeverity::doubt,
           left ? phrase(
                      "by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2",
                      at, why)
@@ -92,9 +92,10 @@ private:
       return;
     }
     if (origin_.statedSpace)
-      add(Light::good, phrase("the file states its axes: %1", spaceName(*origin_.statedSpace)));
+      add(FindingSeverity::good, phrase("the file states its axes: %1", spaceName(*origin_.statedSpace)));
     else
-      add(Light::note, "the file does not state its axes: LPS is assumed", {"ras-to-lps", "mirror", "y-up"});
+      add(FindingSeverity::note, "the file does not state its axes: LPS is assumed",
+          {"ras-to-lps", "mirror", "y-up"});
   }
 
   /// Signed; of an open surface as it would be with caps, 0 where it cannot be closed.
@@ -115,18 +116,18 @@ private:
       for (const LengthUnit& unit : unitsThatFit(origin_.name, box.diagonal(), volumeMl))
         repairs.push_back("unit-" + std::string(unit.id));
       if (auto doubt = doubtAboutSize(origin_.name, box.diagonal()))
-        return add(Light::fault, std::move(*doubt), std::move(repairs));
+        return add(FindingSeverity::fault, std::move(*doubt), std::move(repairs));
     }
     if (volumeMl > 0)
       if (auto doubt = doubtAboutVolume(origin_.name, volumeMl))
-        return add(Light::doubt, std::move(*doubt), std::move(repairs));
-    add(Light::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
+        return add(FindingSeverity::doubt, std::move(*doubt), std::move(repairs));
+    add(FindingSeverity::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
   }
 
   void checkHoles() {
     if (report().closed())
-      return add(Light::good, "the surface is closed");
-    add(Light::fault,
+      return add(FindingSeverity::good, "the surface is closed");
+    add(FindingSeverity::fault,
         phrase("%n boundary {edge|edges}: the surface is open and has no volume", report().boundaryEdges),
         signedMl_ != 0 ? std::vector<std::string>{"fill-holes", "remesh"}
                        : std::vector<std::string>{"remesh"});
@@ -134,46 +135,46 @@ private:
 
   void checkEdges() {
     if (report().nonManifoldEdges > 0)
-      add(Light::fault,
+      add(FindingSeverity::fault,
           phrase("%n {edge joins|edges join} more than two triangles", report().nonManifoldEdges),
           {"remesh"});
     else
-      add(Light::good, "no edge joins more than two triangles");
+      add(FindingSeverity::good, "no edge joins more than two triangles");
     if (report().degenerateTriangles > 0)
-      add(Light::note, phrase("%n {triangle has|triangles have} no area", report().degenerateTriangles),
-          {"remesh"});
+      add(FindingSeverity::note,
+          phrase("%n {triangle has|triangles have} no area", report().degenerateTriangles), {"remesh"});
   }
 
   void checkFacing() {
     if (report().misorientedEdges > 0)
-      add(Light::fault,
+      add(FindingSeverity::fault,
           phrase("%n {edge lies|edges lie} between triangles of opposite orientation",
                  report().misorientedEdges),
           {"orient"});
     else if (signedMl_ < 0)
-      add(Light::fault, "the surface is inside out", {"orient"});
+      add(FindingSeverity::fault, "the surface is inside out", {"orient"});
     else
-      add(Light::good, "the triangles face outward");
+      add(FindingSeverity::good, "the triangles face outward");
   }
 
   void checkPieces() {
     if (report().components <= 1)
-      return add(Light::good, "the surface is of one piece");
+      return add(FindingSeverity::good, "the surface is of one piece");
     const std::vector<double> areas = geometry::areasOf(geometry::connectedPieces(mesh_), mesh_);
     const double whole = report().areaMm2;
     const auto crumbs =
         std::count_if(areas.begin(), areas.end(), [&](double area) { return area < kCrumb * whole; });
     std::string text = phrase("the surface consists of %1 separate pieces", report().components);
     if (crumbs == 0)
-      return add(Light::note, std::move(text), {"keep-largest"});
-    add(Light::doubt, phrase("%1, %2 of them crumbs of less than 2 % of its area", text, crumbs),
+      return add(FindingSeverity::note, std::move(text), {"keep-largest"});
+    add(FindingSeverity::doubt, phrase("%1, %2 of them crumbs of less than 2 % of its area", text, crumbs),
         {"keep-largest"});
   }
 
   void checkIntersections() {
     if (result_.selfIntersections == 0)
-      return add(Light::good, "the surface does not cross itself");
-    add(Light::doubt,
+      return add(FindingSeverity::good, "the surface does not cross itself");
+    add(FindingSeverity::doubt,
         phrase("%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to "
                "repair the surface first",
                result_.selfIntersections),
@@ -231,11 +232,11 @@ int votes(const std::vector<PlacedOrgan>& organs, const std::array<Order, N>& or
 
 } // namespace
 
-Light SurfaceAssessment::worst() const {
-  Light light = Light::good;
+FindingSeverity SurfaceAssessment::worst() const {
+  FindingSeverity severity = FindingSeverity::good;
   for (const Finding& finding : findings)
-    light = std::max(light, finding.light);
-  return light;
+    severity = std::max(severity, finding.severity);
+  return severity;
 }
 
 SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceOrigin& origin, Progress& progress,
@@ -249,13 +250,13 @@ std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs)
     return std::nullopt;
   const int depth = votes(organs, kFrontToBack, 1);
   if (depth < 0)
-    return Finding{Light::doubt,
+    return Finding{FindingSeverity::doubt,
                    "right and left are exchanged, and so are front and back: the files seem to be in RAS",
                    {"ras-to-lps"}};
   if (depth > 0)
     return Finding{
-        Light::doubt, "right and left are exchanged, front and back are not: mirrored", {"mirror"}};
-  return Finding{Light::doubt,
+        FindingSeverity::doubt, "right and left are exchanged, front and back are not: mirrored", {"mirror"}};
+  return Finding{FindingSeverity::doubt,
                  "right and left are exchanged: the files may be in RAS, or mirrored",
                  {"ras-to-lps", "mirror"}};
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <ostream>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -141,7 +143,9 @@ private:
     do {
       stream_.next_out = buffer_.data();
       stream_.avail_out = static_cast<uInt>(buffer_.size());
-      deflate(&stream_, flush);
+      if (const int state = deflate(&stream_, flush);
+          state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
+        throw std::bad_alloc();
       out_.write(reinterpret_cast<const char*>(buffer_.data()),
                  static_cast<std::streamsize>(buffer_.size() - stream_.avail_out));
     } while (stream_.avail_out == 0);
@@ -265,6 +269,16 @@ std::vector<Label> labelsOf(const LabelMap& map, std::size_t layers) {
   return values;
 }
 
+/// Labels are all that NIfTI keeps of segments.
+void requireLabelsOfTheirOwn(const LabelMap& map, const std::filesystem::path& file) {
+  std::set<std::int64_t> labels;
+  for (const Segment& segment : map.segments)
+    if (!labels.insert(segment.label).second)
+      throw DataError(
+          phrase("Two of its segments have the label %1, which NIfTI cannot tell apart", segment.label),
+          file.string(), "write it as .seg.nrrd");
+}
+
 } // namespace
 
 void writeScan(const std::filesystem::path& file, const Scan& scan) {
@@ -288,6 +302,8 @@ void writeLabelMap(const std::filesystem::path& file, const LabelMap& map) {
   if (isNrrd(file)) {
     image.layers = static_cast<int>(std::max<std::size_t>(map.layers.size(), 1));
     image.keys = segmentKeys(map);
+  } else {
+    requireLabelsOfTheirOwn(map, file);
   }
   std::int64_t largest = 0;
   for (const Segment& segment : map.segments)

@@ -7,6 +7,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {
@@ -73,14 +74,14 @@ public:
     const Segment& only = mask.segments.front();
     Segment& segment = map_.segments.emplace_back(only);
     segment.label = static_cast<std::int64_t>(map_.segments.size());
-    segment.layer =
-        addToFreeLayer(map_.layers, mask.layers.front(), static_cast<std::uint16_t>(map_.segments.size()));
+    segment.layer = addToFreeLayer(map_.layers, mask.layers.at(static_cast<std::size_t>(only.layer)),
+                                   static_cast<std::uint16_t>(map_.segments.size()));
     segment.named = true;
-    segment.name = stemOf(file);
+    segment.name = toUtf8(stemOf(file));
     segment.colored = false;
   }
 
-  void addEmpty(const std::filesystem::path& file) { empty_.push_back(stemOf(file)); }
+  void addEmpty(const std::filesystem::path& file) { empty_.push_back(toUtf8(stemOf(file))); }
 
   LabelMap take(const std::filesystem::path& folder) {
     if (map_.segments.empty())

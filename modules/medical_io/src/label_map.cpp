@@ -50,7 +50,7 @@ const LabelMapFormat& formatOf(const FileBytes& file) {
   if (format == kLabelMapFormats.end()) {
     if (found == Signature::dicom)
       return kLabelMapFormats.back();
-    file.fail(looksLike(phrase("the ending \"%1\" is none of a label map", extension), found),
+    file.fail(looksLike(phrase("Viscera reads no label maps that end in \"%1\"", extension), found),
               "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
   }
   const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;

@@ -12,6 +12,7 @@
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -61,8 +62,9 @@ Vec3 anatomyColor(std::string_view name, std::int64_t label) {
   return colorOfHue(turns - std::floor(turns));
 }
 
-/// One line without anything that a list or a terminal stumbles over.
+/// One line of UTF-8 without anything that a list or a terminal stumbles over.
 std::string printable(std::string name) {
+  name = toUtf8(std::move(name));
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
   const std::size_t begin = name.find_first_not_of(' ');
   return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);

@@ -10,9 +10,9 @@
 #include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/geometry/decimate_surface.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/geometry/thin_surface.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "voxel_pieces.h"
@@ -116,7 +116,7 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
     progress.throwIfCancelled();
     surface.mesh = smoothed(steps, part * options.smoothing);
     if (options.triangles > 0)
-      surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles, progress);
+      surface.mesh = geometry::decimateClosedSurface(surface.mesh, options.triangles, progress);
     correctVolume(surface.mesh, surface.voxelVolumeMm3, map.indexToLps.linear());
     surface.volumeMm3 = geometry::volume(surface.mesh.points, surface.mesh.triangles, Threads{1});
     const double error = std::abs(surface.volumeMm3 - surface.voxelVolumeMm3);

@@ -76,7 +76,7 @@ RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   const SurfaceFormat* format = formatOf(file);
   if (format == nullptr) {
-    bytes.fail(looksLike(phrase("the ending \"%1\" is none of a surface file", extensionOf(file)),
+    bytes.fail(looksLike(phrase("Viscera reads no surface files that end in \"%1\"", extensionOf(file)),
                          signatureOf(bytes)),
                phrase("known endings: %1", extensionList(false)));
   }

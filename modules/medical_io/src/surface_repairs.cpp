@@ -19,10 +19,10 @@
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
+#include "viscera/geometry/decimate_surface.h"
 #include "viscera/geometry/self_intersections.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
-#include "viscera/geometry/thin_surface.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "vtk_poly_data.h"
@@ -122,7 +122,7 @@ TriangleMesh smoothAndThin(const TriangleMesh& contour, int triangles, const Pro
   int fewest = std::numeric_limits<int>::max();
   for (const int first : kFirstIterations) {
     const TriangleMesh thin =
-        geometry::thinClosedSurface(smoothSurface(contour, first, kFirstPassBand), triangles, progress);
+        geometry::decimateClosedSurface(smoothSurface(contour, first, kFirstPassBand), triangles, progress);
     for (const int second : kSecondIterations) {
       progress.throwIfCancelled();
       TriangleMesh tried =

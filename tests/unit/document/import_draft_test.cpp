@@ -101,7 +101,7 @@ TEST_F(ImportDrafts, WhatIsWrongWithSeveralOrgansAlikeIsSaidOnce) {
   const auto shared = sharedFindings(two);
   ASSERT_EQ(shared.size(), 1u) << "one organ alone is not a crowd";
   EXPECT_EQ(shared[0].subject, medical_io::FindingSubject::facing);
-  EXPECT_EQ(shared[0].light, medical_io::Light::fault);
+  EXPECT_EQ(shared[0].severity, medical_io::FindingSeverity::fault);
   EXPECT_THAT(shared[0].organs, testing::ElementsAre(0, 1));
   EXPECT_THAT(shared[0].mends, testing::ElementsAre(0, 1));
   EXPECT_THAT(shared[0].repairs, testing::ElementsAre("orient"));

@@ -43,7 +43,7 @@ TriangleMesh repaired(const TriangleMesh& mesh, const std::string& id) {
 std::vector<Finding> doubts(const SurfaceAssessment& assessment) {
   std::vector<Finding> list;
   for (const Finding& finding : assessment.findings)
-    if (finding.light >= Light::doubt)
+    if (finding.severity >= FindingSeverity::doubt)
       list.push_back(finding);
   return list;
 }
@@ -66,9 +66,9 @@ void expectOneClick(const TriangleMesh& mesh, const std::string& says, const std
   EXPECT_THAT(doubts(assess(repaired(mesh, repair), name, space)), IsEmpty());
 }
 
-TEST(AssessSurface, AGoodLiverHasOnlyGreenLights) {
+TEST(AssessSurface, AGoodLiverHasNoDoubts) {
   const SurfaceAssessment assessment = assess(liver());
-  EXPECT_EQ(assessment.worst(), Light::good);
+  EXPECT_EQ(assessment.worst(), FindingSeverity::good);
   EXPECT_FALSE(assessment.questionable());
   EXPECT_NEAR(assessment.volumeMl, 1540, 20);
   EXPECT_NEAR(assessment.sizeMm.x(), 143.6, 0.1);
@@ -76,7 +76,7 @@ TEST(AssessSurface, AGoodLiverHasOnlyGreenLights) {
 
 TEST(AssessSurface, AxesThatAreNotStatedAreANoteOnly) {
   const SurfaceAssessment assessment = assess(liver(), "liver", std::nullopt);
-  EXPECT_EQ(assessment.worst(), Light::note);
+  EXPECT_EQ(assessment.worst(), FindingSeverity::note);
   EXPECT_THAT(assessment.findings.front().text, HasSubstr("LPS is assumed"));
 }
 

@@ -4,8 +4,10 @@
 
 #include "bernstein_system.h"
 #include "label_files.h"
+#include "starved_zlib.h"
 #include "temporary_folder.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/core/error.h"
 #include "viscera/medical_io/bent_image.h"
 #include "viscera/medical_io/image_file.h"
 
@@ -199,6 +201,57 @@ TEST_F(BentImage, LabelsMoveWithTheirNamesAndAreWritten) {
     EXPECT_LT((again.indexToLps.matrix() - bent.indexToLps.matrix()).norm(), 1e-4);
   }
   EXPECT_EQ(readLabelMap(folder / "b.seg.nrrd", progress_).segments[0].name, "liver");
+}
+
+TEST(WrittenLabels, ThatNiftiCannotTellApartAreRefused) {
+  tests::LabelImage image = tests::emptyLabels();
+  const std::size_t voxels = image.voxels.size();
+  image.voxels.assign(2 * voxels, 0);
+  image.voxels[0] = image.voxels[2 * voxels - 1] = 1;
+  const std::string second = "Segment1_ID:=b\nSegment1_Name:=cyst\nSegment1_Layer:=1\nSegment1_LabelValue:=";
+  const tests::TemporaryFolder folder;
+  Progress progress;
+  const auto read = [&](const std::string& label) {
+    return readLabelMap(
+        folder.put("a.seg.nrrd", tests::nrrdFile(image, "left-posterior-superior",
+                                                 "Segment0_ID:=a\nSegment0_Name:=kidney\nSegment0_Layer:=0\n"
+                                                 "Segment0_LabelValue:=1\n" +
+                                                     second + label + "\n",
+                                                 2)),
+        progress);
+  };
+  const LabelMap same = read("1");
+  ASSERT_EQ(same.segments.size(), 2U);
+  try {
+    writeLabelMap(folder / "b.nii.gz", same);
+    ADD_FAILURE() << "the cyst has become the kidney";
+  } catch (const DataError& error) {
+    EXPECT_NE(error.tryThis().find(".seg.nrrd"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.nii.gz"));
+  writeLabelMap(folder / "b.seg.nrrd", same);
+  EXPECT_EQ(readLabelMap(folder / "b.seg.nrrd", progress).segments.size(), 2U);
+  image.voxels[2 * voxels - 1] = 2;
+  const LabelMap other = read("2");
+  ASSERT_EQ(other.segments.size(), 2U);
+  writeLabelMap(folder / "b.nii.gz", other);
+  EXPECT_EQ(readLabelMap(folder / "b.nii.gz", progress).segments.size(), 2U);
+}
+
+TEST(WrittenLabels, ThatZlibCannotPackLeaveTheOldFile) {
+  tests::LabelImage image = tests::emptyLabels();
+  image.at(1, 2, 3) = 1;
+  const tests::TemporaryFolder folder;
+  Progress progress;
+  const LabelMap map = readLabelMap(folder.put("a.nrrd", tests::nrrdFile(image)), progress);
+  const auto file = folder.put("b.nii.gz", "before");
+  {
+    const tests::StarvedZlib starved;
+    EXPECT_THROW(writeLabelMap(file, map), std::bad_alloc);
+  }
+  EXPECT_EQ(tests::contentsOf(file), "before");
+  writeLabelMap(file, map);
+  EXPECT_EQ(readLabelMap(file, progress).segments.size(), 1U);
 }
 
 } // namespace

@@ -344,6 +344,36 @@ INSTANTIATE_TEST_SUITE_P(AsOthersPackIt, PackedDicomScan,
                            return name;
                          });
 
+/// Some writers pack 8 of 16 bits as a picture of bytes.
+TEST_F(DicomScan, WidensThePackedBytesOfPixelsOfTwoBytes) {
+  LabelImage image = smallPhantom();
+  const std::size_t slice = std::size_t(image.size[0] * image.size[1]);
+  for (std::size_t v = 0; v < image.voxels.size(); ++v)
+    image.voxels[v] = std::int16_t(v * v % 251);
+  const std::string eight("\x28\0\0\1US\2\0\x08", 9);
+  for (int k = 0; k < image.size[2]; ++k) {
+    DicomElements e = tests::dicomSlice(image, k);
+    e[0x7FE00010] = "OB";
+    for (std::size_t p = 0; p < slice; ++p)
+      e[0x7FE00010] += char(image.voxels[std::size_t(k) * slice + p]);
+    e[0x00280100] = e[0x00280101] = tests::us(8);
+    e[0x00280102] = tests::us(7);
+    e[0x00281052] = "DS0";
+    std::string packed = tests::packedDicom(tests::dicomBytes(e), "jpeg-lossless");
+    ASSERT_NE(packed.find(eight), packed.npos);
+    packed[packed.find(eight) + eight.size() - 1] = 16; // Bits allocated.
+    folder_.put(std::to_string(k), packed);
+  }
+  const Scan scan = read();
+  ASSERT_EQ(scan.size, image.size);
+  int wrong = 0;
+  for (int k = 0; k < image.size[2]; ++k)
+    for (int j = 0; j < image.size[1]; ++j)
+      for (int i = 0; i < image.size[0]; ++i)
+        wrong += scan.at(image.indexToLps * Vec3(i, j, k)) != double(image.at(i, j, k)) ? 1 : 0;
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST_F(DicomScan, RefusesWhatIsNoScan) {
   EXPECT_THROW(read(), DataError) << "an empty folder";
   EXPECT_THROW(readScan(folder_ / "none", {}, progress_), NoInputError);

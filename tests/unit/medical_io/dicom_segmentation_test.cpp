@@ -89,6 +89,21 @@ TEST_P(DicomSegmentation, IsReadUnderAnyName) {
 INSTANTIATE_TEST_SUITE_P(, DicomSegmentation, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "Fractional" : "Binary"; });
 
+TEST(DicomFile, HasItsNamesInTheCharactersThatItSays) {
+  const TemporaryFolder folder;
+  const auto nameIn = [&](const std::string& set, const std::string& name) {
+    const std::string placeholder(name.size(), '#'); // DCMTK would refuse the name itself.
+    std::string bytes =
+        tests::dicomFile(twoOrgans(), {.names = {placeholder, "spleen"}, .characterSet = set});
+    bytes.replace(bytes.find(placeholder), name.size(), name);
+    return read(folder.put("a.dcm", bytes)).segments.at(0).name;
+  };
+  EXPECT_EQ(nameIn("ISO_IR 100", "h\xEDgado"), "h\xC3\xADgado");
+  EXPECT_EQ(nameIn("ISO_IR 192", "h\xC3\xADgado"), "h\xC3\xADgado");
+  EXPECT_EQ(nameIn("ISO_IR 144", "\xD9\xD5\xE2\xDE"), "\xD0\xB9\xD0\xB5\xD1\x82\xD0\xBE") << "Cyrillic";
+  EXPECT_EQ(nameIn("", "h\xEDgado"), "h?gado") << "it does not say which letter that is";
+}
+
 TEST(DicomFile, ThatIsCutOffIsRefused) {
   const TemporaryFolder folder;
   const std::string bytes = tests::dicomFile(twoOrgans(), {.names = {"liver", "left kidney"}});

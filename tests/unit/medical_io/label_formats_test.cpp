@@ -244,6 +244,14 @@ TEST_F(LabelFormats, OfSlicerGiveOverlappingSegmentsNamesAndColours) {
   EXPECT_THAT(map.warnings, Contains(HasSubstr("nothing")));
 }
 
+TEST_F(LabelFormats, OfSlicerGiveNamesInUtf8) {
+  const LabelMap map =
+      readLabels(folder_.put("a.seg.nrrd", tests::nrrdFile(twoPlainOrgans(), "left-posterior-superior",
+                                                           "Segment0_ID:=s\nSegment0_Name:=f\xEDgado\n"
+                                                           "Segment0_LabelValue:=5\n")));
+  EXPECT_EQ(map.segments[0].name, "f\xC3\xADgado");
+}
+
 TEST_F(LabelFormats, OfTotalSegmentatorGiveTheNamesOfTheirTable) {
   const std::string xml =
       R"(<?xml version="1.0" encoding="UTF-8"?><CaretExtension><VolumeInformation Index="0"><LabelTable>)"
@@ -347,7 +355,7 @@ TEST_F(LabelFormats, UnderAnotherNameSayWhatTheyAre) {
   EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::niftiFile(twoPlainOrgans()))),
               HasSubstr("a NIfTI image"));
   EXPECT_THAT(problemOfLabels(folder_.put("a.stl", tests::niftiFile(twoPlainOrgans()))),
-              HasSubstr("none of a label map"));
+              HasSubstr("reads no label maps that end in"));
 }
 
 class LabelFolder : public testing::Test {
@@ -378,6 +386,35 @@ TEST_F(LabelFolder, OfMasksIsOnePatient) {
   EXPECT_EQ(map.segments[2].layer, 1) << "the vessels lie within the liver";
   EXPECT_EQ(map.layers.size(), 2U);
   EXPECT_THAT(map.warnings, Contains(HasSubstr("spleen")));
+}
+
+TEST_F(LabelFolder, TakesAMaskFromTheLayerThatItIsIn) {
+  LabelImage image = tests::emptyLabels();
+  const std::size_t voxels = image.voxels.size();
+  image.fill({2, 2, 2}, {9, 9, 9}, 1);
+  std::vector<std::int16_t> layers(2 * voxels, 0); // The first one is empty.
+  for (std::size_t v = 0; v < voxels; ++v)
+    layers[2 * v + 1] = image.voxels[v];
+  image.voxels = layers;
+  folder_.put("liver.seg.nrrd", tests::nrrdFile(image, "left-posterior-superior",
+                                                "Segment0_ID:=Segment_1\nSegment0_Name:=other\n"
+                                                "Segment0_LabelValue:=1\nSegment0_Layer:=1\n",
+                                                2));
+  put("heart.nii.gz", {14, 2, 2}, {16, 4, 4});
+  const LabelMap map = readLabels(folder_.path());
+  ASSERT_EQ(map.segments.size(), 2U);
+  EXPECT_EQ(map.segments[1].name, "liver");
+  EXPECT_EQ(map.volumeMl(map.segments[1]), 0.512);
+  EXPECT_EQ(map.layers.at(std::size_t(map.segments[1].layer)).at(map.indexOf(5, 5, 5)), 2);
+}
+
+TEST_F(LabelFolder, NamesItsMasksInUtf8) {
+  put("f\xEF\xAC\x81gado.nii.gz", {2, 2, 2}, {9, 9, 9});
+  put("p\xE2ncreas.nii.gz", {14, 2, 2}, {16, 4, 4}); // Latin-1.
+  const LabelMap map = readLabels(folder_.path());
+  ASSERT_EQ(map.segments.size(), 2U);
+  EXPECT_EQ(map.segments[0].name, "f\xEF\xAC\x81gado");
+  EXPECT_EQ(map.segments[1].name, "p\xC3\xA2ncreas");
 }
 
 TEST_F(LabelFolder, OfMasksInTwoFilesHasEachOnce) {

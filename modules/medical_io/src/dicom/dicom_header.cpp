@@ -70,22 +70,6 @@ std::optional<double> secondsOfTime(std::string_view text) {
   return *hours * kSecondsPerHour + *minutes * kSecondsPerMinute + *seconds;
 }
 
-/// In UTF-8; letters that cannot be told are question marks.
-std::string readable(DcmItem& dataset, const std::string& text) {
-  const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(text.begin(), text.end(), isAscii))
-    return text;
-  DcmSpecificCharacterSet set;
-  OFString converted;
-  if (set.selectCharacterSet(dataset).good() &&
-      set.convertString(OFString(text.data(), text.size()), converted).good())
-    return std::string(converted.c_str(), converted.size());
-  std::string result = text;
-  std::replace_if(
-      result.begin(), result.end(), [&](char c) { return !isAscii(c); }, '?');
-  return result;
-}
-
 /// Where the values of one frame are: of an enhanced file in the frame's group or in the one that all share,
 /// else in the data set itself.
 class FrameItems {
@@ -342,6 +326,21 @@ private:
 };
 
 } // namespace
+
+std::string readable(DcmItem& dataset, const std::string& text) {
+  const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), isAscii))
+    return text;
+  DcmSpecificCharacterSet set;
+  OFString converted;
+  if (set.selectCharacterSet(dataset).good() &&
+      set.convertString(OFString(text.data(), text.size()), converted).good())
+    return std::string(converted.c_str(), converted.size());
+  std::string result = text;
+  std::replace_if(
+      result.begin(), result.end(), [&](char c) { return !isAscii(c); }, '?');
+  return result;
+}
 
 DicomHeader readDicomHeader(const std::filesystem::path& file) {
   return ElementReader(file).run();

@@ -8,6 +8,8 @@
 
 #include "viscera/medical_io/scan.h"
 
+class DcmItem;
+
 /// What DICOM files say of their pictures, parsed by DCMTK without their pixels.
 namespace viscera::medical_io {
 
@@ -53,6 +55,10 @@ struct DicomHeader {
   std::vector<DicomFrame> frames; ///< `file` is not set.
   std::string notAScan;           ///< Why it has no frames that could be slices: "is a colour picture".
 };
+
+/// A text of a data set, whose characters that says, in UTF-8; letters that cannot be told are question
+/// marks.
+std::string readable(DcmItem& dataset, const std::string& text);
 
 /// Reads one. Throws `DataError` for a damaged file, `NoInputError`.
 DicomHeader readDicomHeader(const std::filesystem::path& file);

@@ -1,6 +1,9 @@
 #include "dicom/dicom_pixels.h"
 
+#include <algorithm>
+#include <bit>
 #include <mutex>
+#include <string_view>
 
 #include "dicom/dicom_pixel_source.h"
 #include "dicom/quiet_dcmtk.h"
@@ -10,7 +13,10 @@
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
 
+#include <dcmtk/dcmdata/dccodec.h>
 #include <dcmtk/dcmdata/dcpixel.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
@@ -77,6 +83,32 @@ private:
   std::uint64_t size_ = 0;
 };
 
+static_assert(std::endian::native == std::endian::little, "widened pixels begin with their lowest byte");
+
+/// Bits of a pixel by the frame header of a JPEG stream (ISO/IEC 10918-1, B.2.2); 0 for another one.
+int jpegPrecision(std::string_view stream) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(stream[at]); };
+  std::size_t at = 2; // Behind the mark of the beginning.
+  while (at + 5 <= stream.size() && byte(at) == 0xFF) {
+    const int marker = byte(at + 1);
+    const bool isTable = marker == 0xC4 || marker == 0xC8 || marker == 0xCC;
+    if (marker >= 0xC0 && marker <= 0xCF && !isTable)
+      return byte(at + 4);
+    if (marker == 0xDA)
+      return 0;
+    at += marker == 0xFF ? 1 : 2 + std::size_t(byte(at + 2)) * 256 + byte(at + 3);
+  }
+  return 0;
+}
+
+/// As many pixels, with zeros above their bytes.
+std::string widened(const std::string& bytes, std::size_t pixels, std::size_t from, std::size_t to) {
+  std::string wide(pixels * to, '\0');
+  for (std::size_t p = 0; p < pixels; ++p)
+    std::copy_n(bytes.data() + p * from, from, wide.data() + p * to);
+  return wide;
+}
+
 /// Pixels that one of DCMTK's codecs unpacks.
 class PackedSource final : public DicomPixelSource {
 public:
@@ -95,6 +127,7 @@ public:
     std::string bytes(each + each % 2, '\0'); // DCMTK wants an even number.
     OFString colours;
     Uint32 part = frame == nextFrame_ ? nextPart_ : 0;
+    const std::size_t unpacked = unpackedBytes(frame, part);
     const OFCondition done =
         pixels_->getUncompressedFrame(format_->getDataset(), static_cast<Uint32>(frame), part, bytes.data(),
                                       static_cast<Uint32>(bytes.size()), colours);
@@ -103,10 +136,34 @@ public:
     nextFrame_ = frame + 1;
     nextPart_ = part;
     bytes.resize(each);
+    const auto allocated = static_cast<std::size_t>(header_.format.allocated / 8);
+    if (unpacked < allocated)
+      bytes = widened(bytes, each / allocated, unpacked, allocated);
     return {std::move(bytes), header_.format};
   }
 
 private:
+  /// Of a pixel: DCMTK makes bytes of JPEG streams of 8 bits and words of others, whatever the header says.
+  std::size_t unpackedBytes(int frame, Uint32 part) {
+    const auto allocated = static_cast<std::size_t>(header_.format.allocated / 8);
+    DcmDataset& dataset = *format_->getDataset();
+    DcmPixelSequence* parts = nullptr;
+    DcmPixelItem* item = nullptr;
+    Uint8* stream = nullptr;
+    if (pixels_->getEncapsulatedRepresentation(dataset.getOriginalXfer(), nullptr, parts).bad() ||
+        parts == nullptr)
+      return allocated;
+    if (part == 0 && DcmCodec::determineStartFragment(static_cast<Uint32>(frame),
+                                                      static_cast<Sint32>(header_.frames.size()), parts, part)
+                         .bad())
+      return allocated;
+    if (parts->getItem(item, part).bad() || item == nullptr || item->getUint8Array(stream).bad() ||
+        stream == nullptr)
+      return allocated;
+    const int precision = jpegPrecision({reinterpret_cast<const char*>(stream), item->getLength()});
+    return precision == 0 ? allocated : precision <= 8 ? 1 : 2;
+  }
+
   const DicomHeader& header_;
   FileBytes file_;
   std::shared_ptr<DcmFileFormat> format_; ///< Owns the pixels.

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "dicom/dicom_header.h"
 #include "dicom/quiet_dcmtk.h"
 #include "image_formats/raw_image.h"
 #include "label_segments.h"
@@ -281,7 +282,7 @@ private:
       file_.fail(phrase("its frames belong to a segment %1, which it does not have", number));
     OFString label;
     if (segment->getSegmentLabel(label).good())
-      statement.name = label.c_str();
+      statement.name = readable(*format_.getDataset(), label.c_str());
     Uint16 l = 0, a = 0, b = 0;
     if (segment->getRecommendedDisplayCIELabValue(l, a, b).good())
       statement.color = colorOfDicomLab(l, a, b);

@@ -103,7 +103,7 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (bytes.size() < kNifti1.bytes)
     file.fail(
         phrase("the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348", bytes.size()));
-  file.fail("It is not a NIfTI image: its header is not one",
+  file.fail("It is not a NIfTI image: it has no NIfTI header",
             "check what the file is and where it came from");
 }
 
@@ -295,10 +295,10 @@ void replaceByHeader(FileBytes& file) {
   file.bytes = {};
   const auto header = otherHalf(file.file, ".hdr");
   if (!header)
-    throw NoInputError(
-        phrase("It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it",
-               inQuotes(stemOf(file.file) + ".hdr")),
-        file.name(), "put both files into one folder");
+    throw NoInputError(phrase("It holds only the voxels of a NIfTI image in two files; the file with the "
+                              "header, %1, is not beside it",
+                              inQuotes(stemOf(file.file) + ".hdr")),
+                       file.name(), "put both files into one folder");
   file.bytes = readWholeFile(*header).bytes;
 }
 
@@ -306,10 +306,10 @@ void replaceByHeader(FileBytes& file) {
 StoredValues inOtherHalf(const FileBytes& file) {
   const auto voxels = otherHalf(file.file, ".img");
   if (!voxels)
-    throw NoInputError(
-        phrase("It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it",
-               inQuotes(stemOf(file.file) + ".img")),
-        file.name(), "put both files into one folder");
+    throw NoInputError(phrase("It holds only the header of a NIfTI image in two files; the file with the "
+                              "voxels, %1, is not beside it",
+                              inQuotes(stemOf(file.file) + ".img")),
+                       file.name(), "put both files into one folder");
   StoredValues stored{.beside = voxels->filename().string(), .pattern = false};
   stored.packing = extensionOf(*voxels) == ".img.gz" ? Packing::zlib : Packing::none;
   return stored;

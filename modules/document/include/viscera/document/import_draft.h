@@ -58,11 +58,11 @@ ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& orga
 /// A finding that several organs share, so that it can be shown and repaired once for all.
 struct SharedFinding {
   medical_io::FindingSubject subject = medical_io::FindingSubject::size;
-  medical_io::Light light = medical_io::Light::doubt; ///< The worst.
-  std::vector<std::size_t> organs;                    ///< In which it was found.
-  std::vector<std::string> repairs;                   ///< Those that help every one of them, best first.
-  std::vector<std::size_t> mends;                     ///< The organs that a repair is for.
-  bool ofThePatient = false; ///< It is one thing about the patient, and said of no organ alone.
+  medical_io::FindingSeverity severity = medical_io::FindingSeverity::doubt; ///< The worst.
+  std::vector<std::size_t> organs;                                           ///< In which it was found.
+  std::vector<std::string> repairs; ///< Those that help every one of them, best first.
+  std::vector<std::size_t> mends;   ///< The organs that a repair is for.
+  bool ofThePatient = false;        ///< It is one thing about the patient, and said of no organ alone.
 };
 
 /// What a user should look at in two or more of the organs that are taken along, the gravest and the most

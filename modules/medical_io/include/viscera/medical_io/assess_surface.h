@@ -13,14 +13,14 @@
 namespace viscera::medical_io {
 
 /// The severity of a finding: as it should be; worth knowing; to be looked at; will go wrong.
-enum class Light { good, note, doubt, fault };
+enum class FindingSeverity { good, note, doubt, fault };
 
 /// The subject of a finding, such as axes, size or holes. `arrangement` is how organs lie to each other.
 enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement };
 
 /// A finding about a surface that is to become an organ: something doubtful or wrong, with possible repairs.
 struct Finding {
-  Light light = Light::good;
+  FindingSeverity severity = FindingSeverity::good;
   std::string text;                 ///< A sentence without capital and full stop, for a user.
   std::vector<std::string> repairs; ///< Ids of `surfaceRepairs` that would help, best first.
   FindingSubject subject = FindingSubject::arrangement;
@@ -44,9 +44,9 @@ struct SurfaceAssessment {
   std::vector<Finding>
       findings; ///< One for each of axes, size, holes, manifold, facing, pieces, intersections.
 
-  Light worst() const;
+  FindingSeverity worst() const;
   /// Something that a user should look at before the surface is accepted.
-  bool questionable() const { return worst() >= Light::doubt; }
+  bool questionable() const { return worst() >= FindingSeverity::doubt; }
 };
 
 /// Checks a surface for everything that goes wrong with patients' surfaces: axes and the side of the body,

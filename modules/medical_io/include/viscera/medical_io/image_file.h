@@ -19,7 +19,7 @@ void writeScan(const std::filesystem::path& file, const Scan& scan);
 
 /// Writes a label map in the same way, with the labels that its file had; NRRD (.seg.nrrd, .nrrd) with names
 /// and colours as 3D Slicer keeps them, and all layers; NIfTI has one layer: of several the first with a
-/// label counts. Throws as `writeScan`.
+/// label counts. Throws as `writeScan`, and `DataError` for two segments of one label in NIfTI.
 void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
 
 /// What the voxels of an image file stand for.

@@ -10,6 +10,6 @@ namespace viscera::geometry {
 /// would leave the surface no longer closed or manifold, or fold it; so tunnels and pieces stay, and a
 /// surface with many may end with more triangles. `mesh` has to be closed and manifold. Without colours.
 /// Deterministic. O(m log m), about 3 s for a million triangles.
-TriangleMesh thinClosedSurface(const TriangleMesh& mesh, int triangles, const Progress& progress = {});
+TriangleMesh decimateClosedSurface(const TriangleMesh& mesh, int triangles, const Progress& progress = {});
 
 } // namespace viscera::geometry

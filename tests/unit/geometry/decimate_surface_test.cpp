@@ -1,4 +1,4 @@
-#include "viscera/geometry/thin_surface.h"
+#include "viscera/geometry/decimate_surface.h"
 
 #include <cmath>
 #include <numbers>
@@ -42,9 +42,9 @@ void expectSound(const TriangleMesh& mesh) {
   EXPECT_EQ(report.degenerateTriangles, 0);
 }
 
-TEST(ThinClosedSurface, KeepsASphereRound) {
+TEST(DecimateClosedSurface, KeepsASphereRound) {
   const TriangleMesh fine = tests::sphere(5, 50, {300, -200, 1000});
-  const TriangleMesh thin = thinClosedSurface(fine, 1000);
+  const TriangleMesh thin = decimateClosedSurface(fine, 1000);
   expectSound(thin);
   EXPECT_LE(thin.triangles.rows(), 1000);
   EXPECT_GE(thin.triangles.rows(), 998);
@@ -53,10 +53,10 @@ TEST(ThinClosedSurface, KeepsASphereRound) {
 }
 
 /// Flat faces cost nothing, edges and corners do.
-TEST(ThinClosedSurface, KeepsTheEdgesOfABox) {
+TEST(DecimateClosedSurface, KeepsTheEdgesOfABox) {
   const TriangleMesh fine = splitLongEdges(tests::box(30, 40, 50), 3, 100'000);
   ASSERT_GT(fine.triangles.rows(), 3000);
-  const TriangleMesh thin = thinClosedSurface(fine, 300);
+  const TriangleMesh thin = decimateClosedSurface(fine, 300);
   expectSound(thin);
   EXPECT_LE(thin.triangles.rows(), 300);
   EXPECT_NEAR(checkSurface(thin).volumeMm3, 60000, 60);
@@ -64,24 +64,24 @@ TEST(ThinClosedSurface, KeepsTheEdgesOfABox) {
   EXPECT_NEAR(box.diagonal(), Vec3(30, 40, 50).norm(), 0.1);
 }
 
-TEST(ThinClosedSurface, StopsAtATetrahedron) {
-  const TriangleMesh thin = thinClosedSurface(tests::sphere(3, 10), 0);
+TEST(DecimateClosedSurface, StopsAtATetrahedron) {
+  const TriangleMesh thin = decimateClosedSurface(tests::sphere(3, 10), 0);
   EXPECT_EQ(thin.triangles.rows(), 4);
   expectSound(thin);
 }
 
-TEST(ThinClosedSurface, KeepsTunnels) {
+TEST(DecimateClosedSurface, KeepsTunnels) {
   const TriangleMesh fine = torus(40, 12, 96);
   ASSERT_EQ(eulerCharacteristic(fine), 0);
   for (const int triangles : {4000, 400, 60, 10}) {
     SCOPED_TRACE(triangles);
-    const TriangleMesh thin = thinClosedSurface(fine, triangles);
+    const TriangleMesh thin = decimateClosedSurface(fine, triangles);
     expectSound(thin);
     EXPECT_EQ(eulerCharacteristic(thin), 0) << "the tunnel is gone";
   }
 }
 
-TEST(ThinClosedSurface, KeepsPieces) {
+TEST(DecimateClosedSurface, KeepsPieces) {
   TriangleMesh two = tests::sphere(4, 20);
   const TriangleMesh other = tests::sphere(4, 5, {40, 0, 0});
   const Eigen::Index points = two.points.rows(), triangles = two.triangles.rows();
@@ -90,14 +90,14 @@ TEST(ThinClosedSurface, KeepsPieces) {
   two.triangles.conservativeResize(triangles + other.triangles.rows(), 3);
   two.triangles.bottomRows(other.triangles.rows()) =
       other.triangles.array() + static_cast<std::int32_t>(points);
-  const TriangleMesh thin = thinClosedSurface(two, 300);
+  const TriangleMesh thin = decimateClosedSurface(two, 300);
   expectSound(thin);
   EXPECT_EQ(checkSurface(thin).components, 2);
 }
 
-TEST(ThinClosedSurface, LeavesWhatIsCoarseEnough) {
+TEST(DecimateClosedSurface, LeavesWhatIsCoarseEnough) {
   const TriangleMesh mesh = tests::sphere(2, 10);
-  const TriangleMesh same = thinClosedSurface(mesh, 128);
+  const TriangleMesh same = decimateClosedSurface(mesh, 128);
   EXPECT_EQ(same.points, mesh.points);
   EXPECT_EQ(same.triangles, mesh.triangles);
 }

@@ -1,4 +1,4 @@
-#include "viscera/geometry/thin_surface.h"
+#include "viscera/geometry/decimate_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -135,7 +135,7 @@ private:
 
 } // namespace
 
-TriangleMesh thinClosedSurface(const TriangleMesh& mesh, int triangles, const Progress& progress) {
+TriangleMesh decimateClosedSurface(const TriangleMesh& mesh, int triangles, const Progress& progress) {
   if (mesh.triangles.rows() <= triangles)
     return {mesh.points, mesh.triangles, {}};
   return Thinner(mesh).run(triangles, progress);
