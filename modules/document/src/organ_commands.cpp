@@ -82,6 +82,10 @@ DocumentState withoutStressMarksOf(DocumentState state, const std::set<OrganId>&
   return state;
 }
 
+DocumentState withoutMarksOf(DocumentState state, const std::set<OrganId>& gone) {
+  return withoutStressMarksOf(withoutMeasurementsOf(std::move(state), gone), gone);
+}
+
 /// Puts the measured points of an organ onto the surface that it has now.
 DocumentState withPointsOnSurfaceOf(DocumentState state, OrganId id) {
   const Organ& organ = *state.organ(id);
@@ -108,7 +112,7 @@ DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
       organs.push_back(organ);
   }
   state.organs = std::make_shared<const OrganList>(std::move(organs));
-  return withoutStressMarksOf(withoutMeasurementsOf(std::move(state), gone), gone);
+  return withoutMarksOf(std::move(state), gone);
 }
 
 /// The organ with the surface that its holes leave when they are filled.
@@ -154,7 +158,7 @@ Command removeAllOrgans() {
             for (const auto& organ : *state.organs)
               gone.insert(organ->id);
             state.organs = std::make_shared<const OrganList>();
-            return withoutMeasurementsOf(std::move(state), gone);
+            return withoutMarksOf(std::move(state), gone);
           }};
 }
 

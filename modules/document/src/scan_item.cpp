@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -13,6 +18,7 @@ namespace {
 
 /// Of neighbours of which one is not zero, in a scan: more differ.
 constexpr double kMostBorders = 0.6;
+constexpr std::size_t kHashedAtOnce = std::size_t{1} << 20U; ///< Bytes; the hash depends on it.
 
 /// Segmentations say what they are.
 bool isNamedAsLabels(const std::filesystem::path& file) {
@@ -33,6 +39,38 @@ bool looksLikeLabels(const std::vector<Sample>& samples) {
     }
   }
   return static_cast<double>(borders) <= kMostBorders * static_cast<double>(pairs);
+}
+
+std::string_view sampleBytes(const medical_io::Scan& scan) {
+  return std::visit(
+      [](const auto& samples) {
+        return std::string_view(reinterpret_cast<const char*>(samples.data()),
+                                samples.size() * sizeof(samples[0]));
+      },
+      scan.samples);
+}
+
+/// Of the grid, the samples and what values they stand for. O(voxels), on all threads.
+std::string hashOf(const medical_io::Scan& scan) {
+  const std::string_view bytes = sampleBytes(scan);
+  std::vector<std::uint64_t> parts((bytes.size() + kHashedAtOnce - 1) / kHashedAtOnce);
+  parallelRanges(static_cast<Eigen::Index>(parts.size()), 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part)
+      parts[part] = contentHash(bytes.substr(part * kHashedAtOnce, kHashedAtOnce));
+  });
+  std::uint64_t hash = scan.samples.index();
+  const auto add = [&hash](const void* data, std::size_t size) {
+    hash = contentHash({static_cast<const char*>(data), size}, hash);
+  };
+  add(parts.data(), parts.size() * sizeof(parts[0]));
+  add(scan.size.data(), sizeof scan.size);
+  const Eigen::Matrix4f grid = scan.indexToLps.matrix().cast<float>(); // Its last bits are another machine's.
+  add(grid.data(), 16 * sizeof(float));
+  add(&scan.slope, sizeof scan.slope);
+  add(&scan.intercept, sizeof scan.intercept);
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
 }
 
 } // namespace
@@ -62,7 +100,9 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress) {
-  return scanItem(medical_io::readScan(file, options, progress), file, options);
+  ScanItem item = scanItem(medical_io::readScan(file, options, progress), file, options);
+  item.hash = hashOf(*item.scan);
+  return item;
 }
 
 bool looksLikeLabels(const medical_io::Scan& scan) {

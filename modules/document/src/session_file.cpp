@@ -272,7 +272,8 @@ private:
       }
     });
     for (const std::string& organ : moved)
-      warn(organ, "what is measured on it is now at the nearest places of that surface");
+      warn(organ,
+           "its surface has changed: measured points were moved to the nearest places on the new surface");
   }
 
   /// The organ with its surface; nothing, and a warning, when there is none.

@@ -39,12 +39,14 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
     json["phase"] = item.phase;
   if (inside || item.file.empty() || !fs::exists(item.file, error))
     json["image"] = storedScan(*item.scan);
+  else if (!item.hash.empty())
+    json["hash"] = item.hash;
   return json;
 }
 
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                      OpenedSession& opened, Progress& progress) {
-  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "image"}, "scan");
+  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "hash", "image"}, "scan");
   const std::string name = reader.textOf(item, "name", "scan");
   const bool inside = item.contains("image");
   const auto placeOf = [&](const char* key) -> fs::path {
@@ -62,6 +64,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
         ScanItem{name, std::move(scan), file.value_or(absolute), options.series, options.phase});
     return;
   }
+  const std::string hash = reader.optionalText(item, "hash", "scan");
   const auto missing = [&](const std::string& problem) {
     opened.contents.missingScan = item.dump();
     opened.warnings.push_back(phrase("%1: %2", name, problem));
@@ -73,6 +76,9 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   try {
     ScanItem scan = openScanFile(*file, options, progress);
     scan.name = name;
+    if (!hash.empty() && hash != scan.hash)
+      opened.warnings.push_back(
+          phrase("%1: %2", name, phrase("%1 has changed since the session was saved", file->string())));
     opened.contents.state.scan = std::make_shared<const ScanItem>(std::move(scan));
   } catch (const Cancelled&) {
     throw;

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <limits>
+#include <new>
 
 #include <QByteArray>
 #include <zlib.h>
@@ -28,8 +29,9 @@ std::string packed(std::string_view bytes, const char* what) {
                             "save it as a file of its own first");
   uLongf size = compressBound(bytes.size());
   QByteArray compressed(static_cast<int>(size), Qt::Uninitialized);
-  compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-            bytes.size(), kEffort);
+  if (compress2(reinterpret_cast<Bytef*>(compressed.data()), &size,
+                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), kEffort) != Z_OK)
+    throw std::bad_alloc();
   compressed.resize(static_cast<int>(size));
   return compressed.toBase64().toStdString();
 }
@@ -56,6 +58,8 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
   const int outcome = uncompress(static_cast<Bytef*>(reserve()), &size,
                                  reinterpret_cast<const Bytef*>(compressed.constData()),
                                  static_cast<uLong>(compressed.size()));
+  if (outcome == Z_MEM_ERROR)
+    throw std::bad_alloc();
   if (outcome != Z_OK || size != static_cast<uLongf>(bytes))
     reader.fail(phrase("It is damaged: it does not hold %1", holds), where);
 }

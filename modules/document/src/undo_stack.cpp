@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "viscera/document/validate.h"
 
@@ -37,7 +39,16 @@ std::size_t bytesOf(const geometry::TriangleMesh& mesh) {
   return bytesOf(mesh.points) + bytesOf(mesh.triangles) + bytesOf(mesh.colors);
 }
 
-/// Roughly what `after` holds in memory that `before` does not.
+std::size_t bytesOf(const medical_io::Scan& scan) {
+  return std::visit(
+      [](const auto& samples) {
+        return samples.size() * sizeof(typename std::decay_t<decltype(samples)>::value_type);
+      },
+      scan.samples);
+}
+
+/// Roughly what `after` holds in memory that `before` does not; of scans, which may be larger than all the
+/// rest, what `before` held, as the present one would be in memory without a step, too.
 std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   std::size_t bytes = sizeof(DocumentState);
   if (after.organs != before.organs) {
@@ -65,6 +76,8 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
              after.stressMarks->lines.size() * sizeof(StressLine);
   if (after.circulation != before.circulation)
     bytes += sizeof(CirculationChoice);
+  if (before.scan && !(after.scan && after.scan->scan == before.scan->scan))
+    bytes += bytesOf(*before.scan->scan);
   return bytes;
 }
 

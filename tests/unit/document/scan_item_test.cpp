@@ -202,6 +202,25 @@ TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front(), HasSubstr("cannot be opened"));
 }
 
+TEST(ScanItem, WhoseFileHasChangedIsTakenAndNamed) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", scanFile());
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(openScanFile(ct, {}, progress));
+  tests::write(folder / "s.viscera", contents);
+  EXPECT_TRUE(tests::readBack(folder / "s.viscera").warnings.empty());
+  std::string other = scanFile();
+  other[other.size() - 3] ^= 1; // Of a voxel.
+  folder.put("ct.nii", other);
+  OpenedSession opened = tests::readBack(folder / "s.viscera");
+  ASSERT_EQ(opened.warnings.size(), 1u);
+  EXPECT_THAT(opened.warnings.front(), HasSubstr("ct.nii has changed since the session was saved"));
+  ASSERT_TRUE(opened.contents.state.scan);
+  tests::write(folder / "s.viscera", opened.contents);
+  EXPECT_TRUE(tests::readBack(folder / "s.viscera").warnings.empty()) << "the new one is meant now";
+}
+
 TEST(ScanItem, ThatIsDamagedAndCannotBeALabelMapIsRefusedWithTheReason) {
   TemporaryFolder folder;
   const auto damaged = folder.put("slice.dcm", std::string(128, '\0') + "DICM" + std::string(60, 'x'));

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "session_scene.h"
+#include "starved_zlib.h"
 #include "viscera/core/error.h"
 
 namespace viscera::document {
@@ -311,6 +312,19 @@ std::string saidByAUser(const std::function<std::string()>& work) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? said : "the program failed";
+}
+
+TEST(SessionFile, ThatZlibCannotPackLeavesTheOldOne) {
+  TemporaryFolder folder;
+  SessionContents contents = fullContents(folder);
+  contents.embedSurfaces = true;
+  write(folder / "a.viscera", contents);
+  const std::string before = contentsOf(folder / "a.viscera");
+  {
+    const tests::StarvedZlib starved;
+    EXPECT_THROW(write(folder / "a.viscera", contents), std::bad_alloc);
+  }
+  EXPECT_TRUE(contentsOf(folder / "a.viscera") == before);
 }
 
 TEST(SessionFile, InAFolderThatMayNotBeWrittenToSaysSoAndLeavesTheOldOne) {

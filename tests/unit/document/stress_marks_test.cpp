@@ -118,6 +118,10 @@ TEST_F(StressMarksTest, GoWithTheirOrganAndComeBackWithIt) {
   session_.undo.undo();
   EXPECT_EQ(marks().probes.size(), 3U);
   EXPECT_EQ(marks().lines.size(), 1U);
+  session_.undo.perform(removeAllOrgans());
+  EXPECT_TRUE(marks().empty());
+  session_.undo.undo();
+  EXPECT_EQ(marks().probes.size(), 3U);
 }
 
 } // namespace

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "phantom_scan.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
+#include "viscera/document/scan_item.h"
 
 namespace viscera::document {
 namespace {
@@ -311,6 +313,25 @@ TEST(UndoStack, ForgetsTheOldestStepsBeyondItsMemoryAndKeepsTheLast) {
   EXPECT_EQ(undo.names(), std::vector<std::string>{"Add Large"});
   undo.undo();
   EXPECT_EQ(document.organs().size(), 40 - steps);
+}
+
+TEST(UndoStack, CountsTheVoxelsOfScansThatItAloneKeeps) {
+  const auto scan = [](const Vec3& place) {
+    return scanItem(tests::phantomScan({32, 32, 32}, Vec3::Ones(), place, tests::slope), {}); // 66 kB.
+  };
+  Document document;
+  UndoStack undo(document, 220000);
+  for (int i = 0; i < 20; ++i)
+    undo.perform(openScan(scan({double(i), 0, 0})));
+  EXPECT_EQ(undo.names().size(), 3u);
+  Document other;
+  UndoStack small(other, 50000);
+  small.perform(addHandles(tests::cubeHandles()));
+  small.perform(openScan(scan(Vec3::Zero())));
+  small.perform(addHandles({{Vec3(-35, 1, 2)}}));
+  EXPECT_EQ(small.names().size(), 3u) << "the scan is the document's";
+  small.perform(closeScan());
+  EXPECT_EQ(small.names().size(), 1u);
 }
 
 TEST(UndoStack, AnOrganThatStaysCostsAStepNextToNothing) {

@@ -20,6 +20,7 @@ struct ScanItem {
   std::filesystem::path file; ///< Where it was read from: a file, or a folder of DICOM files; empty: nowhere.
   std::string series;         ///< Which of several there, as `medical_io::ScanOptions`.
   int phase = 0;              ///< Which of several in time.
+  std::string hash = {};      ///< Of grid and samples as `file` had them; empty: not known.
 };
 
 /// Whether two scans have the same contents to the last bit, wherever they are stored; nothing is equal to
@@ -30,7 +31,7 @@ bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<c
 ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
                   const medical_io::ScanOptions& options = {});
 
-/// Reads a scan for a document. Touches none; throws what `medical_io::readScan` throws.
+/// Reads a scan for a document, with its hash. Touches none; throws what `medical_io::readScan` throws.
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress);
 

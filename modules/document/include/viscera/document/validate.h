@@ -6,7 +6,8 @@
 
 namespace viscera::document {
 
-/// How far from the origin a place may be along an axis, mm: volumes of such places are numbers.
+/// The largest absolute coordinate that a document accepts, mm; volumes computed from such places stay
+/// finite.
 inline constexpr double kFarthestMm = 1e9;
 /// No id is larger: JSON's numbers are whole up to twice as much.
 inline constexpr std::int64_t kLargestId = std::int64_t{1} << 52;
