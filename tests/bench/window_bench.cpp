@@ -215,6 +215,38 @@ void playTheHeart(benchmark::State& state) {
 }
 BENCHMARK(playTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(120);
 
+/// Another rate, until the stress over the whole cycle is there: the heart stands still (0), or beats in the
+/// meantime (1).
+void stressOverACycle(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  app::Playback& playback = bench.window().playback();
+  playback.pause();
+  bench.key(Qt::Key_4);
+  const live::LiveStress& stress = bench.window().workspace().stress();
+  const auto found = [&] { return stress.cycle() != nullptr; };
+  bench.waitUntil(found);
+  bench.settle();
+  if (state.range(0) != 0)
+    playback.play();
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    playback.setRate(playback.player().ratePerMinute() > 70 ? 60 : 75);
+    bench.waitUntil([&] { return !found(); });
+    while (!found() && secondsSince(start) < 20) {
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+      if (!playback.player().playing())
+        continue;
+      bench.now_ += 1.0 / 30;
+      bench.untilDrawn([&] { playback.advance(); });
+    }
+    state.SetIterationTime(secondsSince(start));
+  }
+  state.counters["points"] = double(stress.mesh()->points.rows());
+  state.counters["handles"] = double(stress.gradients()->handles());
+}
+BENCHMARK(stressOverACycle)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(5);
+
 /// A control of the circulation is moved, until the heart and the curves that follow it are drawn.
 void moveAControl(benchmark::State& state) {
   BenchedWindow bench;

@@ -25,7 +25,7 @@ protected:
     window().playback().setSequence(sequence, document().organs().front()->id);
   }
   app::StressChart& chart() { return *window().findChild<app::StressChart*>(); }
-  bool drawn(const std::shared_ptr<const live::StressPeak>& than) {
+  bool drawn(const std::shared_ptr<const live::CycleStress>& than) {
     return waitUntil([&] {
       return model().cycle() && model().cycle() != than && chart().drawnCycle() == model().cycle();
     });
@@ -35,10 +35,10 @@ protected:
     const auto cycle = model().cycle();
     ASSERT_TRUE(cycle);
     EXPECT_EQ(cycle->periodSeconds, window().playback().player().periodSeconds());
-    for (const std::size_t instant : {std::size_t{5}, cycle->cycle.size() / 3, cycle->cycle.size() - 1}) {
-      window().playback().seek(cycle->cycle[instant].seconds / cycle->periodSeconds);
-      EXPECT_NEAR(model().live().statistics().max, cycle->cycle[instant].statistics.max, 1e-9) << instant;
-      EXPECT_NEAR(model().live().statistics().mean, cycle->cycle[instant].statistics.mean, 1e-9) << instant;
+    for (const std::size_t instant : {std::size_t{5}, cycle->samples.size() / 3, cycle->samples.size() - 1}) {
+      window().playback().seek(cycle->samples[instant].seconds / cycle->periodSeconds);
+      EXPECT_NEAR(model().live().statistics().max, cycle->samples[instant].statistics.max, 1e-9) << instant;
+      EXPECT_NEAR(model().live().statistics().mean, cycle->samples[instant].statistics.mean, 1e-9) << instant;
     }
   }
 };
@@ -48,7 +48,7 @@ TEST_F(StressOverACycle, IsDrawnWholeBeforeAFrameWasPlayed) {
   enter();
   window().playback().seek(0);
   ASSERT_TRUE(drawn(nullptr));
-  EXPECT_GE(model().cycle()->cycle.size(), 60u);
+  EXPECT_GE(model().cycle()->samples.size(), 60u);
   EXPECT_GT(model().peakInstant()->statistics.max, 0.01);
   EXPECT_FALSE(model().peakShown()) << "the map of the instant stays";
   EXPECT_TRUE(window().actions()["stress.exportCurve"]->isEnabled());
@@ -74,7 +74,7 @@ TEST_F(StressOverACycle, IsOfTheRateAndTheSequenceThatAreThere) {
   window().playback().seek(0);
   ASSERT_TRUE(drawn(second));
   EXPECT_LT(model().peakInstant()->statistics.max,
-            first->cycle[model().cycle()->cycle.size() / 4].statistics.max);
+            first->samples[model().cycle()->samples.size() / 4].statistics.max);
   expectTheCurveIsWhatIsShown();
   window().playback().forgetAll();
   ASSERT_TRUE(waitUntil([this] { return !model().cycle(); }));
@@ -90,9 +90,10 @@ TEST_F(StressOverACycle, KeepsALockedVolumeAsThePlayingOrganDoes) {
   const auto free = model().cycle();
   window().workspace().perform(document::setVolumeLocked(document().organs().front()->id, true));
   ASSERT_TRUE(drawn(free));
-  const std::size_t quarter = free->cycle.size() / 4;
-  EXPECT_GT(std::abs(model().cycle()->cycle[quarter].statistics.mean - free->cycle[quarter].statistics.mean),
-            1e-6)
+  const std::size_t quarter = free->samples.size() / 4;
+  EXPECT_GT(
+      std::abs(model().cycle()->samples[quarter].statistics.mean - free->samples[quarter].statistics.mean),
+      1e-6)
       << "the lock moves handles";
   expectTheCurveIsWhatIsShown();
 }
@@ -119,7 +120,7 @@ TEST_F(StressOverACycle, MovesTheMapWhileItPlaysAndHasAPeak) {
   // The peak's instant is that of the largest value of the cycle.
   EXPECT_TRUE(find<QLabel>("stressPeakTime")->isVisible());
   const double largest = model().peakInstant()->statistics.max;
-  for (const live::StressSample& sample : model().live().peak()->cycle)
+  for (const live::StressSample& sample : model().cycle()->samples)
     EXPECT_LE(sample.statistics.max, largest);
   window().actions()["stress.peakTime"]->trigger();
   settle();

@@ -38,7 +38,8 @@ void ComparedStress::follow() {
     second_.workspace.stress().follow(organ);
   });
   // The worst of the second view's own cycle, where the first one shows that of its own.
-  cycle_.setWanted(state.shown.stress && state.stress.peak);
+  cycle_.setWanted(state.shown.stress && state.stress.peak ? std::optional(live::CycleParts::curveAndPeak)
+                                                           : std::nullopt);
   shareRange();
 }
 

@@ -12,9 +12,9 @@
 
 namespace viscera::app {
 
-/// The stress map of the second view of a comparison: it is there while the first view has one, of the organ
-/// that is compared, with the same look. While the look wants it both have one range of colours, which the
-/// first view's legend says.
+/// Shows the stress map of the compared organ in the second view while the first view shows one, with the
+/// same look. When the look asks for it, both maps share one range of colours, and the first view's legend
+/// says so.
 class ComparedStress final : public QObject {
   Q_OBJECT
 

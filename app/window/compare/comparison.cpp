@@ -104,10 +104,6 @@ void Comparison::begin() {
     if (same_)
       mirror();
   }));
-  connect(&first_.playback, &Playback::stateChanged, secondHeader_, [this] {
-    if (same_)
-      syncMotion();
-  });
   first_.volumes.setSecond(&second.workspace, &second.playback);
   // Half as wide now, the view would cut the organ off; it knows its new size only later.
   QTimer::singleShot(0, this, [this] {
@@ -236,7 +232,7 @@ void Comparison::showKeptPose() {
   const Points& pose = first_.workspace.live().shownPose();
   if (pose.rows() == state.pose->rows())
     state.pose = std::make_shared<const Points>(pose);
-  second_->playback.setSequence(nullptr, {});
+  second_->playback.forgetAll();
   second_->workspace.undo().reset(state);
   second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
   syncHeaders();
@@ -260,7 +256,7 @@ void Comparison::showFiles(const QStringList& files) {
   dropSystem();
   if (same_) { // These organs go; they are not compared with what is opened.
     same_ = false;
-    second_->playback.setSequence(nullptr, {});
+    second_->playback.forgetAll();
     second_->workspace.undo().reset({});
   }
   second_->files.open(files);

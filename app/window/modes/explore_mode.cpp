@@ -54,7 +54,7 @@ ExploreMode::ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& ac
   actions.enableWhile({"measure.removeAll"},
                       [this] { return !workspace_.document().measurements().empty(); });
   parts.view.addToggle(actions, "view.measurements",
-                       {tr("&Measurements"), "distance", {}, tr("Show what is measured")},
+                       {tr("&Measurements"), "distance", {}, tr("Show the measurements")},
                        &presentation::ViewState::measurements);
   addQuiz(actions);
 }

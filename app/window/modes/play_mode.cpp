@@ -344,7 +344,11 @@ bool PlayMode::record(const MoviePlan& plan) {
   std::vector<MovieStage::Source> sources = {{parts_.workspace, parts_.playback, parts_.picture}};
   if (comparison_->on())
     sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture()});
-  return recorder_->start(plan, sources);
+  const bool begun = recorder_->start(plan, sources);
+  if (begun && std::any_of(sources.begin(), sources.end(),
+                           [](const auto& source) { return source.picture.hasMoreThanMovies(); }))
+    parts_.workspace.note(tr("The movie leaves out distances, surfaces of others and bent slices."));
+  return begun;
 }
 
 void PlayMode::sayRecorded(bool complete, const MoviePlan& plan) {

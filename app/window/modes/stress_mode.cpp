@@ -18,9 +18,8 @@ constexpr const char* kActionIds[] = {
 
 StressMode::StressMode(const ModeParts& parts, Actions& actions)
     : Mode(parts, {"stress", "stress", 4, tr("Stress"),
-                   tr("Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts "
-                      "the organ "
-                      "open; drag a handle, the map follows")}),
+                   tr("How much the pose distorts the tissue (rotational stress): click the organ to read "
+                      "the values of a point; C cuts it open; the map follows while you drag a handle")}),
       actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
       exports_(new StressExport(workspace_, parts.playback, model_, parts.settings, &parts.area)) {

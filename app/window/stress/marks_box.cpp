@@ -73,7 +73,8 @@ void MarksBox::makeList() {
   list_->setColumnCount(kMarkColumns);
   list_->setHeaderLabels({tr("No."), tr("Place (mm)"), tr("Value"), tr("Organ")});
   list_->headerItem()->setToolTip(
-      kMarkPlace, tr("In the pose, in the patient's axes; left, posterior and superior count up"));
+      kMarkPlace,
+      tr("Place in the pose, in the patient's axes: positive towards the left, the back and the head"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);

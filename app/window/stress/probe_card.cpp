@@ -26,7 +26,7 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
   grid->addWidget(close, 0, 1, Qt::AlignRight);
   position_->setObjectName(QStringLiteral("probePosition"));
   position_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  position_->setToolTip(tr("In the patient's axes, mm; left, posterior and superior count up"));
+  position_->setToolTip(tr("In the patient's axes, mm: positive towards the left, the back and the head"));
   grid->addWidget(position_, 1, 0, 1, 2);
   int row = 2;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {

@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -22,19 +23,17 @@ const Vec3 kMaxColor(0.88, 0.36, 0.32);
 } // namespace
 
 StressChart::StressChart(StressModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), chart_(std::make_unique<scene::VolumeChart>()),
+    : QWidget(parent), model_(model), chart_(std::make_unique<scene::VolumeChart>()), hint_(new QLabel(this)),
       widget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   chart_->setDecimalMark(decimalMark());
   auto* column = makeLayout<QVBoxLayout>(this, -1, {8, 4, 8, 4});
   column->addLayout(stack_);
-  auto* hint = new QLabel(
-      tr("The stress over one cycle of the sequence is drawn here as soon as it is computed."), this);
-  hint->setObjectName(QStringLiteral("muted"));
-  hint->setAlignment(Qt::AlignCenter);
-  hint->setWordWrap(true);
-  stack_->addWidget(hint);
+  hint_->setObjectName(QStringLiteral("muted"));
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  stack_->addWidget(hint_);
   stack_->addWidget(widget_);
   widget_->setMinimumSize(120, 72);
   vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -70,6 +69,11 @@ void StressChart::refresh() {
     return;
   if (std::exchange(drawn_, model_.cycle()) != model_.cycle())
     drawCycle();
+  const std::string& failure = model_.live().cycleMessage();
+  hint_->setText(
+      failure.empty()
+          ? tr("The stress over one cycle of the sequence is drawn here as soon as it is computed.")
+          : messageInWords(failure));
   stack_->setCurrentIndex(drawn_ ? 1 : 0);
   const std::optional<double> fraction = model_.shownFraction();
   if (drawn_ && fraction)
@@ -80,21 +84,17 @@ void StressChart::refresh() {
   widget_->renderWindow()->Render();
 }
 
-/// The end of the cycle is its beginning.
 void StressChart::drawCycle() {
   chart_->clear();
   if (!drawn_)
     return;
   std::vector<double> seconds, largest, percentile, mean;
-  const auto add = [&](double time, const deformation::StressStatistics& statistics) {
-    seconds.push_back(time);
-    largest.push_back(kDegrees * statistics.max);
-    percentile.push_back(kDegrees * statistics.percentile95);
-    mean.push_back(kDegrees * statistics.mean);
-  };
-  for (const live::StressSample& sample : drawn_->cycle)
-    add(sample.seconds, sample.statistics);
-  add(drawn_->periodSeconds, drawn_->cycle.front().statistics);
+  for (const live::StressSample& sample : drawn_->closed()) {
+    seconds.push_back(sample.seconds);
+    largest.push_back(kDegrees * sample.statistics.max);
+    percentile.push_back(kDegrees * sample.statistics.percentile95);
+    mean.push_back(kDegrees * sample.statistics.mean);
+  }
   chart_->setTimeRange({0, drawn_->periodSeconds});
   chart_->setCurve(0, seconds, std::move(largest));
   chart_->setCurve(1, seconds, std::move(percentile));

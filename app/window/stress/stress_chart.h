@@ -9,6 +9,7 @@
 #include "window/stress/stress_model.h"
 #include "window/style/theme.h"
 
+class QLabel;
 class QStackedLayout;
 
 namespace viscera::app {
@@ -24,7 +25,7 @@ public:
 
   void setTheme(const Theme& theme);
   /// What is drawn; null: a hint.
-  const std::shared_ptr<const live::StressPeak>& drawnCycle() const { return drawn_; }
+  const std::shared_ptr<const live::CycleStress>& drawnCycle() const { return drawn_; }
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -35,9 +36,10 @@ private:
 
   StressModel& model_;
   std::unique_ptr<scene::VolumeChart> chart_;
+  QLabel* hint_; ///< Why there is no chart yet.
   QVTKOpenGLNativeWidget* widget_;
-  QStackedLayout* stack_; ///< A hint, or the chart.
-  std::shared_ptr<const live::StressPeak> drawn_;
+  QStackedLayout* stack_; ///< The hint, or the chart.
+  std::shared_ptr<const live::CycleStress> drawn_;
 };
 
 } // namespace viscera::app

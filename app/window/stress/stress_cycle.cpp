@@ -24,7 +24,7 @@ StressCycle::StressCycle(Workspace& workspace, Playback& playback, QObject* pare
   }));
 }
 
-void StressCycle::setWanted(bool wanted) {
+void StressCycle::setWanted(std::optional<live::CycleParts> wanted) {
   if (std::exchange(wanted_, wanted) != wanted)
     soon_.start();
 }
@@ -40,27 +40,36 @@ std::optional<StressCycle::Cause> StressCycle::presentCause() const {
 }
 
 void StressCycle::retry() {
-  if (!workspace_.stress().peak())
-    cause_.reset();
+  forgetIfLost();
   soon_.start();
+}
+
+/// After a search that was cancelled or failed.
+void StressCycle::forgetIfLost() {
+  const live::LiveStress& stress = workspace_.stress();
+  const bool lacksPeak = parts_ == live::CycleParts::curveAndPeak && stress.cycle() && !stress.cycle()->peak;
+  if ((!stress.cycle() || lacksPeak) && !stress.findingCycle())
+    cause_.reset();
 }
 
 void StressCycle::bringUpToDate() {
   if (!wanted_) { // Who comes back to the same organ and sequence finds what was there.
-    if (!workspace_.stress().peak())
-      cause_.reset();
+    forgetIfLost();
     return;
   }
   std::optional<Cause> cause = presentCause();
   if (cause_ != cause && cause_) {
     cause_.reset();
-    workspace_.stress().dropPeak();
+    workspace_.stress().dropCycle();
   }
-  if (!cause || cause_)
+  const bool known = cause_ && (parts_ == *wanted_ || parts_ == live::CycleParts::curveAndPeak);
+  if (!cause || known)
     return;
   cause_ = std::move(cause);
+  parts_ = *wanted_;
   workspace_.guarded([&] {
-    workspace_.stress().findPeak(motion::posedCycle(playback_.player().runner(), workspace_.live().copy()));
+    workspace_.stress().findCycle(motion::posedCycle(playback_.player().runner(), workspace_.live().copy()),
+                                  parts_);
   });
 }
 

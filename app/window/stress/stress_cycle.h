@@ -12,9 +12,9 @@
 
 namespace viscera::app {
 
-/// Has the stress of one view's organ found ahead over the whole cycle of its sequence, on a worker: its
-/// curves and its peak are there before a frame was played, and always of the sequence, rate, locks, handles
-/// and witness points that there are. What it finds is `live::LiveStress::peak`.
+/// Computes the stress of one view's organ over the whole cycle of its sequence, on a worker, before the
+/// cycle is played, and again when the sequence, rate, locks, handles or witness points change. The result
+/// is `live::LiveStress::cycle`.
 class StressCycle final : public QObject {
   Q_OBJECT
 
@@ -22,9 +22,9 @@ public:
   /// Both have to live longer.
   StressCycle(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// Whether somebody looks at the stress.
-  void setWanted(bool wanted);
-  /// Looks again where somebody cancelled it.
+  /// What is looked at; none: nothing. The peak takes several times as long as the curves.
+  void setWanted(std::optional<live::CycleParts> wanted);
+  /// Looks again where somebody cancelled it, or where it failed.
   void retry();
 
 private:
@@ -36,13 +36,15 @@ private:
   };
 
   void bringUpToDate();
+  void forgetIfLost();
   std::optional<Cause> presentCause() const;
 
   Workspace& workspace_;
   Playback& playback_;
-  bool wanted_ = false;
-  std::optional<Cause> cause_; ///< Of what was found or is being looked for.
-  QTimer soon_;                ///< After everybody has heard of a change.
+  std::optional<live::CycleParts> wanted_;
+  std::optional<Cause> cause_;                       ///< Of what was found or is being looked for,
+  live::CycleParts parts_ = live::CycleParts::curve; ///< which is this.
+  QTimer soon_;                                      ///< After everybody has heard of a change.
   std::vector<Subscription> subscriptions_;
 };
 

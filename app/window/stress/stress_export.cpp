@@ -70,7 +70,7 @@ void StressExport::choose(const QString& title, const QString& name, const QStri
 
 void StressExport::write(const QString& what, const QString& file, std::function<void(Progress&)> work) {
   workspace_.inBackground<bool>(
-      tr("Exporting %1").arg(what), "export",
+      tr("Exporting %1").arg(what), Workspace::slotOf(file),
       [work = std::move(work)](Progress& progress) {
         work(progress);
         return true;
@@ -105,7 +105,7 @@ void StressExport::exportHistogram(const QString& file) {
 
 void StressExport::exportCurve(const QString& file) {
   write(tr("the curve"), file, [cycle = model_.cycle(), path = file.toStdString()](Progress&) {
-    live::writeStressCurve(path, cycle->cycle);
+    live::writeStressCurve(path, cycle->samples);
   });
 }
 

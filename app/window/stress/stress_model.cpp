@@ -14,15 +14,6 @@ constexpr int kStressUpdateMilliseconds = 100;
 constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
 
-/// What of a look is the user's own, and outlives the document.
-StressLook habit(StressLook look) {
-  look.pinned = look.threshold = look.peak = false;
-  look.range = {0, 0};
-  look.probe = -1;
-  look.glyphs = GlyphChoice::none; // They stand in the place of the tissue: nobody begins with them.
-  return look;
-}
-
 } // namespace
 
 StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
@@ -62,8 +53,10 @@ void StressModel::follow() {
 
 /// The view's state is another one: tells what of it concerns the stress.
 void StressModel::onView() {
+  cycle_.setWanted(!active()     ? std::nullopt
+                   : look().peak ? std::optional(live::CycleParts::curveAndPeak)
+                                 : live::CycleParts::curve);
   if (const bool now = active(); std::exchange(knownActive_, now) != now) {
-    cycle_.setWanted(now);
     follow();
     Q_EMIT activeChanged();
     Q_EMIT updated();
@@ -72,7 +65,7 @@ void StressModel::onView() {
   if (known_ == before)
     return;
   workspace_.guarded([&] { live_.setWanted(known_.witnesses); });
-  settings_.setValue(kSetting, QString::fromStdString(presentation::toJson(habit(known_))));
+  settings_.setValue(kSetting, QString::fromStdString(presentation::toJson(presentation::habitOf(known_))));
   if (known_.probe != before.probe)
     Q_EMIT probeChanged();
   if (known_.peak != before.peak)
@@ -102,9 +95,9 @@ void StressModel::onStress(const live::StressEvent& event) {
     setProbe(-1);
     Q_EMIT sampled();
   }
-  if (event.status || event.peak)
+  if (event.status || event.cycle)
     Q_EMIT statusChanged();
-  if ((event.moved || event.peak || event.sampled) && !throttle_.isActive())
+  if ((event.moved || event.cycle || event.sampled) && !throttle_.isActive())
     throttle_.start();
 }
 
@@ -125,7 +118,7 @@ std::optional<double> StressModel::shownFraction() const {
 
 void StressModel::setPeakShown(bool shown) {
   if (shown)
-    cycle_.retry();
+    cycle_.retry(); // After a search that was cancelled.
   view_.change([&](presentation::ViewState& state) {
     if (state.stress.peak != shown && !state.stress.pinned)
       state.stress.range = {0, 0};
@@ -134,21 +127,14 @@ void StressModel::setPeakShown(bool shown) {
 }
 
 const live::StressSample* StressModel::peakInstant() const {
-  if (!live_.peak())
-    return nullptr;
-  const std::vector<live::StressSample>& cycle = live_.peak()->cycle;
-  const auto worst = std::max_element(cycle.begin(), cycle.end(), [](const auto& a, const auto& b) {
-    return a.statistics.max < b.statistics.max;
-  });
-  return worst == cycle.end() ? nullptr : &*worst;
+  return cycle() ? cycle()->worst() : nullptr;
 }
 
 void StressModel::goToPeak() {
   const live::StressSample* instant = peakInstant();
   if (!instant || !playback_.sequence())
     return;
-  const auto& cycle = live_.peak()->cycle;
-  const double fraction = static_cast<double>(instant - cycle.data()) / static_cast<double>(cycle.size());
+  const double fraction = instant->seconds / cycle()->periodSeconds;
   setPeakShown(false);
   playback_.seek(fraction);
 }

@@ -53,17 +53,17 @@ public:
 
   /// The peak over a cycle instead of the map of this instant; as soon as it is found.
   void setPeakShown(bool shown);
-  bool peakShown() const { return look().peak && live_.peak(); }
-  /// When the largest rotational stress of the cycle is reached; none without a peak.
+  bool peakShown() const { return look().peak && cycle() && cycle()->peak; }
+  /// When the largest rotational stress of the cycle is reached; null without a cycle.
   const live::StressSample* peakInstant() const;
   /// Shows the sequence at that instant instead of the peak over it.
   void goToPeak();
   /// The map that is shown.
-  const deformation::StressMap& shownMap() const { return peakShown() ? live_.peak()->map : live_.map(); }
+  const deformation::StressMap& shownMap() const { return peakShown() ? *cycle()->peak : live_.map(); }
 
-  /// The stress of the witnesses over one cycle of the sequence that is there, and the peak; null while it
-  /// is being found, and without a sequence.
-  std::shared_ptr<const live::StressPeak> cycle() const { return live_.peak(); }
+  /// The stress over one cycle of the present sequence, with the peak only where that is wanted; null while
+  /// it is being computed, and without a sequence.
+  std::shared_ptr<const live::CycleStress> cycle() const { return live_.cycle(); }
 
   /// The point that is being looked at, -1: none.
   int probe() const { return look().probe; }

@@ -126,8 +126,8 @@ void StressPage::makeMap(const Actions& actions) {
   colors_->setIconSize(kMapSwatch);
   for (int i = 0; i < colors_->count(); ++i)
     colors_->setItemIcon(i, swatchOf(scene::colorMaps()[static_cast<std::size_t>(i)]));
-  colors_->setToolTip(
-      tr("The colours from the lowest value to the highest; angles and ratios have a choice each"));
+  colors_->setToolTip(tr("Colours from the lowest value to the highest; maps of angles and maps of ratios "
+                         "each keep their own choice"));
   add(makePose());
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);

@@ -57,6 +57,11 @@ void TiledWeights::multiply(const Points& pose, Points& points, Threads threads)
   });
 }
 
+void TiledWeights::multiplyTile(Eigen::Index index, const Points& pose, double* rows) const {
+  assert(pose.rows() == handles_);
+  simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
+}
+
 void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const {
   assert(points.rows() == points_ && handle >= 0 && handle < handles_);
   parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {

@@ -81,8 +81,7 @@ std::string said(const std::string& messages) {
 }
 
 [[noreturn]] void unusable(const std::string& why) {
-  throw TetrahedraError(Reason::unusable,
-                        phrase("what TetGen made is not a filling of this surface: %1", why));
+  throw TetrahedraError(Reason::unusable, phrase("TetGen's result does not fill this surface: %1", why));
 }
 
 /// The points and tetrahedra as they came.
@@ -166,7 +165,7 @@ coordinates::SolidMesh solidOf(const geometry::TriangleMesh& surface, const Witn
       ++found;
     }
   if (found != known)
-    unusable(phrase("%n of the given points {is|are} not in it", known - found));
+    unusable(phrase("%n {point of the surface is|points of the surface are} missing", known - found));
   solid.points.resize(mesh.points.rows(), 3);
   Eigen::Index next = known;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -248,7 +247,7 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   const double filled = tetrahedronVolumes(mesh.points, mesh.tetrahedra).sum();
   if (report.components == 1 &&
       !(std::abs(filled - std::abs(report.volumeMm3)) <= kVolumeTolerance * std::abs(report.volumeMm3)))
-    unusable("its volume is another one");
+    unusable("its volume differs from that of the surface");
   if (mesh.witnesses > 0) // None is right for a coarse surface; whoever asked decides.
     requireUsable(mesh, "TetGen's tetrahedra");
   return mesh;

@@ -41,7 +41,7 @@ WitnessGradients::WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
                                    std::shared_ptr<const coordinates::PoseLift> lift)
     : witnesses_(witnesses), handles_(handles), lift_(std::move(lift)),
       rows_(lift_ ? lift_->rowCount() : handles), failed_(static_cast<std::size_t>(witnesses), false),
-      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * rows_ * 3), 0.0) {}
+      data_((witnesses + kTile - 1) / kTile * kTile * 3, rows_) {}
 
 void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients,
                            Eigen::Index count) {
@@ -55,59 +55,69 @@ void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGrad
     const Eigen::Index w = begin + i;
     for (Eigen::Index row = 0; row < rows_; ++row)
       for (Eigen::Index axis = 0; axis < 3; ++axis)
-        data_[static_cast<std::size_t>(((w / kTile * rows_ + row) * 3 + axis) * kTile + w % kTile)] =
-            gradients.values(i * rows_ + row, axis);
+        data_.set(rowOf(w, axis), row, gradients.values(i * rows_ + row, axis));
   }
 }
 
 Eigen::Matrix3d WitnessGradients::deformationGradient(Eigen::Index witness, const Points& pose) const {
   if (failed_[static_cast<std::size_t>(witness)])
     return Eigen::Matrix3d::Identity();
-  const double* from = tile(witness / kTile) + witness % kTile;
   const Points rows = lifted(pose);
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  for (Eigen::Index h = 0; h < rows_; ++h, from += 3 * kTile)
-    for (int row = 0; row < 3; ++row)
-      for (int axis = 0; axis < 3; ++axis)
-        m(row, axis) += rows(h, row) * from[axis * kTile];
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (Eigen::Index row = 0; row < rows_; ++row)
+      m.col(axis) += data_(rowOf(witness, axis), row) * rows.row(row).transpose();
   return m;
 }
 
 void WitnessGradients::evaluate(const Points& pose, StressMap& map, Threads threads) const {
-  if (pose.rows() != handles_)
-    throw DataError(phrase("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
-  for (Values* values : {&map.rotationalStress, &map.volumeRatio, &map.stretchMax, &map.stretchMin})
-    values->resize(witnesses_);
-  // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.
-  Points local = lifted(pose);
-  local.topRows(handles_).rowwise() -= pose.row(0);
-  const Eigen::Index tiles = (witnesses_ + kTile - 1) / kTile;
-  parallelRanges(tiles, kTilesATime, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    for (Eigen::Index t = begin; t < end; ++t) {
-      alignas(64) double m[9][kTile] = {};
-      const double* from = tile(t);
-      for (Eigen::Index h = 0; h < rows_; ++h, from += 3 * kTile)
-        for (int row = 0; row < 3; ++row) {
-          const double v = local(h, row);
-          for (int axis = 0; axis < 3; ++axis)
-            for (Eigen::Index lane = 0; lane < kTile; ++lane)
-              m[3 * row + axis][lane] += v * from[axis * kTile + lane];
-        }
-      for (Eigen::Index lane = 0; lane < kTile && t * kTile + lane < witnesses_; ++lane) {
-        const Eigen::Index w = t * kTile + lane;
-        Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity();
-        if (!failed_[static_cast<std::size_t>(w)])
-          for (int entry = 0; entry < 9; ++entry)
-            gradient(entry / 3, entry % 3) = m[entry][lane];
-        const LocalDistortion distortion = localDistortion(gradient);
-        map.rotationalStress[w] = distortion.rotationalStress;
-        map.volumeRatio[w] = distortion.volumeRatio;
-        map.stretchMax[w] = distortion.stretchMax;
-        map.stretchMin[w] = distortion.stretchMin;
-      }
-    }
-  });
-  map.folded = static_cast<int>((map.volumeRatio.array() <= 0).count());
+  evaluate(std::span(&pose, 1), std::span(&map, 1), witnesses_, threads);
+}
+
+void WitnessGradients::evaluate(std::span<const Points> poses, std::span<StressMap> maps, Eigen::Index count,
+                                Threads threads) const {
+  assert(poses.size() == maps.size() && count >= 0 && count <= witnesses_);
+  std::vector<Points> local;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Points& pose = poses[i];
+    if (pose.rows() != handles_)
+      throw DataError(
+          phrase("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
+    for (Values* values :
+         {&maps[i].rotationalStress, &maps[i].volumeRatio, &maps[i].stretchMax, &maps[i].stretchMin})
+      values->resize(count);
+    // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.
+    local.push_back(lifted(pose));
+    local.back().topRows(handles_).rowwise() -= pose.row(0);
+  }
+  parallelRanges((count + kTile - 1) / kTile, kTilesATime, threads,
+                 [&](Eigen::Index begin, Eigen::Index end) {
+                   for (Eigen::Index tile = begin; tile < end; ++tile)
+                     for (std::size_t i = 0; i < local.size(); ++i)
+                       evaluateTile(tile, local[i], maps[i]);
+                 });
+  for (StressMap& map : maps)
+    map.folded = static_cast<int>((map.volumeRatio.array() <= 0).count());
+}
+
+/// The thesis' `M = sum_i v'_i (grad a_i)^T` for 16 witnesses: what an axis' weights make of the pose is the
+/// matrix' column of that axis.
+void WitnessGradients::evaluateTile(Eigen::Index tile, const Points& local, StressMap& map) const {
+  double columns[3][3 * kTile];
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    data_.multiplyTile(3 * tile + axis, local, columns[axis]);
+  for (Eigen::Index lane = 0; lane < kTile && tile * kTile + lane < map.rotationalStress.size(); ++lane) {
+    const Eigen::Index w = tile * kTile + lane;
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity();
+    if (!failed_[static_cast<std::size_t>(w)])
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        gradient.col(axis) = Eigen::Map<const Vec3>(columns[axis] + 3 * lane);
+    const LocalDistortion distortion = localDistortion(gradient);
+    map.rotationalStress[w] = distortion.rotationalStress;
+    map.volumeRatio[w] = distortion.volumeRatio;
+    map.stretchMax[w] = distortion.stretchMax;
+    map.stretchMin[w] = distortion.stretchMin;
+  }
 }
 
 std::shared_ptr<const WitnessGradients>

@@ -1,6 +1,7 @@
 #include "bound_organ.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -116,6 +117,8 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
     result.failure = BindingStatus{State::failed, error.what()};
     if (!usesGivenCage(target)) // Handles that are no corners of the cage would mend nothing.
       result.failure->outsideHull = countOutside(target.handles.positions, organ.mesh->points);
+  } catch (const std::bad_alloc&) {
+    result.failure = BindingStatus{State::failed, notEnoughMemory().what()};
   } catch (const std::exception& error) {
     result.failure = BindingStatus{State::failed, error.what()};
   }
@@ -225,7 +228,7 @@ Values BoundOrgan::influence(document::HandleId handle) const {
 
 const deformation::Deformer* BoundOrgan::bound() const {
   if (status.state == State::binding || status.state == State::stale)
-    throw DataError("its volume can be kept only when it is bound to the handles there are", organ->name,
+    throw DataError("its volume can be kept only after it is bound to the present handles", organ->name,
                     status.state == State::binding ? "wait a moment" : "bind it first");
   return status.state == State::bound ? deformer.get() : nullptr;
 }

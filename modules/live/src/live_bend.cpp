@@ -15,6 +15,8 @@ using deformation::InverseMap;
 
 namespace {
 
+constexpr const char* kSlot = "bend"; ///< Of the job queue.
+
 /// A map, and what binding a point for it took.
 struct BoundMap {
   std::shared_ptr<InverseMap> map = nullptr;
@@ -59,6 +61,7 @@ struct LiveBend::Impl {
   }
   void follow();
   void bind();
+  void giveUp();
   void take(const JobResult<BoundMap>& result);
 };
 
@@ -78,15 +81,23 @@ void LiveBend::Impl::follow() {
   target = now;
   if (!now.system) {
     problem = now.problem;
+    giveUp();
     return;
   }
   bind();
 }
 
+/// What is being bound has nobody who wants it any more.
+void LiveBend::Impl::giveUp() {
+  ++jobsBegun;
+  binding = false;
+  jobs.cancelSlot(kSlot);
+}
+
 void LiveBend::Impl::bind() {
   binding = true;
   jobs.submit<BoundMap>(
-      "Bending the scan", "bend",
+      "Bending the scan", kSlot,
       [to = *target, first = live.shownPose(), threads = options.threads](Progress& progress) {
         return bindMap(to, first, threads, progress);
       },
@@ -128,7 +139,7 @@ void LiveBend::setWanted(bool wanted) {
 const InverseMap* LiveBend::map() {
   Impl& p = *impl_;
   p.follow();
-  if (!p.wanted || !p.bound.map || !p.posed())
+  if (!p.wanted || !p.bound.map || !p.target || !p.target->system || !p.posed())
     return nullptr;
   const Points& shown = p.live.shownPose();
   if (p.pose.rows() != shown.rows() || p.pose != shown) {

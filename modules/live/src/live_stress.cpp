@@ -9,7 +9,6 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
-#include "viscera/live/stress_files.h"
 
 namespace viscera::live {
 namespace {
@@ -18,7 +17,7 @@ using StressState = StressStatus::State;
 
 constexpr const char* kSampleSlot = "stress/sample";
 constexpr const char* kBindSlot = "stress/bind";
-constexpr const char* kPeakSlot = "stress/peak";
+constexpr const char* kCycleSlot = "stress/cycle";
 /// What deriving is expected to cost before it was measured, s per (point x handle).
 constexpr double kExpectedStressSeconds = 150e-9;
 /// The part of a binding's progress that the derivatives take; the rest is for moving the points.
@@ -86,11 +85,13 @@ struct LiveStress::Impl {
   std::shared_ptr<deformation::StressMap> map = std::make_shared<deformation::StressMap>();
   std::uint64_t revision = 0; ///< Another number whenever points and map are others.
   deformation::StressStatistics statistics;
-  std::shared_ptr<const StressPeak> peak;
+  std::shared_ptr<const CycleStress> cycle;
+  bool findingCycle = false;
+  std::string cycleMessage;
   StressEvent pending;
   Signal<const StressEvent&> events;
   std::int64_t ticket = 0;
-  std::int64_t peakTicket = 0; ///< Another number when the peak that is looked for is no longer wanted.
+  std::int64_t cycleTicket = 0; ///< Another number when the cycle that is being computed is no longer wanted.
   std::vector<Subscription> subscriptions;
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
 
@@ -104,7 +105,8 @@ struct LiveStress::Impl {
   void takeBound(BoundWitnesses result);
   void dropMesh();
   void dropBinding();
-  void dropPeak();
+  void dropCycle();
+  void cycleArrived(JobResult<CycleStress> result);
   void evaluate();
   void tell();
   template <class Value>
@@ -158,7 +160,7 @@ void LiveStress::Impl::refresh() {
   const auto item = organ ? document.organ(organ) : nullptr;
   if (!item) {
     ++ticket; // What still runs ends unheard.
-    for (const char* slot : {kSampleSlot, kBindSlot, kPeakSlot})
+    for (const char* slot : {kSampleSlot, kBindSlot, kCycleSlot})
       jobs.cancelSlot(slot);
     if (status.state == StressState::sampling || sampleMissing)
       surface.reset();
@@ -231,7 +233,7 @@ void LiveStress::Impl::refreshBinding() {
   target = std::move(wanted);
   boundToTarget = false;
   jobs.cancelSlot(kBindSlot);
-  dropPeak();
+  dropCycle();
   if (const auto failure = statusWithoutBinding(*target)) {
     ++ticket;
     dropBinding();
@@ -278,12 +280,23 @@ void LiveStress::Impl::takeBound(BoundWitnesses result) {
   evaluate();
 }
 
-void LiveStress::Impl::dropPeak() {
-  jobs.cancelSlot(kPeakSlot);
-  ++peakTicket;
-  if (peak)
-    pending.peak = true;
-  peak.reset();
+void LiveStress::Impl::dropCycle() {
+  jobs.cancelSlot(kCycleSlot);
+  ++cycleTicket;
+  if (cycle || !cycleMessage.empty())
+    pending.cycle = true;
+  cycle.reset();
+  findingCycle = false;
+  cycleMessage.clear();
+}
+
+void LiveStress::Impl::cycleArrived(JobResult<CycleStress> result) {
+  findingCycle = false;
+  if (result.value)
+    cycle = std::make_shared<const CycleStress>(std::move(*result.value));
+  else if (result.error)
+    cycleMessage = result.error->what();
+  pending.cycle = !result.cancelled();
 }
 
 void LiveStress::Impl::dropBinding() {
@@ -295,7 +308,7 @@ void LiveStress::Impl::dropBinding() {
   ++revision;
   statistics = {};
   pending.moved = true;
-  dropPeak();
+  dropCycle();
 }
 
 void LiveStress::Impl::dropMesh() {
@@ -325,7 +338,7 @@ void LiveStress::Impl::evaluate() {
 
 void LiveStress::Impl::tell() {
   const StressEvent event = std::exchange(pending, {});
-  if (event.status || event.sampled || event.moved || event.peak)
+  if (event.status || event.sampled || event.moved || event.cycle)
     document.announce(events.emission(event));
 }
 
@@ -350,7 +363,7 @@ LiveStress::LiveStress(document::Document& document, const plugin::Registry& reg
     : LiveStress(document, registry, live, jobs, Options{}) {}
 
 LiveStress::~LiveStress() {
-  for (const char* slot : {kSampleSlot, kBindSlot, kPeakSlot})
+  for (const char* slot : {kSampleSlot, kBindSlot, kCycleSlot})
     impl_->jobs.cancelSlot(slot);
 }
 
@@ -420,39 +433,45 @@ std::shared_ptr<const deformation::WitnessGradients> LiveStress::gradients() con
   return impl_->bound.gradients;
 }
 
-void LiveStress::findPeak(PosedCycle cycle) {
+void LiveStress::findCycle(PosedCycle cycle, CycleParts parts) {
   Impl& impl = *impl_;
   if (impl.status.state != StressState::ready)
     throw UsageError("There is no stress map yet", {}, "wait until the witness points are there");
-  dropPeak();
-  const auto work = [cycle = std::move(cycle), gradients = impl.bound.gradients,
+  const auto work = [cycle = std::move(cycle), parts, gradients = impl.bound.gradients,
                      witnesses = impl.mesh->witnesses, threads = impl.options.threads](Progress& progress) {
-    return stressPeak(*gradients, witnesses, cycle, kPeakFrames, threads, progress);
+    return stressOverCycle(*gradients, witnesses, cycle, kCycleInstants, parts, threads, progress);
   };
   const auto done = [weak = std::weak_ptr<Impl*>(impl.self),
-                     mine = impl.peakTicket](JobResult<StressPeak> result) {
+                     mine = ++impl.cycleTicket](JobResult<CycleStress> result) {
     const auto alive = weak.lock();
-    if (!alive || !result.value || (*alive)->peakTicket != mine)
+    if (!alive || (*alive)->cycleTicket != mine)
       return;
-    (*alive)->peak = std::make_shared<const StressPeak>(std::move(*result.value));
-    (*alive)->pending.peak = true;
+    (*alive)->cycleArrived(std::move(result));
     (*alive)->tell();
   };
-  impl.jobs.submit<StressPeak>("Stress over the cycle", kPeakSlot, work, done);
+  impl.findingCycle = true;
+  impl.cycleMessage.clear();
+  impl.jobs.submit<CycleStress>("Stress over the cycle", kCycleSlot, work, done);
 }
 
-void LiveStress::dropPeak() {
-  impl_->dropPeak();
+void LiveStress::dropCycle() {
+  impl_->dropCycle();
   impl_->tell();
 }
 
-std::shared_ptr<const StressPeak> LiveStress::peak() const {
-  return impl_->peak;
+std::shared_ptr<const CycleStress> LiveStress::cycle() const {
+  return impl_->cycle;
+}
+bool LiveStress::findingCycle() const {
+  return impl_->findingCycle;
+}
+const std::string& LiveStress::cycleMessage() const {
+  return impl_->cycleMessage;
 }
 
 StressFrame LiveStress::frame() const {
   const Impl& impl = *impl_;
-  StressFrame frame{impl.organ, impl.mesh, impl.onSurface, nullptr, nullptr, impl.peak, {}, impl.revision};
+  StressFrame frame{impl.organ, impl.mesh, impl.onSurface, nullptr, nullptr, impl.cycle, {}, impl.revision};
   if (impl.organ && impl.points->rows() > 0) {
     frame.points = impl.points;
     frame.map = impl.map;

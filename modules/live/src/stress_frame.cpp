@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace viscera::live {
 namespace {
+
+/// Enough that the derivatives come from memory seldom, few enough that a cancelled search ends at once.
+constexpr std::size_t kPosesATime = 8;
 
 /// How far a volume ratio is from 1, as a factor; infinite for what is folded.
 double departure(double ratio) {
@@ -23,25 +27,53 @@ void takeWorse(deformation::StressMap& worst, const deformation::StressMap& map)
 
 } // namespace
 
-StressPeak stressPeak(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
-                      const PosedCycle& cycle, int frames, Threads threads, Progress& progress) {
-  StressPeak peak;
-  peak.periodSeconds = cycle.periodSeconds;
-  deformation::StressMap map;
-  for (int frame = 0; frame < frames; ++frame) {
+std::vector<StressSample> CycleStress::closed() const {
+  std::vector<StressSample> closed = samples;
+  if (!samples.empty())
+    closed.push_back({periodSeconds, samples.front().statistics});
+  return closed;
+}
+
+const StressSample* CycleStress::worst() const {
+  const auto worst = std::max_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) {
+    return a.statistics.max < b.statistics.max;
+  });
+  return worst == samples.end() ? nullptr : &*worst;
+}
+
+CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
+                            const PosedCycle& cycle, int instants, CycleParts parts, Threads threads,
+                            Progress& progress) {
+  CycleStress result;
+  result.periodSeconds = cycle.periodSeconds;
+  const bool withPeak = parts == CycleParts::curveAndPeak;
+  const Eigen::Index points = withPeak ? gradients.witnesses() : witnesses;
+  std::vector<Points> poses;
+  std::vector<deformation::StressMap> maps(kPosesATime);
+  for (int instant = 0; instant < instants; ++instant) {
     progress.throwIfCancelled();
-    const double fraction = static_cast<double>(frame) / frames;
-    progress.report(fraction, "peak stress over the sequence");
-    gradients.evaluate(cycle.poseAt(fraction), map, threads);
-    if (frame == 0)
-      peak.map = map;
-    else
-      takeWorse(peak.map, map);
-    peak.cycle.push_back({fraction * cycle.periodSeconds, deformation::statisticsOf(map, witnesses)});
+    progress.report(static_cast<double>(instant) / instants, "stress over the sequence");
+    poses.push_back(cycle.poseAt(static_cast<double>(instant) / instants));
+    if (poses.size() < kPosesATime && instant + 1 < instants)
+      continue;
+    const std::span found = std::span(maps).first(poses.size());
+    gradients.evaluate(poses, found, points, threads);
+    poses.clear();
+    for (const deformation::StressMap& map : found) {
+      const double fraction = static_cast<double>(result.samples.size()) / instants;
+      result.samples.push_back({fraction * cycle.periodSeconds, deformation::statisticsOf(map, witnesses)});
+      if (!withPeak)
+        continue;
+      if (!result.peak)
+        result.peak = map;
+      else
+        takeWorse(*result.peak, map);
+    }
   }
-  peak.map.folded = static_cast<int>((peak.map.volumeRatio.array() <= 0).count());
+  if (result.peak)
+    result.peak->folded = static_cast<int>((result.peak->volumeRatio.array() <= 0).count());
   progress.report(1);
-  return peak;
+  return result;
 }
 
 StressCopy::StressCopy(StressFrame start, std::shared_ptr<const deformation::WitnessGradients> gradients,

@@ -112,7 +112,7 @@ std::string toJson(const MeasuredRecord& record) {
       item["surfaces"].push_back(surfaceJson(surface));
     root["phases"].push_back(std::move(item));
   }
-  return root.dump();
+  return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 MeasuredRecord measuredRecordFrom(const std::string& text) {

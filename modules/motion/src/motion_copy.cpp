@@ -6,9 +6,12 @@ namespace viscera::motion {
 
 MotionCause causeOf(const MotionRunner& runner) {
   const document::DocumentState& state = runner.state();
-  MotionCause cause{runner.revision(), state.rig, state.system, {}};
-  for (const auto& organ : *state.organs)
+  MotionCause cause{runner.revision(), state.rig, state.system, {}, {}};
+  for (const auto& organ : *state.organs) {
     cause.organs.emplace_back(organ->id, organ->mesh, organ->volumeLocked);
+    if (organ->volumeLocked)
+      cause.pose = state.pose;
+  }
   return cause;
 }
 

@@ -44,7 +44,7 @@ void requireStatedAlike(const std::map<std::string, medical_io::SurfaceSeriesFil
         silent = name + ", " + phaseName(phase);
     }
   if (ras && !silent.empty())
-    throw DataError("Some files say that they are in RAS and this one does not say what it is in", silent,
+    throw DataError("This file does not state its axes, but other files of the series are in RAS", silent,
                     "export all surfaces of a patient in the same way (viscera convert --space LPS)");
 }
 

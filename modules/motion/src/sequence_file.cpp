@@ -221,7 +221,7 @@ std::string textOf(const SequenceFile& sequence) {
          {"points", std::vector<double>(points.data(), points.data() + points.size())},
          {"triangles", std::vector<std::int32_t>(triangles.data(), triangles.data() + triangles.size())}});
   }
-  return root.dump(1) + "\n";
+  return root.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
@@ -111,7 +112,7 @@ void requireComplete(const SeriesFiles& series) {
 } // namespace
 
 std::pair<std::string, std::optional<std::uint64_t>> seriesName(const fs::path& file) {
-  const std::string stem = stemOf(file);
+  const std::string stem = toUtf8(stemOf(file));
   const auto last = std::find_if(stem.rbegin(), stem.rend(), isDigit).base();
   const auto first = std::find_if_not(std::make_reverse_iterator(last), stem.rend(), isDigit).base();
   if (first == last)

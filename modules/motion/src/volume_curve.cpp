@@ -1,10 +1,13 @@
 #include "viscera/motion/volume_curve.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viscera/core/error.h"
@@ -15,6 +18,9 @@ namespace {
 
 constexpr double kSameCurveInstant = 1e-9;
 constexpr double kSameVolume = 1e-3; ///< Relative, of the first and the last key of a whole cycle.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+/// Headings of instants from 0 to 1 begin so.
+constexpr std::array<const char*, 4> kPartsOfTheCycle = {"fraction", "phase", "part", "cycle"};
 
 /// Where semicolons or tabs are between the fields, a comma is a decimal mark: spreadsheets write so in
 /// languages that have one.
@@ -31,6 +37,18 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
+/// What the first field of a heading says of the instants below: 1 for parts of the cycle.
+std::optional<double> scaleOf(std::string heading, double periodSeconds) {
+  std::transform(heading.begin(), heading.end(), heading.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? char(letter - 'A' + 'a') : letter;
+  });
+  if (heading.starts_with("time"))
+    return 1 / periodSeconds;
+  const bool part = std::any_of(kPartsOfTheCycle.begin(), kPartsOfTheCycle.end(),
+                                [&](const char* word) { return heading.starts_with(word); });
+  return part ? std::optional(1.0) : std::nullopt;
+}
+
 std::optional<double> numberOf(const std::string& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -43,8 +61,9 @@ class CurveReader {
 public:
   CurveReader(std::string file, double periodSeconds) : file_(std::move(file)), period_(periodSeconds) {}
 
-  void take(const std::string& line) {
-    ++line_;
+  void take(std::string line) {
+    if (++line_ == 1 && line.starts_with(kByteOrderMark))
+      line.erase(0, kByteOrderMark.size());
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#')
       return;
     const std::vector<std::string> fields = fieldsOf(line);
@@ -54,7 +73,11 @@ public:
     const auto milliliters = numberOf(fields[1]);
     if (!instant && !milliliters && !headerSeen_ && keys_.empty()) {
       headerSeen_ = true;
-      scale_ = fields[0].rfind("time", 0) == 0 ? 1 / period_ : 1;
+      const auto scale = scaleOf(fields[0], period_);
+      if (!scale)
+        fail("has a heading that does not say what the instants are",
+             "let it begin with \"time_s\" for seconds, or with \"fraction\" for parts of the cycle");
+      scale_ = *scale;
     } else if (instant && milliliters) {
       add(scale_ * *instant, *milliliters);
     } else {
@@ -67,7 +90,8 @@ public:
       throw DataError("There is no volume in it", file_, "write lines of the instant and the volume in ml");
     if (keys_.size() > 1 && keys_.back().at > keys_.front().at + 1 - kSameCurveInstant) {
       if (std::abs(keys_.back().value - keys_.front().value) > kSameVolume * keys_.front().value)
-        fail("ends the cycle at another volume than it begins", "let the last volume be the first one");
+        fail("the volume at the end of the cycle differs from the volume at its start",
+             "let the last volume be the first one");
       keys_.pop_back(); // The next cycle begins with it.
     }
     return sequences::Curve::periodic(keys_, 1);
@@ -106,7 +130,7 @@ sequences::Curve readVolumeCurve(const std::filesystem::path& file, double perio
     throw NoInputError("is not a file that can be read", file.string(), "check the name");
   CurveReader reader(file.string(), periodSeconds);
   for (std::string line; std::getline(stream, line);)
-    reader.take(line);
+    reader.take(std::move(line));
   return reader.curve();
 }
 

@@ -104,7 +104,7 @@ void StressPicture::update(const Scene& scene) {
   plane_->SetTheme(view_.theme());
   probe_.setTheme(view_.theme());
   markGlyphs_.setTheme(view_.theme());
-  if (Made now{frame.revision, frame.mesh, frame.peak, look, scene.state.stressMarks, scene.stressRange};
+  if (Made now{frame.revision, frame.mesh, frame.cycle, look, scene.state.stressMarks, scene.stressRange};
       made_ == now)
     return;
   else
@@ -242,7 +242,7 @@ void StressPicture::updateMarks(const Scene& scene) {
   const live::StressFrame& frame = *scene.stress;
   const bool any = frame.points && drawn();
   readMarks_ = any ? marksReader_.read(scene.state, frame.organ, frame.mesh, *frame.points,
-                                       values_.peak() ? frame.peak->map : *frame.map)
+                                       values_.peak() ? *frame.cycle->peak : *frame.map)
                    : live::ReadMarks();
   std::vector<scene::MeasurementGlyphs::Item> items;
   for (const live::ReadProfile& read : readMarks_.profiles) {

@@ -49,7 +49,7 @@ private:
   struct Made {
     std::uint64_t revision = 0;
     std::shared_ptr<const deformation::WitnessMesh> mesh;
-    std::shared_ptr<const live::StressPeak> peak;
+    std::shared_ptr<const live::CycleStress> cycle;
     StressLook look;
     std::shared_ptr<const document::StressMarks> marks;
     std::optional<scene::ValueRange> shared;

@@ -98,9 +98,9 @@ scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b) {
 void StressValues::update(const live::StressFrame& frame, const StressLook& look,
                           std::optional<scene::ValueRange> shared) {
   shared_ = look.pinned ? std::nullopt : shared;
-  const bool peak = look.peak && frame.peak;
+  const bool peak = look.peak && frame.cycle && frame.cycle->peak;
   const deformation::StressMap none;
-  const deformation::StressMap& map = peak ? frame.peak->map : frame.map ? *frame.map : none;
+  const deformation::StressMap& map = peak ? *frame.cycle->peak : frame.map ? *frame.map : none;
   live::quantityOf(map, look.quantity, *values_);
   // A range belongs to one quantity on one mesh; the first one goes on from what the look has kept.
   if (colors_.name.empty() || quantity_ != look.quantity || mesh_ != frame.mesh || peak_ != peak)

@@ -392,6 +392,14 @@ std::string toJson(const StressLook& look) {
   return stressJson(look).dump();
 }
 
+StressLook habitOf(StressLook look) {
+  look.pinned = look.threshold = look.peak = false;
+  look.range = {0, 0};
+  look.probe = -1;
+  look.glyphs = GlyphChoice::none;
+  return look;
+}
+
 StressLook stressLookFromJson(const std::string& text) {
   try {
     return stressFrom(ordered_json::parse(text));

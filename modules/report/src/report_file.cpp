@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QAbstractTextDocumentLayout>
+#include <QBuffer>
 #include <QByteArray>
 #include <QFontDatabase>
 #include <QGuiApplication>
@@ -245,10 +246,11 @@ void PdfPages::paintPage(QPainter& painter, int page) const {
 
 int writePdf(const std::filesystem::path& file, const Report& report) {
   const FontsAtHand fonts;
-  AtomicFile output(file);
+  QBuffer buffer; // Qt does not say when it cannot write to a file.
+  buffer.open(QIODevice::WriteOnly);
   int pages = 0;
   {
-    QPdfWriter writer(QString::fromStdString(output.temporary().string()));
+    QPdfWriter writer(&buffer);
     writer.setResolution(kResolution);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -258,10 +260,8 @@ int writePdf(const std::filesystem::path& file, const Report& report) {
     pages = laidOut.count();
     laidOut.paint();
   }
-  if (std::filesystem::file_size(output.temporary()) == 0)
-    throw CannotCreateError("The report cannot be written", file.string(),
-                            "check that there is room on the disk");
-  output.commit();
+  const QByteArray& pdf = buffer.data();
+  writeAtomically(file, [&](std::ostream& out) { out.write(pdf.constData(), pdf.size()); });
   return pages;
 }
 
@@ -292,7 +292,8 @@ std::string htmlOf(const Report& report) {
 
 int writeReport(const std::filesystem::path& file, const Report& report) {
   if (!isReportFile(file))
-    throw UsageError("It is not a file that a report can be", file.string(), "let it end in .pdf or .html");
+    throw UsageError("A report cannot be written to this kind of file", file.string(),
+                     "let it end in .pdf or .html");
   if (isPdf(file))
     return writePdf(file, report);
   writeAtomically(file, [&](std::ostream& out) { out << htmlOf(report); });

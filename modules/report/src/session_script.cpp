@@ -8,9 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/document/open_files.h"
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -396,10 +398,17 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
                                                 recipe.at("resolution").get<std::string>()});
   }
   const auto& playing = source_.view.playing;
-  if (playing && playing->ratePerMinute > 0)
+  const document::CirculationChoice& circulation = *state_.circulation;
+  const bool driven = circulation.drives && motion::sampleHeartOf(motion.recipe);
+  if (driven)
+    words.insert(words.end(), {"--scenario", circulation.scenario});
+  else if (playing && playing->ratePerMinute > 0)
     words.insert(words.end(), {"--rate", numberText(playing->ratePerMinute)});
   words.insert(words.end(), {"--csv", stemOf(sequence) + ".csv"});
   paragraph("The sequence, over one cycle.");
+  if (driven && circulation.parameters != circulation::scenarioParameters(circulation.scenario))
+    say("The window's heart follows a circulation with other parameters than the scenario's, which viscera "
+        "play does not take.");
   for (const auto& locked : *state_.organs)
     if (locked->volumeLocked)
       say("The window keeps the volume of " + locked->name + " while it plays; viscera play does not.");
@@ -456,8 +465,8 @@ void Writer::writePicture() {
 void Writer::writeLeftOut() {
   if (state_.measurements->empty())
     return;
-  paragraph("No command measures; the window's File > Export more > Measurements writes what was "
-            "measured:");
+  paragraph("No command exports measurements. In the window, File > Export more > Export measurements writes "
+            "these:");
   for (const document::Measurement& measurement : *state_.measurements)
     say("  " + measurement.name + " (" + document::nameOf(measurement.kind) + ')');
 }

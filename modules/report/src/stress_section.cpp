@@ -55,10 +55,10 @@ Table numbers(const live::StressFrame& frame) {
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
     if (quantity.quantity != live::StressQuantity::folded)
       add(*frame.map, quantity, quantity.name);
-  if (frame.peak)
+  if (frame.cycle && frame.cycle->peak)
     for (const live::StressQuantityDescription& quantity : live::stressQuantities())
       if (quantity.quantity == live::StressQuantity::rotationalStress)
-        add(frame.peak->map, quantity, said("%1, the worst of a cycle", quantity.name));
+        add(*frame.cycle->peak, quantity, said("%1, the worst of a cycle", quantity.name));
   return table;
 }
 
@@ -119,8 +119,8 @@ std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantit
   return {chart(panel, said("%1 over the witness points", quantity.name))};
 }
 
-/// Mean, 95th percentile and largest over the cycle of which the peak was found.
-PictureGrid cycleChart(const live::StressPeak& peak) {
+/// Mean, 95th percentile and largest over a cycle.
+PictureGrid cycleChart(const live::CycleStress& cycle) {
   scene::CurvePanel panel;
   panel.xTitle = said("Time (s)");
   panel.yTitle = said("Rotational stress (deg)");
@@ -128,17 +128,14 @@ PictureGrid cycleChart(const live::StressPeak& peak) {
   panel.curves = {{said("Largest"), curveColor(0), {}, {}},
                   {said("95th percentile"), curveColor(3), {}, {}},
                   {said("Mean"), curveColor(1), {}, {}}};
-  const auto add = [&](double seconds, const deformation::StressStatistics& statistics) {
-    const double values[] = {statistics.max, statistics.percentile95, statistics.mean};
+  for (const live::StressSample& sample : cycle.closed()) {
+    const double values[] = {sample.statistics.max, sample.statistics.percentile95, sample.statistics.mean};
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-      panel.curves[i].x.push_back(seconds);
+      panel.curves[i].x.push_back(sample.seconds);
       panel.curves[i].y.push_back(kDegrees * values[i]);
     }
-  };
-  for (const live::StressSample& sample : peak.cycle)
-    add(sample.seconds, sample.statistics);
-  add(peak.periodSeconds, peak.cycle.front().statistics); // The end of a cycle is its beginning.
-  panel.xRange = scene::ValueRange{0, peak.periodSeconds};
+  }
+  panel.xRange = scene::ValueRange{0, cycle.periodSeconds};
   return chart(panel, said("Over one cycle of the sequence"));
 }
 
@@ -233,8 +230,8 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
     section.blocks.push_back(profileChart(marks, source.view.stress.quantity));
   for (Block& block : histogram(frame, source.view.stress.quantity))
     section.blocks.push_back(std::move(block));
-  if (frame.peak && frame.peak->cycle.size() > 1)
-    section.blocks.push_back(cycleChart(*frame.peak));
+  if (frame.cycle && frame.cycle->samples.size() > 1)
+    section.blocks.push_back(cycleChart(*frame.cycle));
   return section;
 }
 

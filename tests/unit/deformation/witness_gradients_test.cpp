@@ -92,6 +92,24 @@ TEST_F(WitnessGradientsTest, TheMapIsTheSameToTheBitForAnyNumberOfThreads) {
   EXPECT_EQ(one.rotationalStress, three.rotationalStress);
 }
 
+TEST_F(WitnessGradientsTest, SeveralPosesAtOnceAreTheSameToTheBit) {
+  const auto all = witnesses();
+  const std::vector<Points> poses{pose_, handles_.positions, 2 * pose_};
+  std::vector<StressMap> maps(poses.size());
+  std::vector<StressMap> firstOnes(poses.size());
+  constexpr Eigen::Index kFirst = 21;
+  all.evaluate(poses, maps, points_.rows(), {2});
+  all.evaluate(poses, firstOnes, kFirst);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    StressMap one;
+    all.evaluate(poses[i], one);
+    EXPECT_EQ(maps[i].rotationalStress, one.rotationalStress);
+    EXPECT_EQ(maps[i].volumeRatio, one.volumeRatio);
+    EXPECT_EQ(maps[i].folded, one.folded);
+    EXPECT_EQ(firstOnes[i].stretchMax, Values(one.stretchMax.head(kFirst)));
+  }
+}
+
 TEST_F(WitnessGradientsTest, CountsWhatIsFolded) {
   Points mirrored = handles_.positions;
   mirrored.col(0) *= -1;

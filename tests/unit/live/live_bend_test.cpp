@@ -84,6 +84,22 @@ TEST(LiveBend, SaysItAsExactlyFarFromTheFirstPoseAsNearIt) {
   EXPECT_FALSE(ball.bend.map()->wantsFinerGrid());
 }
 
+TEST(LiveBend, HasNoMapWhenItsSystemGoesWhileItIsBound) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  ball.shift(Vec3(0, 0, 10));
+  EXPECT_FALSE(ball.jobs.idle());
+  const document::SystemChoice before = ball.document.system();
+  ball.undo.perform(document::setSystem({"of-a-plugin-that-is-gone", {}}));
+  EXPECT_EQ(ball.bend.map(), nullptr);
+  ball.box.runUntil([&] { return ball.jobs.idle(); });
+  EXPECT_EQ(ball.bend.map(), nullptr) << "there is no system that could refine it";
+  EXPECT_NE(ball.bend.problem(), "");
+  ball.undo.perform(document::setSystem(before));
+  ball.wait();
+  EXPECT_EQ(ball.bend.problem(), "");
+}
+
 TEST(LiveBend, CountsWhatThePoseFolds) {
   BentBall ball;
   ball.bend.setWanted(true);

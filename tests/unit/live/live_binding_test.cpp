@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
+#include <new>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,32 @@ struct Live : tests::Session {
   }
   Points points(std::size_t place = 0) { return live.points(organ(place)); }
 };
+
+/// Needs more memory than there is.
+class HungrySystem final : public coordinates::CoordinateSystem {
+public:
+  std::string id() const override { return "hungry"; }
+  std::string name() const override { return "Hungry"; }
+  std::string summary() const override { return {}; }
+  coordinates::Traits traits() const override { return {}; }
+  std::vector<coordinates::Parameter> parameters() const override { return {}; }
+  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet&, const Points&,
+                                             const coordinates::BindOptions&, Progress&) const override {
+    throw std::bad_alloc();
+  }
+};
+
+TEST(LiveBinding, SaysThatMemoryIsShortInPlainWordsAtOnceAndLater) {
+  for (const double frameSeconds : {kAtOnce, 0.0}) {
+    Live l(frameSeconds);
+    l.registry.add(std::make_shared<HungrySystem>(), "test");
+    l.undo.perform(document::setSystem({"hungry", {}}));
+    l.settle();
+    const BindingStatus status = l.live.status(l.organ());
+    EXPECT_EQ(status.state, State::failed);
+    EXPECT_THAT(status.message, HasSubstr("not enough memory")) << frameSeconds;
+  }
+}
 
 TEST(LiveBinding, BindsAnOrganAndReportsIt) {
   Live l;

@@ -31,7 +31,7 @@ struct Stressed : tests::BoundSession {
       heard.status |= event.status;
       heard.sampled |= event.sampled;
       heard.moved |= event.moved;
-      heard.peak |= event.peak;
+      heard.cycle |= event.cycle;
     });
   }
 
@@ -244,55 +244,81 @@ TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   const auto sway = std::make_shared<viscera::tests::Sway>(
       s.restHandles(),
       std::vector<viscera::tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
-  s.stress.findPeak(cycleOf(sway));
-  s.box.runUntil([&] { return s.stress.peak() != nullptr; });
-  const StressPeak& peak = *s.stress.peak();
-  EXPECT_EQ(peak.periodSeconds, 1);
-  Values stress = Values::Zero(peak.map.rotationalStress.size());
+  s.stress.findCycle(cycleOf(sway), CycleParts::curveAndPeak);
+  s.box.runUntil([&] { return s.stress.cycle() != nullptr; });
+  const CycleStress& cycle = *s.stress.cycle();
+  const deformation::StressMap& peak = *cycle.peak;
+  EXPECT_EQ(cycle.periodSeconds, 1);
+  Values stress = Values::Zero(peak.rotationalStress.size());
   Values stretch = stress;
   double worst = 0;
   deformation::StressMap map;
   Points pose;
-  const auto frames = peak.cycle.size();
+  const auto frames = cycle.samples.size();
+  const std::vector<StressSample> curve = cycle.samples;
   for (std::size_t frame = 0; frame < frames; ++frame) {
     sway->poseAt(static_cast<double>(frame) / static_cast<double>(frames), 60, pose);
     s.stress.gradients()->evaluate(pose, map);
     stress = stress.cwiseMax(map.rotationalStress);
     stretch = stretch.cwiseMax(map.stretchMax);
     const auto statistics = deformation::statisticsOf(map, s.stress.mesh()->witnesses);
-    EXPECT_NEAR(peak.cycle[frame].statistics.max, statistics.max, 1e-12);
+    EXPECT_NEAR(cycle.samples[frame].statistics.max, statistics.max, 1e-12);
     worst = std::max(worst, statistics.max);
   }
   EXPECT_GE(frames, 50u);
-  EXPECT_LT(largest(peak.map.rotationalStress - stress), 1e-12);
-  EXPECT_LT(largest(peak.map.stretchMax - stretch), 1e-12);
+  EXPECT_LT(largest(peak.rotationalStress - stress), 1e-12);
+  EXPECT_LT(largest(peak.stretchMax - stretch), 1e-12);
   EXPECT_GT(worst, 0.01);
+  EXPECT_EQ(cycle.worst()->statistics.max, worst);
+  // The curve alone has the same samples.
+  s.stress.dropCycle();
+  s.stress.findCycle(cycleOf(sway), CycleParts::curve);
+  s.box.runUntil([&] { return s.stress.cycle() != nullptr; });
+  EXPECT_FALSE(s.stress.cycle()->peak);
+  EXPECT_EQ(s.stress.cycle()->samples[frames / 3].statistics.percentile95,
+            curve[frames / 3].statistics.percentile95);
   // Other handles: the peak is not theirs.
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
-  EXPECT_EQ(s.stress.peak(), nullptr);
+  EXPECT_EQ(s.stress.cycle(), nullptr);
+}
+
+TEST(LiveStress, TellsWhyACycleCouldNotBeComputed) {
+  Stressed s;
+  s.begin();
+  const PosedCycle broken{1, [](double) -> const Points& { throw DataError("the sequence has no poses"); }};
+  s.stress.findCycle(broken, CycleParts::curve);
+  EXPECT_TRUE(s.stress.findingCycle());
+  s.box.runUntil([&] { return !s.stress.findingCycle(); });
+  EXPECT_EQ(s.stress.cycle(), nullptr);
+  EXPECT_THAT(s.stress.cycleMessage(), testing::HasSubstr("sequence has no poses"));
+  s.stress.dropCycle();
+  EXPECT_EQ(s.stress.cycleMessage(), "");
 }
 
 TEST(LiveStress, PeakIsOfTheCycleThatWasAskedForLast) {
   Stressed s;
   s.begin();
-  const auto swaying = [&](double mm) {
-    return cycleOf(std::make_shared<viscera::tests::Sway>(
-        s.restHandles(), std::vector<viscera::tests::Swing>{{0, Vec3(mm, 0, 0)}}));
+  const auto find = [&](double mm) {
+    const auto sway = std::make_shared<viscera::tests::Sway>(
+        s.restHandles(), std::vector<viscera::tests::Swing>{{0, Vec3(mm, 0, 0)}});
+    s.stress.findCycle(cycleOf(sway), CycleParts::curveAndPeak);
   };
   const auto found = [&] {
-    s.box.runUntil([&] { return s.stress.peak() != nullptr; });
-    return largest(s.stress.peak()->map.rotationalStress);
+    s.box.runUntil([&] { return s.stress.cycle() != nullptr; });
+    return largest(s.stress.cycle()->peak->rotationalStress);
   };
-  s.stress.findPeak(swaying(20));
+  find(20);
   const double far = found();
-  s.stress.findPeak(swaying(10));
-  EXPECT_EQ(s.stress.peak(), nullptr) << "that of the cycle before";
+  s.stress.dropCycle();
+  find(10);
+  EXPECT_EQ(s.stress.cycle(), nullptr) << "that of the cycle before";
   EXPECT_LT(found(), far);
-  s.stress.findPeak(swaying(10));
-  s.stress.findPeak(swaying(20));
+  s.stress.dropCycle();
+  find(10);
+  find(20);
   EXPECT_EQ(found(), far);
-  s.stress.dropPeak();
-  EXPECT_EQ(s.stress.peak(), nullptr);
+  s.stress.dropCycle();
+  EXPECT_EQ(s.stress.cycle(), nullptr);
 }
 
 TEST(StressQuantity, IsNotANumberWhereTheTissueIsFoldedExceptForFoldingItself) {

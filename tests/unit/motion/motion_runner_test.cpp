@@ -125,6 +125,10 @@ TEST_F(Runner, ACopyOfTheMotionGivesTheSamePosesUnderLocksAndStopsWhereTheyCanno
     EXPECT_EQ(cycle.poseAt(fraction), live_.shownPose()) << fraction;
   }
   EXPECT_EQ(causeOf(runner_), cause) << "showing changes nothing that a cycle depends on";
+  undo_.perform(document::setPose(1.01 * document_.pose()));
+  EXPECT_NE(causeOf(runner_), cause) << "the lock keeps the volume of the pose";
+  undo_.undo();
+  EXPECT_EQ(causeOf(runner_), cause);
   undo_.perform(document::setVolumeLocked(egg(), false));
   EXPECT_NE(causeOf(runner_), cause);
   prescribe({{0, restMl_}, {0.5, 40 * restMl_}});

@@ -86,6 +86,7 @@ TEST(SeriesName, IsWithoutItsLastNumberAndEnding) {
   EXPECT_EQ(seriesName("frame10.nii.gz").second, 10U);
   EXPECT_EQ(seriesName("frame.seg.nrrd").first, "frame");
   EXPECT_FALSE(seriesName("frame.seg.nrrd").second);
+  EXPECT_EQ(seriesName("cavit\xE9_3.vtp").first, "cavit\xC3\xA9") << "names become UTF-8";
 }
 
 TEST(MotionSeries, SortsFramesByTheirNumberAndSurfacesByTheirName) {
@@ -293,7 +294,7 @@ TEST(MotionSeriesRefuses, RasAgainstLps) {
   stated.balls("outer", kBeat);
   stated.put("outer_2.obj", "# SPACE=RAS\n" + objOf(tests::sphere(2, 19, Vec3(-60, -40, 9))));
   EXPECT_NE(refusalOf(stated.request())
-                .find("Some files say that they are in RAS and this one does not say what it is in"),
+                .find("This file does not state its axes, but other files of the series are in RAS"),
             std::string::npos);
 }
 

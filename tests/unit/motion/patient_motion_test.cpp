@@ -166,6 +166,9 @@ TEST(MeasuredRecord, ComesBackWithItsNumbersAndRefusesOtherText) {
     EXPECT_EQ(back.motion.phases[phase].verdict.reasons, found.phases[phase].verdict.reasons);
   }
   EXPECT_EQ(toJson(back), text);
+  MotionSeries odd = series;
+  odd.names[1] = "cavit\xE9"; // Latin-1.
+  EXPECT_EQ(measuredRecordFrom(toJson({{{7}, {9}}, odd, found})).series.names[1], "cavit\xEF\xBF\xBD");
   for (const std::string& other :
        {std::string("{}"), std::string("nothing"), std::string("[1]"), text.substr(0, text.size() / 2)})
     EXPECT_THROW(measuredRecordFrom(other), DataError) << other;

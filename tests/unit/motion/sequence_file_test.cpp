@@ -95,6 +95,13 @@ TEST_F(SequenceFiles, comeBackToTheLastBit) {
   EXPECT_FALSE(isSequenceFile("a/b.mrk.json"));
 }
 
+TEST_F(SequenceFiles, areWrittenWhateverBytesANameHas) {
+  SequenceFile odd = sample();
+  odd.track.name = "Kn\xE9t"; // Latin-1.
+  writeSequence(folder_ / "s.sequence.json", odd);
+  EXPECT_EQ(readSequence(folder_ / "s.sequence.json").track.name, "Kn\xEF\xBF\xBDt");
+}
+
 TEST_F(SequenceFiles, cutOffAnywhereAreRefused) {
   const std::string text = good();
   for (std::size_t length = 0; length + 2 < text.size(); length += 7)

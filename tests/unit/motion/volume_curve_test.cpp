@@ -58,6 +58,24 @@ TEST_F(VolumeCurveFile, TakesSecondsUnderAHeaderThatSaysSo) {
   EXPECT_NEAR(curve.at(1), 130, 1e-9);
 }
 
+TEST_F(VolumeCurveFile, TakesSecondsBehindAByteOrderMarkAndInCapitals) {
+  for (const char* header :
+       {"\xEF\xBB\xBFtime_s,LV_ml\n", "Time (s),LV (ml)\n", "\xEF\xBB\xBF\"TIME\";LV\n"}) {
+    const sequences::Curve curve = read(std::string(header) + "0;130\n0.4;55\n0.8;130\n");
+    EXPECT_NEAR(curve.at(0.5), 55, 1e-9) << header;
+  }
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "0,130\n0.4,55\n")
+                .at(0.4),
+            55);
+  EXPECT_EQ(read("Phase,ml\n0,130\n0.4,55\n").at(0.4), 55);
+}
+
+TEST_F(VolumeCurveFile, RefusesAHeadingThatDoesNotSayWhatInstantsAre) {
+  for (const char* header : {"t,LV_ml\n", "Zeit;ml\n", "x\ty\n"})
+    EXPECT_THAT(refusal(std::string(header) + "0;130\n0.4;55\n"), testing::HasSubstr("line 1")) << header;
+}
+
 TEST_F(VolumeCurveFile, SaysWhichLineIsWrong) {
   using testing::HasSubstr;
   EXPECT_THAT(refusal(""), HasSubstr("no volume"));
@@ -67,7 +85,7 @@ TEST_F(VolumeCurveFile, SaysWhichLineIsWrong) {
   EXPECT_THAT(refusal("0,130\n0.5,60\n0.4,70\n"), HasSubstr("line 3"));
   EXPECT_THAT(refusal("0,130\n1.2,60\n"), HasSubstr("outside the cycle"));
   EXPECT_THAT(refusal("0,130\n0.5,-60\n"), HasSubstr("not positive"));
-  EXPECT_THAT(refusal("0,130\n1,60\n"), HasSubstr("another volume"));
+  EXPECT_THAT(refusal("0,130\n1,60\n"), HasSubstr("differs from the volume at its start"));
   EXPECT_THROW(readVolumeCurve("/nowhere/at/all.csv", 1), NoInputError);
 }
 

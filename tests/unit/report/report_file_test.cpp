@@ -1,3 +1,7 @@
+#include <csignal>
+
+#include <sys/resource.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,6 +82,41 @@ TEST(ReportFile, PdfHasItsPagesInA4AndItsTitle) {
   EXPECT_EQ(countOf(pdf, "/Type /Page\n"), pages);
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 59"));
   EXPECT_THAT(pdf, HasSubstr("/Title"));
+}
+
+/// As on a full disk: files of this program end at so many bytes while it lives.
+class ShortFiles {
+public:
+  explicit ShortFiles(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &limit_);
+    const rlimit shorter{bytes, limit_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &shorter);
+  }
+  ~ShortFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &limit_);
+    std::signal(SIGXFSZ, before_);
+  }
+  ShortFiles(const ShortFiles&) = delete;
+  ShortFiles& operator=(const ShortFiles&) = delete;
+
+private:
+  rlimit limit_ = {};
+  void (*before_)(int);
+};
+
+TEST(ReportFile, ThatFindsNoRoomLeavesTheOldReport) {
+  const TemporaryFolder folder;
+  for (const char* name : {"r.pdf", "r.html"}) {
+    report::writeReport(folder / name, longReport(3));
+    const std::string before = contentsOf(folder / name);
+    {
+      const ShortFiles full(2000);
+      EXPECT_THROW(report::writeReport(folder / name, longReport(150)), CannotCreateError) << name;
+    }
+    EXPECT_TRUE(contentsOf(folder / name) == before) << name;
+    std::filesystem::remove(folder / name);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << name;
+  }
 }
 
 TEST(ReportFile, OfAnotherEndingOrInNoFolderIsRefusedAndLeavesNothing) {

@@ -127,7 +127,8 @@ CCelestial::CCelestial()
     : PointwiseSystem(
           {.id = "c-celestial",
            .name = "C-Celestial",
-           .summary = "The centre of all positive answers, by sampling; as good as the number of samples",
+           .summary =
+               "Centroid of all positive solutions, estimated by sampling; more samples are more accurate",
            // A walk of many steps makes a difference of the last bit a large one, so turns change something.
            .traits = {.positive = true,
                       .interpolates = true,

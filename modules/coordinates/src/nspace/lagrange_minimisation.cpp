@@ -166,7 +166,7 @@ LagrangeMinimisation::LagrangeMinimisation()
           {.id = "lagrange-minimisation",
            .name = "Lagrange minimisation",
            .summary =
-               "As near to a target as balance allows; what is done about negative numbers can be chosen",
+               "Balanced weights nearest to a target; a parameter says how negative weights are treated",
            .traits = {.interpolates = true, .everywhere = false, .smooth = false},
            .parameters = {kTarget, kPositivity, kShift}},
           prepareLagrange) {}

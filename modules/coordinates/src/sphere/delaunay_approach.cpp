@@ -100,8 +100,8 @@ DelaunayApproach::DelaunayApproach()
     : PointwiseSystem(
           {.id = "delaunay-approach",
            .name = "Delaunay triangulation approach",
-           .summary =
-               "Mean value over the triangles in which each point sees the handles; jumps, or blended rough",
+           .summary = "Mean value over the Delaunay triangles of the handles as each point sees them; jumps "
+                      "where triangles flip, which blending reduces",
            .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false},
            .parameters = {kBlend}},
           [](const HandleSet& handles, const ParameterValues& parameters) {

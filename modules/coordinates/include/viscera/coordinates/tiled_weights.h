@@ -41,6 +41,9 @@ public:
   /// `points = W pose`, resized to `points x 3`; `pose` is `handles x 3`. Bitwise independent of the number
   /// of threads.
   void multiply(const Points& pose, Points& points, Threads threads) const;
+  /// The same of one tile: `rows` (16 x 3, row by row) become its 16 points. For whoever goes through the
+  /// tiles in an order of its own. O(handles).
+  void multiplyTile(Eigen::Index tile, const Points& pose, double* rows) const;
   /// `points += column(handle) delta^T`. O(points).
   void addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const;
   /// `out = W^T rows` (`handles x 3`), summed in a fixed order that does not depend on the number of threads.

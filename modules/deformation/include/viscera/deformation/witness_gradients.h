@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/tiled_weights.h"
 #include "viscera/deformation/rotational_stress.h"
 
 namespace viscera::deformation {
@@ -54,8 +56,8 @@ public:
   /// The derivative of one handle's coordinate at one witness, 1/mm. Where poses are lifted this is not all
   /// of what the handle does there.
   Vec3 gradient(Eigen::Index witness, Eigen::Index handle) const {
-    const double* from = tile(witness / kTile) + 3 * kTile * handle + witness % kTile;
-    return {from[0], from[kTile], from[2 * kTile]};
+    return {data_(rowOf(witness, 0), handle), data_(rowOf(witness, 1), handle),
+            data_(rowOf(witness, 2), handle)};
   }
   /// Whether the witness has no coordinates and gets the identity.
   bool failed(Eigen::Index witness) const { return failed_[static_cast<std::size_t>(witness)]; }
@@ -63,11 +65,20 @@ public:
   /// Fills `map` (resized) at `pose`. O(witnesses x handles); bitwise independent of the number of threads.
   /// Throws `DataError` for a pose of another size.
   void evaluate(const Points& pose, StressMap& map, Threads threads = {}) const;
+  /// The same for several poses at the first `count` witnesses, `maps[i]` of `poses[i]`: the derivatives come
+  /// from memory once for all of them, which is what a pose of many handles waits for. Same values to the
+  /// bit.
+  void evaluate(std::span<const Points> poses, std::span<StressMap> maps, Eigen::Index count,
+                Threads threads = {}) const;
 
 private:
-  static constexpr Eigen::Index kTile = 16;
-  const double* tile(Eigen::Index index) const { return data_.data() + index * rows_ * 3 * kTile; }
+  static constexpr Eigen::Index kTile = coordinates::TiledWeights::kTile;
+  /// Three tiles for 16 witnesses, one an axis.
+  static Eigen::Index rowOf(Eigen::Index witness, Eigen::Index axis) {
+    return (3 * (witness / kTile) + axis) * kTile + witness % kTile;
+  }
   Points lifted(const Points& pose) const { return lift_ ? lift_->lift(pose) : pose; }
+  void evaluateTile(Eigen::Index tile, const Points& local, StressMap& map) const;
 
   Eigen::Index witnesses_;
   Eigen::Index handles_;
@@ -76,7 +87,8 @@ private:
   bool closedForm_ = true;
   std::vector<int> failures_;
   std::vector<bool> failed_;
-  std::vector<double> data_; ///< Tiles of 16 witnesses: row by row, x, y, z of the 16 gradients.
+  /// Row `rowOf(w, a)`: the derivatives of all coordinates at witness w along axis a.
+  coordinates::TiledWeights data_;
 };
 
 /// The derivatives of the coordinates at `points` (`n x 3`, the points of a witness mesh), taken in portions

@@ -14,7 +14,7 @@
 
 namespace viscera::lesson {
 
-/// A lesson that a reader finds long is one that nobody opens: at most so many rates are offered.
+/// The most rates that `offeredRates` proposes for a lesson, so that the lesson stays short.
 inline constexpr std::size_t kMostRates = 10;
 /// A rig of more handles is too many to grip: then others are placed.
 inline constexpr std::size_t kMostOwnHandles = 40;

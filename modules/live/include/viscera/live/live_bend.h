@@ -13,7 +13,7 @@
 
 namespace viscera::live {
 
-/// How near places at rest are found, mm.
+/// The accuracy that `LiveBend` aims at when it finds where a point of the posed space lies at rest, mm.
 inline constexpr double kBendToleranceMm = 0.03;
 
 /// Keeps the inverse of the present deformation up to date, so that a scan can be deformed with the organs.

@@ -40,7 +40,7 @@ struct StressEvent {
   bool status = false;
   bool sampled = false; ///< Another witness mesh, or none.
   bool moved = false;   ///< Points, map and statistics have other values.
-  bool peak = false;    ///< A peak was found, or is no longer valid.
+  bool cycle = false;   ///< The stress over a cycle was computed, could not be, or is no longer valid.
 };
 
 /// Computes the rotational stress of one organ of a document in every pose that a `LiveBinding` shows. It
@@ -92,13 +92,18 @@ public:
   /// The derivatives in use; null before the first binding.
   std::shared_ptr<const deformation::WitnessGradients> gradients() const;
 
-  /// Finds the peak over a cycle (slot "stress/peak"); the one before is dropped. Throws `UsageError` when
-  /// the map is not ready. A cycle of other handles is refused by the job.
-  void findPeak(PosedCycle cycle);
-  /// Drops the peak, and stops looking for one: the cycle is another one.
-  void dropPeak();
-  /// The peak for the mesh and binding in use; null when none was found.
-  std::shared_ptr<const StressPeak> peak() const;
+  /// Computes the stress over a cycle (slot "stress/cycle"); the one before stays until then. The peak takes
+  /// several times as long as the curve. Throws `UsageError` when the map is not ready. A cycle of other
+  /// handles is refused by the job.
+  void findCycle(PosedCycle cycle, CycleParts parts);
+  /// Drops the cycle that was computed, and stops computing one: the sequence is another one.
+  void dropCycle();
+  /// The stress over the cycle, of the mesh and binding in use; null while it is not known.
+  std::shared_ptr<const CycleStress> cycle() const;
+  /// Whether a cycle is being computed.
+  bool findingCycle() const;
+  /// Why the last cycle could not be computed, for a user; empty unless that failed.
+  const std::string& cycleMessage() const;
 
   /// All of that for whoever draws it. `stretchesAt` may be asked as long as this lives.
   StressFrame frame() const;

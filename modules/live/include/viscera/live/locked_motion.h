@@ -11,9 +11,9 @@
 
 namespace viscera::live {
 
-/// Moves handles while locked volumes are kept, for one drag or one typed number: given where the handles are
-/// wanted, it finds the pose that keeps every locked volume and comes as near as that allows. All wishes
-/// count from the pose at the start, so a drag that goes back to where it began ends where it began.
+/// Moves handles under volume locks, for one drag or one typed number: given target positions of the handles,
+/// it finds the pose that keeps every locked volume and comes as near to them as that allows. Every target
+/// counts from the pose at the start, so a drag that returns to its start restores that pose.
 ///
 /// How a lock acts:
 /// * A selection that moves as a whole, alone or with its mirror image, under one lock: the way is bent onto
@@ -24,8 +24,8 @@ namespace viscera::live {
 ///   where they are wanted, and the others make up for the volume by the least displacement.
 /// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` says why.
 ///
-/// A wish costs one to three evaluations of the volumes when it is bent, about four evaluations and gradients
-/// when others compensate. For one thread; free of VTK and Qt.
+/// A target costs one to three evaluations of the volumes when it is bent, about four evaluations and
+/// gradients when others compensate. For one thread; free of VTK and Qt.
 class LockedMotion {
 public:
   /// A motion that the mirror images of the handles take part in.

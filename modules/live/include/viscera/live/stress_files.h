@@ -25,8 +25,6 @@ void writeStressSolid(const std::filesystem::path& file, const deformation::Witn
 void writeStressTable(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map);
 
-/// Instants of a cycle that a curve over it has, and in which `LiveStress` looks for the peak.
-inline constexpr int kPeakFrames = 100;
 /// Bars of a histogram that is written.
 inline constexpr int kHistogramBars = 100;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
@@ -15,7 +16,7 @@
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/ids.h"
 
-/// The stress map of one organ at one instant, its course over time, and its peak over a cycle.
+/// The stress map of one organ at one instant, and its course and peak over a cycle.
 namespace viscera::live {
 
 /// Summary statistics of a stress map at one instant.
@@ -31,20 +32,33 @@ struct PosedCycle {
   std::function<const Points&(double fraction)> poseAt;
 };
 
-/// The largest stress at every point over one cycle of a sequence.
-struct StressPeak {
-  /// The largest rotational stress, the largest and the smallest stretch, and the volume ratio that is
-  /// farthest from 1 (by its factor; one at most 0 before all others) over the cycle, each by itself.
-  deformation::StressMap map;
-  std::vector<StressSample> cycle; ///< Of the witness points, evenly over the cycle, its end left out.
+/// The stress over one cycle of a sequence.
+struct CycleStress {
   double periodSeconds = 0;
+  std::vector<StressSample> samples; ///< Of the witness points, evenly over the cycle, its end left out.
+  /// At every point of the mesh the largest rotational stress, the largest and the smallest stretch, and the
+  /// volume ratio that is farthest from 1 (by its factor; one at most 0 before all others), each by itself.
+  /// None unless it was asked for.
+  std::optional<deformation::StressMap> peak;
+
+  /// The samples with the cycle's end, which is its beginning: what a curve is drawn from.
+  std::vector<StressSample> closed() const;
+  /// The instant with the largest rotational stress; null without samples.
+  const StressSample* worst() const;
 };
 
-/// Goes through one cycle in `frames` steps, at least 1. Statistics are of the first `witnesses` points.
+/// Instants of a cycle at which `LiveStress` evaluates the stress.
+inline constexpr int kCycleInstants = 64;
+
+/// What `stressOverCycle` computes: `peak` needs all points of the mesh, `curve` only its witnesses.
+enum class CycleParts { curve, curveAndPeak };
+
+/// Goes through one cycle in `instants` steps, at least 1. Samples are of the first `witnesses` points.
 /// Throws `Cancelled`, `DataError` for poses of another number of handles. Deterministic; for any thread.
-/// O(frames x points x handles).
-StressPeak stressPeak(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
-                      const PosedCycle& cycle, int frames, Threads threads, Progress& progress);
+/// O(instants x points x handles).
+CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eigen::Index witnesses,
+                            const PosedCycle& cycle, int instants, CycleParts parts, Threads threads,
+                            Progress& progress);
 
 /// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
 /// open, or evaluated by a movie. Whoever keeps a pointer keeps its memory; points and map follow the
@@ -57,7 +71,7 @@ struct StressFrame {
   std::shared_ptr<const deformation::WitnessInterpolation> onSurface;
   std::shared_ptr<const Points> points;              ///< Of the mesh in the pose, `n x 3` mm; null unbound.
   std::shared_ptr<const deformation::StressMap> map; ///< At those points; null unbound.
-  std::shared_ptr<const StressPeak> peak;            ///< Null when none was found.
+  std::shared_ptr<const CycleStress> cycle;          ///< Null when it was not computed.
   /// The axes of the ellipsoid that a small ball at a point of the mesh becomes; empty unbound.
   std::function<deformation::PrincipalStretches(Eigen::Index point)> stretchesAt;
   std::uint64_t revision = 0;

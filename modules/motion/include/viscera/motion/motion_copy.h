@@ -20,6 +20,7 @@ struct MotionCause {
   std::shared_ptr<const document::SystemChoice> system;
   /// For each organ its identity, its surface, and whether its volume is locked.
   std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool>> organs;
+  std::shared_ptr<const Points> pose; ///< Gives locked organs their volumes; null where none is locked.
   bool operator==(const MotionCause&) const = default;
 };
 

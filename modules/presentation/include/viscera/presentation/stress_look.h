@@ -43,6 +43,10 @@ struct StressLook {
   bool operator==(const StressLook&) const = default;
 };
 
+/// What of a look is the user's habit and outlives the document: not its range, limit, probe and peak, and
+/// no glyphs, which stand in the place of the tissue.
+StressLook habitOf(StressLook look);
+
 /// The look as JSON text, for settings; text that is none gives the look to begin with.
 std::string toJson(const StressLook& look);
 StressLook stressLookFromJson(const std::string& text);
