@@ -90,8 +90,16 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
   const int motion = view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
   const auto chosen = static_cast<std::size_t>(motion);
   if (motion >= 0 && chosen < view.motions.size())
-    if (const auto organ = state.organ(view.motions[chosen].organ))
-      return motion::makeMotion(view.motions[chosen].recipe, *organ, context.samples, context.progress);
+    if (const auto organ = state.organ(view.motions[chosen].organ)) {
+      const std::string& recipe = view.motions[chosen].recipe;
+      const document::CirculationChoice& circulation = *state.circulation;
+      if (const auto resolution = motion::sampleHeartOf(recipe); resolution && circulation.drives)
+        return motion::circulatingHeart(context.samples, document::nameOf(circulation),
+                                        circulation.parameters, *resolution, context.progress,
+                                        context.threads)
+            .sequence;
+      return motion::makeMotion(recipe, *organ, context.samples, context.progress);
+    }
   return document::sequenceOf(*state.keySequence, *state.rig);
 }
 
@@ -130,7 +138,7 @@ void PosedSession::findStressCycle(const presentation::ViewState& view, CommandC
   runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
                                      sequence->highestRatePerMinute()));
   if (runner.movable())
-    stress_.findPeak(motion::posedCycle(runner, live_.copy()));
+    stress_.findCycle(motion::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
   box_.runUntil([&] { return jobs_.idle(); });
 }
 

@@ -150,14 +150,17 @@ void CirculateCommand::addOptions(CLI::App& options) {
       .add_option("--mean-pressure", measured_.meanAorticMmHg,
                   "Mean aortic pressure of that patient; otherwise the scenario's")
       ->type_name("MMHG");
-  options
-      .add_option("--vary", vary_, "How the numbers answer to one parameter, as in stressedVolume=600:1400")
-      ->type_name("NAME=FROM:TO");
-  options.add_option("--csv", csv_, "Table of all curves over one beat")->type_name("FILE");
+  CLI::Option* vary =
+      options
+          .add_option("--vary", vary_,
+                      "How the numbers answer to one parameter, as in stressedVolume=600:1400")
+          ->type_name("NAME=FROM:TO");
+  options.add_option("--csv", csv_, "Table of all curves over one beat")->type_name("FILE")->excludes(vary);
   options
       .add_option("--png", png_,
                   "Picture: Wiggers's diagram, and the pressure-volume loops beside those at rest")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(vary);
   options.add_option("--size", size_, "Size of the picture in pixels")
       ->type_name("WxH")
       ->capture_default_str();

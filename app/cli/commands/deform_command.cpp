@@ -50,7 +50,8 @@ public:
         ->type_name("LABEL");
     options
         .add_option("--restore", restore_,
-                    "How they share the motion: least-displacement, or least-stress of the tissue inside")
+                    "How the compensating handles share the motion: least-displacement, or least-stress of "
+                    "the tissue inside")
         ->check(CLI::IsMember({kLeastDisplacement, kLeastStress}))
         ->type_name("HOW")
         ->capture_default_str();

@@ -131,7 +131,9 @@ void LessonCommand::addOptions(CLI::App& options) {
   options.add_option("--handles", handles_, "How many handles there are to drag; 0: none")
       ->type_name("N")
       ->check(CLI::Range(0, kMostLessonHandles));
-  options.add_option("--rate", rate_, "Cycles a minute to begin with; of a .glb the only ones")
+  options
+      .add_option("--rate", rate_,
+                  "Rate at which the page starts, in cycles a minute; the only rate of a .glb")
       ->type_name("PER_MINUTE")
       ->check(CLI::PositiveNumber);
   options.add_option("--title", title_, "What the lesson is called");
@@ -153,7 +155,8 @@ Outcome LessonCommand::run(CommandContext& context) {
                      "name a sequence, a session or an organ, or give --ready");
   const std::string ending = std::filesystem::path(output_).extension().string();
   if (ending != ".html" && ending != ".glb")
-    throw UsageError("It is not a file that a lesson can be", output_, "let it end in .html or .glb");
+    throw UsageError("A lesson cannot be written to this kind of file", output_,
+                     "let it end in .html or .glb");
   return write(output_, context);
 }
 

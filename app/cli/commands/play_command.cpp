@@ -272,9 +272,18 @@ public:
 private:
   /// What playing has shown.
   struct Measured {
-    motion::VolumeRecord volumes;
-    motion::VolumeRecord atKeys; ///< Of a recorded sequence: at its keys, which frames may miss.
-    std::optional<Walls> walls;  ///< Of the sample heart.
+    motion::VolumeRecord volumes; ///< At the frames.
+    motion::VolumeRecord atKeys;  ///< Of a recorded sequence: at its keys, which frames may miss.
+    motion::CycleCurves cycle;    ///< The whole cycle, so that no extreme depends on the frames.
+    std::optional<Walls> walls;   ///< Of the sample heart.
+
+    /// All volumes of a surface, ml: at least one.
+    std::vector<double> of(std::size_t surface) const {
+      std::vector<double> values = volumes.column(surface);
+      for (const std::vector<double>& more : {atKeys.column(surface), cycle.milliliters[surface]})
+        values.insert(values.end(), more.begin(), more.end());
+      return values;
+    }
   };
 
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
@@ -347,7 +356,7 @@ private:
     std::vector<std::string> names;
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
-    Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}};
+    Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}, {}};
     std::optional<RecordedPlay> recording;
     if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
       recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, context);
@@ -381,10 +390,10 @@ private:
       context.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);
-    if (measured.walls) {
-      Progress quiet;
-      measured.walls->motion = motion::measureCycle(runner, quiet).wall;
-    }
+    Progress quiet;
+    measured.cycle = motion::measureCycle(runner, quiet);
+    if (measured.walls)
+      measured.walls->motion = measured.cycle.wall;
     if (recording)
       recording->finish(context.progress);
     if (!sheet_.empty())
@@ -398,14 +407,14 @@ private:
     outcome.json["ejectionFraction"] = nullptr;
     const int ventricle = ventricleOf(played);
     for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
-      std::vector<double> values = measured.volumes.column(i);
-      const std::vector<double> atKeys = measured.atKeys.column(i);
-      values.insert(values.end(), atKeys.begin(), atKeys.end());
+      // Of a recorded sequence its keys are what was measured: the numbers are those of `viscera track`.
+      const bool hasKeys = measured.atKeys.rows() > 0;
+      const std::vector<double> values = hasKeys ? measured.atKeys.column(i) : measured.of(i);
       const bool isVentricle = static_cast<int>(i) == ventricle;
-      if ((!isVentricle && atKeys.empty()) || !(*std::min_element(values.begin(), values.end()) > 0))
+      if ((!isVentricle && !hasKeys) || !(*std::min_element(values.begin(), values.end()) > 0))
         continue;
       const motion::CardiacIndices indices = motion::cardiacIndices(values, rate);
-      if (!atKeys.empty())
+      if (hasKeys)
         outcome.json["indices"][played.surfaces[i].name] = {
             {"endDiastolicMl", indices.endDiastolicMl},
             {"endSystolicMl", indices.endSystolicMl},
@@ -439,7 +448,7 @@ private:
     double outerChange = 0;
     for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
       const PlayedSurface& surface = played.surfaces[i];
-      const std::vector<double> values = volumes.column(i);
+      const std::vector<double> values = measured.of(i);
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
       const double rest = played.restMl(i);
       outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}};

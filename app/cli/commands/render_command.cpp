@@ -173,9 +173,11 @@ public:
     CLI::Option* influence =
         options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
             ->type_name("LABEL");
-    CLI::Option* pose =
-        options.add_option("--pose", pose_, "Show the organs with the handles where this file has them")
-            ->type_name("FILE");
+    CLI::Option* pose = options
+                            .add_option("--pose", pose_,
+                                        "Pose the organs by the handle positions in this file; handles that "
+                                        "it leaves out stay at rest")
+                            ->type_name("FILE");
     options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
         ->needs(pose)
         ->excludes(influence);

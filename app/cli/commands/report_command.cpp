@@ -40,7 +40,8 @@ public:
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     if (!report::isReportFile(output_))
-      throw UsageError("It is not a file that a report can be", output_, "let it end in .pdf or .html");
+      throw UsageError("A report cannot be written to this kind of file", output_,
+                       "let it end in .pdf or .html");
     Outcome outcome;
     Material material = this->material(context, outcome.warnings);
     PosedSession posed(material.state, material.view, context);

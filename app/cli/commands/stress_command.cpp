@@ -104,13 +104,15 @@ public:
         ->capture_default_str();
     options
         .add_option("--quality", witnesses_.radiusEdgeRatio,
-                    "Of the tetrahedra: largest circumradius by shortest edge, from 1.1")
+                    "Largest ratio of circumradius to shortest edge of the tetrahedra, 1.1 (best) to 10")
         ->type_name("RATIO")
         ->capture_default_str();
-    options.add_option("--time-limit", witnesses_.timeLimitSeconds, "For one run of TetGen, s")
+    options
+        .add_option("--time-limit", witnesses_.timeLimitSeconds,
+                    "Time limit for one run of TetGen, in seconds")
         ->type_name("S")
         ->capture_default_str();
-    options.add_option("--memory-limit", memoryMb_, "For TetGen, MB")
+    options.add_option("--memory-limit", memoryMb_, "Memory limit for TetGen, in MB")
         ->type_name("MB")
         ->check(CLI::Range(1.0, 1e7))
         ->capture_default_str();

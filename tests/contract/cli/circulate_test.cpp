@@ -135,6 +135,7 @@ TEST_F(CliCirculate, MistakesAreNamed) {
   expectFailure({"circulate", "--param", "rate"}, kUsage, "=");
   expectFailure({"circulate", "--param", "rate=fast"}, kUsage, "number");
   expectFailure({"circulate", "--vary", "rate=60"}, kUsage, "range");
+  expectFailure({"circulate", "--vary", "rate=60:80", "--csv", "x.csv"}, kUsage, "--vary");
   expectFailure({"circulate", "--csv", path("no/such/folder.csv")}, kCannotCreate, "folder");
 }
 

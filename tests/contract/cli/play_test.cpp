@@ -50,6 +50,16 @@ TEST_F(CliPlay, TheHeartbeatEmptiesTheVentriclesAsMeasured) {
   }
 }
 
+TEST_F(CliPlay, MeasuresTheWholeBeatHoweverFewFramesAreDrawn) {
+  const json often = runJson({"play", "heartbeat", "--organ", "sample:heart@low"});
+  const json seldom = runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "2"});
+  EXPECT_EQ(seldom["frames"], 2);
+  EXPECT_NEAR(seldom["ejectionFraction"].get<double>(), often["ejectionFraction"].get<double>(), 1e-3);
+  EXPECT_NEAR(seldom["strokeVolumeMl"].get<double>(), often["strokeVolumeMl"].get<double>(), 0.1);
+  EXPECT_NEAR(seldom["volumes"]["la"]["minMl"].get<double>(), often["volumes"]["la"]["minMl"].get<double>(),
+              0.1);
+}
+
 TEST_F(CliPlay, RecordsAMovieAndFrames) {
   const json beat = runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "10", "--size",
                              "320x200", "--movie", path("beat.ogv"), "--frames", path("frames.d")});
