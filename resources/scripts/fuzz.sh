@@ -8,12 +8,14 @@ packages_to_fuzz() {
 # fuzz_one TARGET SECONDS: runs it on a copy of its seeds and on its findings; one line with what was done. What it finds
 # is left in build/fuzz/found.
 fuzz_one() {
-  local target=$1 seconds=$2 folder=$root/build/fuzz status=0
+  local target=$1 seconds=$2 folder=$root/build/fuzz status=0 scratch=${TMPDIR:-/tmp}
   mkdir -p "$folder/corpus/$target" "$folder/seeds/$target" "$folder/found" "$root/tests/fuzz/findings/$target"
   # OpenMP's threads would be leaks at the end; a reader may take 2 GiB and 10 s. DCMTK asks for what a length promises
   # without throwing and without touching it, so that single requests have no limit of their own.
-  VISCERA_FUZZ_SEEDS=$folder/seeds/$target OMP_NUM_THREADS=1 ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 \
-    LSAN_OPTIONS=suppressions=$root/tests/fuzz/leaks.supp:print_suppressions=0 \
+  # What is read at once and never kept: in memory, where that can be.
+  [ ! -d /dev/shm ] || scratch=/dev/shm
+  TMPDIR=$scratch VISCERA_FUZZ_SEEDS=$folder/seeds/$target OMP_NUM_THREADS=1 ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 \
+    LSAN_OPTIONS=suppressions=$root/tests/support/leaks.supp:print_suppressions=0 \
     "$folder/bin/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=1000000 -max_len=65536 -print_final_stats=1 \
     -artifact_prefix="$folder/found/$target-" \
     "$folder/corpus/$target" "$folder/seeds/$target" "$root/tests/fuzz/findings/$target" \
