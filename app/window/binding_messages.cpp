@@ -19,6 +19,12 @@ BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject*
   });
 }
 
+/// Its offers end with it.
+BindingMessages::~BindingMessages() {
+  if (bar_ && !shown_.isEmpty())
+    bar_->retract(shown_);
+}
+
 void BindingMessages::sync() {
   using State = live::BindingStatus::State;
   double seconds = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 
 #include "window/widgets/message_bar.h"
 #include "window/workspace.h"
@@ -17,6 +18,7 @@ public:
   /// own.
   BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr,
                   Workspace* mended = nullptr);
+  ~BindingMessages() override;
 
 Q_SIGNALS:
   /// Everything is bound anew; how long that took.
@@ -30,7 +32,7 @@ private:
 
   Workspace& workspace_;
   Workspace& mended_;
-  MessageBar* bar_;
+  QPointer<MessageBar> bar_;
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.
   Subscription subscription_;

@@ -79,12 +79,13 @@ void ExportActions::choose(const QString& title, const QString& name, const QStr
 }
 
 void ExportActions::write(const QString& what, const QString& file, std::function<QString(Progress&)> work) {
-  workspace_.inBackground<QString>(
-      tr("Exporting %1").arg(what), "export", std::move(work), [this, file](const QString& remark) {
-        settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
-        const QString said = tr("Written to %1.").arg(file);
-        workspace_.note(remark.isEmpty() ? said : said + QLatin1Char(' ') + remark);
-      });
+  workspace_.inBackground<QString>(tr("Exporting %1").arg(what), Workspace::slotOf(file), std::move(work),
+                                   [this, file](const QString& remark) {
+                                     settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+                                     const QString said = tr("Written to %1.").arg(file);
+                                     workspace_.note(remark.isEmpty() ? said
+                                                                      : said + QLatin1Char(' ') + remark);
+                                   });
 }
 
 void ExportActions::exportOrgans(const QString& file) {
@@ -130,7 +131,7 @@ void ExportActions::exportTransform(const QString& file) {
   write(text(organ->name), file,
         [system = workspace_.registry().find(document.system().id),
          options = coordinates::BindOptions{document.system().parameters, {}},
-         handles = document::handleSet(document.rig()), pose = document.pose(), grid,
+         handles = document::handleSet(document.rig()), pose = workspace_.live().shownPose(), grid,
          path = file.toStdString()](Progress& progress) {
           const deformation::DisplacementGrid field =
               deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);

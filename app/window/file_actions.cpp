@@ -14,6 +14,7 @@
 #include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
+#include "window/widgets/new_file.h"
 
 namespace viscera::app {
 namespace {
@@ -256,11 +257,9 @@ void FileActions::chooseAndSaveHandles() {
   QString file = QFileDialog::getSaveFileName(
       window_, tr("Save handles"), folder() + QStringLiteral("/handles") + QLatin1String(kHandleEnding),
       tr("Slicer markups (*%1 *.fcsv)").arg(QLatin1String(kHandleEnding)));
-  if (file.isEmpty())
-    return;
-  if (!file.endsWith(QLatin1String(kHandleEnding)) && !file.endsWith(QLatin1String(".fcsv")))
-    file += QLatin1String(kHandleEnding);
-  saveHandles(file);
+  file = asNewFile(window_, file, {QLatin1String(kHandleEnding), QStringLiteral(".fcsv")});
+  if (!file.isEmpty())
+    saveHandles(file);
 }
 
 void FileActions::saveHandles(const QString& file) {
@@ -319,7 +318,7 @@ void FileActions::exportOrgan(const QString& file) {
   geometry::TriangleMesh mesh = *organ->mesh;
   mesh.points = workspace_.live().points(organ->id);
   workspace_.inBackground<bool>(
-      tr("Exporting %1").arg(inWords(organ->name)), "export",
+      tr("Exporting %1").arg(inWords(organ->name)), Workspace::slotOf(file),
       [mesh = std::move(mesh), path = file.toStdString(), name = organ->name](Progress&) {
         medical_io::writeSurface(path, mesh, {.name = name});
         return true;

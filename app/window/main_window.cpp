@@ -6,6 +6,8 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -81,7 +83,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
-  (new HandleTable(workspace_, *picture_, *viewArea_->view(), this))->addTo(actions_);
+  (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   makeSession();
   slides_ = new Slides(view_, *viewArea_->view(), playback_, actions_, this);
@@ -235,6 +237,7 @@ void MainWindow::connectFiles() {
   });
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {
+    viewArea_->messages()->dismiss(); // Its offers were for the document before.
     showWelcome(false);
     play_->comparison().end();
   });
@@ -306,6 +309,25 @@ void MainWindow::escape() {
     workspace_.selection().clear();
 }
 
+/// Whether no file is being written, or the user does without it.
+bool MainWindow::leavesUnwritten() {
+  QStringList writing = workspace_.writing();
+  if (play_->recorder().running())
+    writing.push_back(tr("Recording a movie"));
+  if (writing.isEmpty())
+    return true;
+  if (unwrittenQuestion_)
+    return unwrittenQuestion_(writing);
+  QMessageBox box(QMessageBox::Question, tr("Close without these files?"),
+                  tr("Files are still being written: %1.").arg(writing.join(QStringLiteral(", "))),
+                  QMessageBox::NoButton, this);
+  box.setInformativeText(tr("They will be missing when Viscera closes now."));
+  QPushButton* close = box.addButton(tr("&Close"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(tr("&Wait"), QMessageBox::RejectRole));
+  box.exec();
+  return box.clickedButton() == close;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   // Saving goes on behind this, and closes the window when it is done.
   const auto atOnce = std::make_shared<bool>(true);
@@ -314,7 +336,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
       close();
   });
   *atOnce = false;
-  if (!leaves)
+  if (!leaves || !leavesUnwritten())
     return event->ignore();
   imports_->cancel();
   lecture_->end();

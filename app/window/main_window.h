@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -84,11 +85,16 @@ public:
   void setMode(const std::string& id) { modes_->choose(id); }
   void setTheme(ThemeKind kind);
   void showWelcome(bool shown);
+  /// Another way to ask than a dialog whether to close while these files are being written, for tests.
+  void setUnwrittenQuestion(std::function<bool(const QStringList& names)> question) {
+    unwrittenQuestion_ = std::move(question);
+  }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
 
 private:
+  bool leavesUnwritten();
   void makeModes();
   void makeThemeActions();
   void makeSession();
@@ -139,6 +145,7 @@ private:
   ThemeKind theme_ = ThemeKind::dark;
   std::vector<Subscription> subscriptions_;
   std::unique_ptr<HandleGrip> handleGrip_;
+  std::function<bool(const QStringList&)> unwrittenQuestion_;
 };
 
 } // namespace viscera::app

@@ -115,8 +115,9 @@ QString StatusLine::bindingText() const {
 
 void StatusLine::syncBinding() {
   const double folded = workspace_.bend().foldedMl();
-  binding_->setText(folded > 0 ? tr("%1, the pose folds %2").arg(bindingText(), formatMilliliters(folded))
-                               : bindingText());
+  binding_->setText(
+      folded > 0 ? tr("%1, %2 of tissue folded by the pose").arg(bindingText(), formatMilliliters(folded))
+                 : bindingText());
 }
 
 void StatusLine::watch(JobQueue& jobs) {

@@ -53,6 +53,14 @@ QString sentenceOf(const Error& error) {
   return sentence;
 }
 
+QStringList Workspace::writing() const {
+  QStringList names;
+  for (const JobInfo& job : jobs_.jobs())
+    if (job.slot.rfind(kWriting, 0) == 0)
+      names.push_back(QString::fromStdString(job.name));
+  return names;
+}
+
 void Workspace::report(const Error& error) {
   say({Message::Severity::error, sentenceOf(error), {}, 0});
 }

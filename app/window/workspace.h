@@ -65,6 +65,12 @@ public:
                          });
   }
 
+  /// The slot of a job that writes this file: one that writes another file waits for it, one that writes the
+  /// same file takes its place.
+  static std::string slotOf(const QString& file) { return kWriting + file.toStdString(); }
+  /// The names of the jobs that write files.
+  QStringList writing() const;
+
   /// What the chosen coordinates promise; the standard ones' where there are none of that name.
   coordinates::Traits systemTraits() const;
 
@@ -86,6 +92,8 @@ Q_SIGNALS:
   void messageRetracted(const QString& text);
 
 private:
+  static constexpr const char* kWriting = "write:";
+
   document::Document document_;
   document::UndoStack undo_;
   plugin::Registry registry_;

@@ -307,13 +307,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of the given points {is|are} not in it</source>
-        <translation>
-            <numerusform>%n dels punts donats no hi és</numerusform>
-            <numerusform>%n dels punts donats no hi són</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {byte|bytes} after the end ignored</source>
         <translation>
             <numerusform>s’ignora %n byte després del final</numerusform>
@@ -444,6 +437,13 @@
         <translation>
             <numerusform>%n posició té més d’un tall (%2); s’ha llegit el de número més baix</numerusform>
             <numerusform>%n posicions tenen més d’un tall (%2); s’ha llegit el de número més baix</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point of the surface is|points of the surface are} missing</source>
+        <translation>
+            <numerusform>falta %n punt de la superfície</numerusform>
+            <numerusform>falten %n punts de la superfície</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -649,8 +649,8 @@
         <translation>Un angle necessita tres punts, qualsevol altra mesura dos</translation>
     </message>
     <message>
-        <source>An ejection fraction of %1 is none of a heart</source>
-        <translation>Cap cor té una fracció d’ejecció de %1</translation>
+        <source>An ejection fraction of %1 is out of range</source>
+        <translation>Una fracció d’ejecció de %1 és fora de l’interval</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -737,10 +737,6 @@
         <translation>Artèries</translation>
     </message>
     <message>
-        <source>As near to a target as balance allows; what is done about negative numbers can be chosen</source>
-        <translation>Tan a prop d’un objectiu com permet l’equilibri; es pot triar què es fa amb els nombres negatius</translation>
-    </message>
-    <message>
         <source>Ascending aorta</source>
         <translation>Aorta ascendent</translation>
     </message>
@@ -751,6 +747,10 @@
     <message>
         <source>Atria</source>
         <translation>Aurícules</translation>
+    </message>
+    <message>
+        <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
+        <translation>Pesos en equilibri, els més propers a un objectiu; un paràmetre indica com es tracten els pesos negatius</translation>
     </message>
     <message>
         <source>Base</source>
@@ -847,6 +847,10 @@
     <message>
         <source>Centreline</source>
         <translation>Línia central</translation>
+    </message>
+    <message>
+        <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
+        <translation>Centroide de totes les solucions positives, estimat per mostreig; més mostres donen més exactitud</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -1606,6 +1610,14 @@
         <translation>Només conté màscares buides</translation>
     </message>
     <message>
+        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
+        <translation>Només conté la capçalera d’una imatge NIfTI de dos fitxers; el fitxer amb els vòxels, %1, no és al costat</translation>
+    </message>
+    <message>
+        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
+        <translation>Només conté els vòxels d’una imatge NIfTI de dos fitxers; el fitxer amb la capçalera, %1, no és al costat</translation>
+    </message>
+    <message>
         <source>It holds points, but no faces</source>
         <translation>Conté punts, però no cares</translation>
     </message>
@@ -1666,8 +1678,8 @@
         <translation>No és un fitxer de tipus %1: el seu «format» no és «%2»</translation>
     </message>
     <message>
-        <source>It is not a NIfTI image: its header is not one</source>
-        <translation>No és una imatge NIfTI: la capçalera no ho és</translation>
+        <source>It is not a NIfTI image: it has no NIfTI header</source>
+        <translation>No és una imatge NIfTI: no té capçalera NIfTI</translation>
     </message>
     <message>
         <source>It is not a file of several volumes</source>
@@ -1748,14 +1760,6 @@
     <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>És de la versió %1; aquest programa llegeix fins a la %2</translation>
-    </message>
-    <message>
-        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
-        <translation>És la meitat d’una imatge NIfTI amb els vòxels; la capçalera, %1, no és al costat</translation>
-    </message>
-    <message>
-        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
-        <translation>És la capçalera d’una imatge NIfTI de dos fitxers; el dels vòxels, %1, no és al costat</translation>
     </message>
     <message>
         <source>It is too large: %1 points</source>
@@ -2024,12 +2028,12 @@
         <translation>Valor mitjà sobre tots els tetraedres dels tiradors alhora, per direccions; positives, amb molts màxims</translation>
     </message>
     <message>
-        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
-        <translation>Valor mitjà sobre les regions de Voronoi dels tiradors tal com els veu cada punt; salts, o lentes</translation>
+        <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
+        <translation>Valor mitjà sobre els triangles de Delaunay dels tiradors tal com els veu cada punt; salts on els triangles canvien, que la fusió redueix</translation>
     </message>
     <message>
-        <source>Mean value over the triangles in which each point sees the handles; jumps, or blended rough</source>
-        <translation>Valor mitjà sobre els triangles en què cada punt veu els tiradors; salts, o rugoses si es fusionen</translation>
+        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
+        <translation>Valor mitjà sobre les regions de Voronoi dels tiradors tal com els veu cada punt; salts, o lentes</translation>
     </message>
     <message>
         <source>Measure %1</source>
@@ -2568,10 +2572,6 @@
         <translation>Solucions de l’equació de Laplace en una gàbia de qualsevol forma; locals, i sense lòbuls negatius</translation>
     </message>
     <message>
-        <source>Some files say that they are in RAS and this one does not say what it is in</source>
-        <translation>Alguns fitxers indiquen que són en RAS i aquest no indica els seus eixos</translation>
-    </message>
-    <message>
         <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
         <translation>Alguns dels seus valors necessiten més de 32 bits com a nombre enter; es conserven com a decimals de set xifres</translation>
     </message>
@@ -2691,6 +2691,10 @@
         <translation>no es pot iniciar el programa %1 de TetGen: %2</translation>
     </message>
     <message>
+        <source>TetGen&apos;s result does not fill this surface: %1</source>
+        <translation>el resultat de TetGen no omple aquesta superfície: %1</translation>
+    </message>
+    <message>
         <source>Textbook heartbeat</source>
         <translation>Batec del llibre de text</translation>
     </message>
@@ -2705,10 +2709,6 @@
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavitat %1 no és dins de la superfície exterior %2: el %3 % en queda fora</translation>
-    </message>
-    <message>
-        <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
-        <translation>El centre de totes les respostes positives, per mostreig; tan bones com el nombre de mostres</translation>
     </message>
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
@@ -2984,6 +2984,10 @@
         <translation>Engruiximent</translation>
     </message>
     <message>
+        <source>This file does not state its axes, but other files of the series are in RAS</source>
+        <translation>Aquest fitxer no indica els seus eixos, però altres fitxers de la sèrie són en RAS</translation>
+    </message>
+    <message>
         <source>This kind of file is not supported</source>
         <translation>Aquest tipus de fitxer no s’admet</translation>
     </message>
@@ -3071,6 +3075,14 @@
         <translation>Viridis</translation>
     </message>
     <message>
+        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
+        <translation>Viscera no llegeix mapes d’etiquetes que acaben en «%1»</translation>
+    </message>
+    <message>
+        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
+        <translation>Viscera no llegeix fitxers de superfície que acaben en «%1»</translation>
+    </message>
+    <message>
         <source>Viscera:</source>
         <translation>Viscera:</translation>
     </message>
@@ -3137,6 +3149,10 @@
     <message>
         <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no és de mida natural: %3</translation>
+    </message>
+    <message>
+        <source>Two of its segments have the label %1, which NIfTI cannot tell apart</source>
+        <translation>Dos dels seus segments tenen l’etiqueta %1, que NIfTI no pot distingir</translation>
     </message>
     <message>
         <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
@@ -3943,10 +3959,6 @@
         <translation>volum telesistòlic</translation>
     </message>
     <message>
-        <source>ends the cycle at another volume than it begins</source>
-        <translation>acaba el cicle amb un altre volum que el del començament</translation>
-    </message>
-    <message>
         <source>even so, folds of the surface meet when they pass</source>
         <translation>tot i així, els plecs de la superfície es toquen quan passen</translation>
     </message>
@@ -4160,6 +4172,10 @@
             <numerusform>té %n columna</numerusform>
             <numerusform>té %n columnes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>has a heading that does not say what the instants are</source>
+        <translation>té un encapçalament que no diu què són els instants</translation>
     </message>
     <message>
         <source>has a volume that is not positive</source>
@@ -4659,6 +4675,10 @@
         <translation>els seus talls no són a la mateixa distància els uns dels altres (fotograma %1)</translation>
     </message>
     <message>
+        <source>its surface has changed: measured points were moved to the nearest places on the new surface</source>
+        <translation>la seva superfície ha canviat: els punts mesurats s’han mogut als llocs més propers de la superfície nova</translation>
+    </message>
+    <message>
         <source>its surface is open, so it has no volume that could be locked</source>
         <translation>la seva superfície és oberta, així que no té volum per bloquejar</translation>
     </message>
@@ -4694,12 +4714,12 @@
         <translation>el seu valor no és un nombre finit</translation>
     </message>
     <message>
-        <source>its volume can be kept only when it is bound to the handles there are</source>
-        <translation>el seu volum només es pot mantenir quan està vinculat als tiradors presents</translation>
+        <source>its volume can be kept only after it is bound to the present handles</source>
+        <translation>el seu volum només es pot mantenir després de vincular-lo als tiradors presents</translation>
     </message>
     <message>
-        <source>its volume is another one</source>
-        <translation>el seu volum n’és un altre</translation>
+        <source>its volume differs from that of the surface</source>
+        <translation>el seu volum difereix del de la superfície</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4788,6 +4808,10 @@
     <message>
         <source>lengthen the period first</source>
         <translation>allargueu primer el període</translation>
+    </message>
+    <message>
+        <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
+        <translation>que comenci per «time_s» per a segons, o per «fraction» per a parts del cicle</translation>
     </message>
     <message>
         <source>let its name end in .mrk.json or .fcsv</source>
@@ -5117,10 +5141,6 @@
         <translation>pausa</translation>
     </message>
     <message>
-        <source>peak stress over the sequence</source>
-        <translation>tensió màxima al llarg de la seqüència</translation>
-    </message>
-    <message>
         <source>phase %1</source>
         <translation>fase %1</translation>
     </message>
@@ -5397,6 +5417,10 @@
         <translation>esfera</translation>
     </message>
     <message>
+        <source>stress over the sequence</source>
+        <translation>tensió al llarg de la seqüència</translation>
+    </message>
+    <message>
         <source>stroke volume</source>
         <translation>volum sistòlic</translation>
     </message>
@@ -5523,14 +5547,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>l’OpenGL del controlador és anterior a 3.2</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a label map</source>
-        <translation>l’extensió «%1» no és d’un mapa d’etiquetes</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a surface file</source>
-        <translation>l’extensió «%1» no és d’un fitxer de superfície</translation>
     </message>
     <message>
         <source>the file does not say its axes; LPS is assumed</source>
@@ -6118,6 +6134,10 @@
         <translation>els valors a mostrar són %1, el teixit té %2 punts</translation>
     </message>
     <message>
+        <source>the volume at the end of the cycle differs from the volume at its start</source>
+        <translation>el volum al final del cicle difereix del volum al començament</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>el volum no es pot mantenir aquí: %1</translation>
     </message>
@@ -6425,14 +6445,6 @@
         <translation>ona al cos</translation>
     </message>
     <message>
-        <source>what TetGen made is not a filling of this surface: %1</source>
-        <translation>el que ha fet TetGen no és un ompliment d’aquesta superfície: %1</translation>
-    </message>
-    <message>
-        <source>what is measured on it is now at the nearest places of that surface</source>
-        <translation>el que s’hi ha mesurat és ara als llocs més propers d’aquesta superfície</translation>
-    </message>
-    <message>
         <source>witness point %1 has a coordinate that is not finite</source>
         <translation>el punt testimoni %1 té una coordenada que no és finita</translation>
     </message>
@@ -6522,6 +6534,10 @@
     <message>
         <source>write it as .nrrd</source>
         <translation>escriviu-la com a .nrrd</translation>
+    </message>
+    <message>
+        <source>write it as .seg.nrrd</source>
+        <translation>escriviu-la com a .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>

@@ -307,13 +307,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of the given points {is|are} not in it</source>
-        <translation>
-            <numerusform>%n der gegebenen Punkte ist nicht darin</numerusform>
-            <numerusform>%n der gegebenen Punkte sind nicht darin</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {byte|bytes} after the end ignored</source>
         <translation>
             <numerusform>%n Byte nach dem Ende ignoriert</numerusform>
@@ -444,6 +437,13 @@
         <translation>
             <numerusform>%n Ort hat mehr als eine Schicht (%2); die mit der kleinsten Nummer wurde gelesen</numerusform>
             <numerusform>%n Orte haben mehr als eine Schicht (%2); die mit der kleinsten Nummer wurde gelesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point of the surface is|points of the surface are} missing</source>
+        <translation>
+            <numerusform>%n Punkt der Oberfläche fehlt</numerusform>
+            <numerusform>%n Punkte der Oberfläche fehlen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -649,8 +649,8 @@
         <translation>Ein Winkel braucht drei Punkte, jede andere Messung zwei</translation>
     </message>
     <message>
-        <source>An ejection fraction of %1 is none of a heart</source>
-        <translation>Eine Ejektionsfraktion von %1 hat kein Herz</translation>
+        <source>An ejection fraction of %1 is out of range</source>
+        <translation>Eine Ejektionsfraktion von %1 liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -737,10 +737,6 @@
         <translation>Arterien</translation>
     </message>
     <message>
-        <source>As near to a target as balance allows; what is done about negative numbers can be chosen</source>
-        <translation>So nah an einem Ziel, wie das Gleichgewicht zulässt; was mit negativen Zahlen geschieht, ist wählbar</translation>
-    </message>
-    <message>
         <source>Ascending aorta</source>
         <translation>Aorta ascendens</translation>
     </message>
@@ -751,6 +747,10 @@
     <message>
         <source>Atria</source>
         <translation>Vorhöfe</translation>
+    </message>
+    <message>
+        <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
+        <translation>Gewichte im Gleichgewicht, einem Ziel am nächsten; ein Parameter gibt an, wie negative Gewichte behandelt werden</translation>
     </message>
     <message>
         <source>Base</source>
@@ -847,6 +847,10 @@
     <message>
         <source>Centreline</source>
         <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
+        <translation>Schwerpunkt aller positiven Lösungen, durch Stichproben geschätzt; mehr Stichproben sind genauer</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -1606,6 +1610,14 @@
         <translation>Der Ordner enthält nur leere Masken</translation>
     </message>
     <message>
+        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
+        <translation>Sie enthält nur den Kopf eines NIfTI-Bildes aus zwei Dateien; die Datei mit den Voxeln, %1, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
+        <translation>Sie enthält nur die Voxel eines NIfTI-Bildes aus zwei Dateien; die Datei mit dem Kopf, %1, liegt nicht daneben</translation>
+    </message>
+    <message>
         <source>It holds points, but no faces</source>
         <translation>Die Datei enthält Punkte, aber keine Flächen</translation>
     </message>
@@ -1666,8 +1678,8 @@
         <translation>Es ist keine Datei der Art %1: ihr „format“ ist nicht „%2“</translation>
     </message>
     <message>
-        <source>It is not a NIfTI image: its header is not one</source>
-        <translation>Es ist kein NIfTI-Bild: der Kopf ist keiner</translation>
+        <source>It is not a NIfTI image: it has no NIfTI header</source>
+        <translation>Es ist kein NIfTI-Bild: Es hat keinen NIfTI-Kopf</translation>
     </message>
     <message>
         <source>It is not a file of several volumes</source>
@@ -1748,14 +1760,6 @@
     <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Sie hat die Version %1; dieses Programm liest bis %2</translation>
-    </message>
-    <message>
-        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
-        <translation>Es ist die Hälfte eines NIfTI-Bildes mit den Voxeln; ihr Kopf, %1, liegt nicht daneben</translation>
-    </message>
-    <message>
-        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
-        <translation>Es ist der Kopf eines NIfTI-Bildes aus zwei Dateien; die mit den Voxeln, %1, liegt nicht daneben</translation>
     </message>
     <message>
         <source>It is too large: %1 points</source>
@@ -2024,12 +2028,12 @@
         <translation>Mean Value über alle Tetraeder der Griffe zugleich, nach Richtungen; positiv, mit vielen Maxima</translation>
     </message>
     <message>
-        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
-        <translation>Mean Value über die Voronoi-Regionen der Griffe, wie jeder Punkt sie sieht; Sprünge, oder langsam</translation>
+        <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
+        <translation>Mean Value über die Delaunay-Dreiecke der Griffe, wie jeder Punkt sie sieht; Sprünge, wo Dreiecke kippen, durch Überblenden verringert</translation>
     </message>
     <message>
-        <source>Mean value over the triangles in which each point sees the handles; jumps, or blended rough</source>
-        <translation>Mean Value über die Dreiecke, in denen jeder Punkt die Griffe sieht; Sprünge, oder überblendet und rau</translation>
+        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
+        <translation>Mean Value über die Voronoi-Regionen der Griffe, wie jeder Punkt sie sieht; Sprünge, oder langsam</translation>
     </message>
     <message>
         <source>Measure %1</source>
@@ -2568,10 +2572,6 @@
         <translation>Lösungen der Laplace-Gleichung in einem Käfig beliebiger Form; lokal und ohne negative Ausläufer</translation>
     </message>
     <message>
-        <source>Some files say that they are in RAS and this one does not say what it is in</source>
-        <translation>Manche Dateien geben RAS an, diese gibt keine Achsen an</translation>
-    </message>
-    <message>
         <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
         <translation>Einige seiner Werte brauchen als ganze Zahl mehr als 32 Bit; sie werden als Dezimalzahlen mit sieben Stellen gehalten</translation>
     </message>
@@ -2691,6 +2691,10 @@
         <translation>das Programm %1 von TetGen kann nicht gestartet werden: %2</translation>
     </message>
     <message>
+        <source>TetGen&apos;s result does not fill this surface: %1</source>
+        <translation>das Ergebnis von TetGen füllt diese Oberfläche nicht: %1</translation>
+    </message>
+    <message>
         <source>Textbook heartbeat</source>
         <translation>Herzschlag wie im Lehrbuch</translation>
     </message>
@@ -2705,10 +2709,6 @@
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>Der Hohlraum %1 liegt nicht in der äußeren Oberfläche %2: %3 % davon liegen außerhalb</translation>
-    </message>
-    <message>
-        <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
-        <translation>Die Mitte aller positiven Lösungen, durch Stichproben; so gut wie deren Anzahl</translation>
     </message>
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
@@ -2984,6 +2984,10 @@
         <translation>Verdickung</translation>
     </message>
     <message>
+        <source>This file does not state its axes, but other files of the series are in RAS</source>
+        <translation>Diese Datei nennt ihre Achsen nicht, aber andere Dateien der Serie sind in RAS</translation>
+    </message>
+    <message>
         <source>This kind of file is not supported</source>
         <translation>Diese Art von Datei wird nicht unterstützt</translation>
     </message>
@@ -3071,6 +3075,14 @@
         <translation>Viridis</translation>
     </message>
     <message>
+        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
+        <translation>Viscera liest keine Labelmaps, die auf „%1“ enden</translation>
+    </message>
+    <message>
+        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
+        <translation>Viscera liest keine Oberflächendateien, die auf „%1“ enden</translation>
+    </message>
+    <message>
         <source>Viscera:</source>
         <translation>Viscera:</translation>
     </message>
@@ -3137,6 +3149,10 @@
     <message>
         <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 mit %2 ml ist nicht lebensgroß: %3</translation>
+    </message>
+    <message>
+        <source>Two of its segments have the label %1, which NIfTI cannot tell apart</source>
+        <translation>Zwei ihrer Segmente haben das Label %1, was NIfTI nicht unterscheiden kann</translation>
     </message>
     <message>
         <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
@@ -3943,10 +3959,6 @@
         <translation>endsystolisches Volumen</translation>
     </message>
     <message>
-        <source>ends the cycle at another volume than it begins</source>
-        <translation>endet den Zyklus mit einem anderen Volumen, als er beginnt</translation>
-    </message>
-    <message>
         <source>even so, folds of the surface meet when they pass</source>
         <translation>auch so berühren sich Falten der Oberfläche, wenn sie vorbeilaufen</translation>
     </message>
@@ -4160,6 +4172,10 @@
             <numerusform>hat %n Spalte</numerusform>
             <numerusform>hat %n Spalten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>has a heading that does not say what the instants are</source>
+        <translation>hat eine Überschrift, die nicht sagt, was die Zeitpunkte sind</translation>
     </message>
     <message>
         <source>has a volume that is not positive</source>
@@ -4659,6 +4675,10 @@
         <translation>ihre Schichten sind nicht gleich weit voneinander entfernt (Einzelbild %1)</translation>
     </message>
     <message>
+        <source>its surface has changed: measured points were moved to the nearest places on the new surface</source>
+        <translation>seine Oberfläche hat sich geändert: Gemessene Punkte wurden an die nächsten Stellen der neuen Oberfläche verschoben</translation>
+    </message>
+    <message>
         <source>its surface is open, so it has no volume that could be locked</source>
         <translation>seine Oberfläche ist offen und hat kein Volumen, das gesperrt werden könnte</translation>
     </message>
@@ -4694,12 +4714,12 @@
         <translation>sein Wert ist keine endliche Zahl</translation>
     </message>
     <message>
-        <source>its volume can be kept only when it is bound to the handles there are</source>
-        <translation>sein Volumen kann nur gehalten werden, wenn es an die vorhandenen Griffe gebunden ist</translation>
+        <source>its volume can be kept only after it is bound to the present handles</source>
+        <translation>sein Volumen kann erst gehalten werden, nachdem es an die vorhandenen Griffe gebunden ist</translation>
     </message>
     <message>
-        <source>its volume is another one</source>
-        <translation>ihr Volumen ist ein anderes</translation>
+        <source>its volume differs from that of the surface</source>
+        <translation>sein Volumen weicht von dem der Oberfläche ab</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4788,6 +4808,10 @@
     <message>
         <source>lengthen the period first</source>
         <translation>verlängern Sie zuerst die Periode</translation>
+    </message>
+    <message>
+        <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
+        <translation>lassen Sie sie für Sekunden mit „time_s“ beginnen, für Teile des Zyklus mit „fraction“</translation>
     </message>
     <message>
         <source>let its name end in .mrk.json or .fcsv</source>
@@ -5117,10 +5141,6 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>peak stress over the sequence</source>
-        <translation>Spitzenwert der Spannung über die Sequenz</translation>
-    </message>
-    <message>
         <source>phase %1</source>
         <translation>Phase %1</translation>
     </message>
@@ -5397,6 +5417,10 @@
         <translation>Kugel</translation>
     </message>
     <message>
+        <source>stress over the sequence</source>
+        <translation>Stress über die Sequenz</translation>
+    </message>
+    <message>
         <source>stroke volume</source>
         <translation>Schlagvolumen</translation>
     </message>
@@ -5523,14 +5547,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>das OpenGL des Treibers ist älter als 3.2</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a label map</source>
-        <translation>die Endung „%1“ ist keine einer Labelmap</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a surface file</source>
-        <translation>die Endung „%1“ ist keine einer Oberflächendatei</translation>
     </message>
     <message>
         <source>the file does not say its axes; LPS is assumed</source>
@@ -6118,6 +6134,10 @@
         <translation>zu zeigen sind %1 Werte, das Gewebe hat %2 Punkte</translation>
     </message>
     <message>
+        <source>the volume at the end of the cycle differs from the volume at its start</source>
+        <translation>das Volumen am Ende des Zyklus weicht von dem am Anfang ab</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>das Volumen kann hier nicht gehalten werden: %1</translation>
     </message>
@@ -6425,14 +6445,6 @@
         <translation>Welle im Korpus</translation>
     </message>
     <message>
-        <source>what TetGen made is not a filling of this surface: %1</source>
-        <translation>was TetGen erzeugt hat, ist keine Füllung dieser Oberfläche: %1</translation>
-    </message>
-    <message>
-        <source>what is measured on it is now at the nearest places of that surface</source>
-        <translation>Messungen darauf liegen jetzt an den nächsten Stellen dieser Oberfläche</translation>
-    </message>
-    <message>
         <source>witness point %1 has a coordinate that is not finite</source>
         <translation>Messpunkt %1 hat eine Koordinate, die nicht endlich ist</translation>
     </message>
@@ -6522,6 +6534,10 @@
     <message>
         <source>write it as .nrrd</source>
         <translation>schreiben Sie es als .nrrd</translation>
+    </message>
+    <message>
+        <source>write it as .seg.nrrd</source>
+        <translation>schreiben Sie es als .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>

@@ -307,13 +307,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of the given points {is|are} not in it</source>
-        <translation>
-            <numerusform>%n de los puntos dados no está en él</numerusform>
-            <numerusform>%n de los puntos dados no están en él</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {byte|bytes} after the end ignored</source>
         <translation>
             <numerusform>se ignora %n byte después del final</numerusform>
@@ -444,6 +437,13 @@
         <translation>
             <numerusform>%n posición tiene más de un corte (%2); se leyó el de número más bajo</numerusform>
             <numerusform>%n posiciones tienen más de un corte (%2); se leyó el de número más bajo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point of the surface is|points of the surface are} missing</source>
+        <translation>
+            <numerusform>falta %n punto de la superficie</numerusform>
+            <numerusform>faltan %n puntos de la superficie</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -649,8 +649,8 @@
         <translation>Un ángulo necesita tres puntos, cualquier otra medida dos</translation>
     </message>
     <message>
-        <source>An ejection fraction of %1 is none of a heart</source>
-        <translation>Ningún corazón tiene una fracción de eyección de %1</translation>
+        <source>An ejection fraction of %1 is out of range</source>
+        <translation>Una fracción de eyección de %1 está fuera del intervalo</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -737,10 +737,6 @@
         <translation>Arterias</translation>
     </message>
     <message>
-        <source>As near to a target as balance allows; what is done about negative numbers can be chosen</source>
-        <translation>Tan cerca de un objetivo como permita el equilibrio; se puede elegir qué hacer con los números negativos</translation>
-    </message>
-    <message>
         <source>Ascending aorta</source>
         <translation>Aorta ascendente</translation>
     </message>
@@ -751,6 +747,10 @@
     <message>
         <source>Atria</source>
         <translation>Aurículas</translation>
+    </message>
+    <message>
+        <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
+        <translation>Pesos en equilibrio, los más próximos a un objetivo; un parámetro indica cómo se tratan los pesos negativos</translation>
     </message>
     <message>
         <source>Base</source>
@@ -847,6 +847,10 @@
     <message>
         <source>Centreline</source>
         <translation>Línea central</translation>
+    </message>
+    <message>
+        <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
+        <translation>Centroide de todas las soluciones positivas, estimado por muestreo; más muestras dan más exactitud</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -1606,6 +1610,14 @@
         <translation>Solo contiene máscaras vacías</translation>
     </message>
     <message>
+        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
+        <translation>Solo contiene la cabecera de una imagen NIfTI de dos archivos; el archivo con los vóxeles, %1, no está al lado</translation>
+    </message>
+    <message>
+        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
+        <translation>Solo contiene los vóxeles de una imagen NIfTI de dos archivos; el archivo con la cabecera, %1, no está al lado</translation>
+    </message>
+    <message>
         <source>It holds points, but no faces</source>
         <translation>Contiene puntos, pero no caras</translation>
     </message>
@@ -1666,8 +1678,8 @@
         <translation>No es un archivo de tipo %1: su «format» no es «%2»</translation>
     </message>
     <message>
-        <source>It is not a NIfTI image: its header is not one</source>
-        <translation>No es una imagen NIfTI: su cabecera no lo es</translation>
+        <source>It is not a NIfTI image: it has no NIfTI header</source>
+        <translation>No es una imagen NIfTI: no tiene cabecera NIfTI</translation>
     </message>
     <message>
         <source>It is not a file of several volumes</source>
@@ -1748,14 +1760,6 @@
     <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Es de la versión %1; este programa lee hasta la %2</translation>
-    </message>
-    <message>
-        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
-        <translation>Es la mitad de una imagen NIfTI con los vóxeles; su cabecera, %1, no está al lado</translation>
-    </message>
-    <message>
-        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
-        <translation>Es la cabecera de una imagen NIfTI de dos archivos; el de los vóxeles, %1, no está al lado</translation>
     </message>
     <message>
         <source>It is too large: %1 points</source>
@@ -2024,12 +2028,12 @@
         <translation>Valor medio sobre todos los tetraedros de los tiradores a la vez, por direcciones; positivo, con muchos máximos</translation>
     </message>
     <message>
-        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
-        <translation>Valor medio sobre las regiones de Voronoi de los tiradores vistas desde cada punto; salta, o lento</translation>
+        <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
+        <translation>Valor medio sobre los triángulos de Delaunay de los tiradores vistos desde cada punto; salta donde los triángulos cambian, lo que la mezcla reduce</translation>
     </message>
     <message>
-        <source>Mean value over the triangles in which each point sees the handles; jumps, or blended rough</source>
-        <translation>Valor medio sobre los triángulos en que cada punto ve los tiradores; salta, o rugoso al mezclar</translation>
+        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
+        <translation>Valor medio sobre las regiones de Voronoi de los tiradores vistas desde cada punto; salta, o lento</translation>
     </message>
     <message>
         <source>Measure %1</source>
@@ -2568,10 +2572,6 @@
         <translation>Soluciones de la ecuación de Laplace en una jaula de cualquier forma; locales y sin lóbulos negativos</translation>
     </message>
     <message>
-        <source>Some files say that they are in RAS and this one does not say what it is in</source>
-        <translation>Algunos archivos indican que están en RAS y este no indica sus ejes</translation>
-    </message>
-    <message>
         <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
         <translation>Algunos de sus valores necesitan más de 32 bits como número entero; se conservan como decimales de siete cifras</translation>
     </message>
@@ -2691,6 +2691,10 @@
         <translation>no se puede iniciar el programa %1 de TetGen: %2</translation>
     </message>
     <message>
+        <source>TetGen&apos;s result does not fill this surface: %1</source>
+        <translation>el resultado de TetGen no llena esta superficie: %1</translation>
+    </message>
+    <message>
         <source>Textbook heartbeat</source>
         <translation>Latido del libro de texto</translation>
     </message>
@@ -2705,10 +2709,6 @@
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavidad %1 no está dentro de la superficie exterior %2: el %3 % queda fuera</translation>
-    </message>
-    <message>
-        <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
-        <translation>El centro de todas las respuestas positivas, por muestreo; tan bueno como el número de muestras</translation>
     </message>
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
@@ -2984,6 +2984,10 @@
         <translation>Engrosamiento</translation>
     </message>
     <message>
+        <source>This file does not state its axes, but other files of the series are in RAS</source>
+        <translation>Este archivo no indica sus ejes, pero otros archivos de la serie están en RAS</translation>
+    </message>
+    <message>
         <source>This kind of file is not supported</source>
         <translation>Este tipo de archivo no se admite</translation>
     </message>
@@ -3071,6 +3075,14 @@
         <translation>Viridis</translation>
     </message>
     <message>
+        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
+        <translation>Viscera no lee mapas de etiquetas que terminan en «%1»</translation>
+    </message>
+    <message>
+        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
+        <translation>Viscera no lee archivos de superficie que terminan en «%1»</translation>
+    </message>
+    <message>
         <source>Viscera:</source>
         <translation>Viscera:</translation>
     </message>
@@ -3137,6 +3149,10 @@
     <message>
         <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml no es de tamaño natural: %3</translation>
+    </message>
+    <message>
+        <source>Two of its segments have the label %1, which NIfTI cannot tell apart</source>
+        <translation>Dos de sus segmentos tienen la etiqueta %1, que NIfTI no puede distinguir</translation>
     </message>
     <message>
         <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
@@ -3943,10 +3959,6 @@
         <translation>volumen telesistólico</translation>
     </message>
     <message>
-        <source>ends the cycle at another volume than it begins</source>
-        <translation>termina el ciclo con otro volumen que el del comienzo</translation>
-    </message>
-    <message>
         <source>even so, folds of the surface meet when they pass</source>
         <translation>aun así, los pliegues de la superficie se tocan cuando pasan</translation>
     </message>
@@ -4160,6 +4172,10 @@
             <numerusform>tiene %n columna</numerusform>
             <numerusform>tiene %n columnas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>has a heading that does not say what the instants are</source>
+        <translation>tiene un encabezado que no dice qué son los instantes</translation>
     </message>
     <message>
         <source>has a volume that is not positive</source>
@@ -4659,6 +4675,10 @@
         <translation>sus cortes no están a la misma distancia unos de otros (fotograma %1)</translation>
     </message>
     <message>
+        <source>its surface has changed: measured points were moved to the nearest places on the new surface</source>
+        <translation>su superficie ha cambiado: los puntos medidos se han movido a los lugares más próximos de la nueva superficie</translation>
+    </message>
+    <message>
         <source>its surface is open, so it has no volume that could be locked</source>
         <translation>su superficie está abierta, así que no tiene volumen que bloquear</translation>
     </message>
@@ -4694,12 +4714,12 @@
         <translation>su valor no es un número finito</translation>
     </message>
     <message>
-        <source>its volume can be kept only when it is bound to the handles there are</source>
-        <translation>su volumen solo se puede mantener cuando está vinculado a los tiradores presentes</translation>
+        <source>its volume can be kept only after it is bound to the present handles</source>
+        <translation>su volumen solo se puede mantener después de vincularlo a los tiradores presentes</translation>
     </message>
     <message>
-        <source>its volume is another one</source>
-        <translation>su volumen es otro</translation>
+        <source>its volume differs from that of the surface</source>
+        <translation>su volumen difiere del de la superficie</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4788,6 +4808,10 @@
     <message>
         <source>lengthen the period first</source>
         <translation>alargue primero el periodo</translation>
+    </message>
+    <message>
+        <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
+        <translation>que empiece por «time_s» para segundos, o por «fraction» para partes del ciclo</translation>
     </message>
     <message>
         <source>let its name end in .mrk.json or .fcsv</source>
@@ -5117,10 +5141,6 @@
         <translation>pausa</translation>
     </message>
     <message>
-        <source>peak stress over the sequence</source>
-        <translation>estrés máximo a lo largo de la secuencia</translation>
-    </message>
-    <message>
         <source>phase %1</source>
         <translation>fase %1</translation>
     </message>
@@ -5397,6 +5417,10 @@
         <translation>esfera</translation>
     </message>
     <message>
+        <source>stress over the sequence</source>
+        <translation>estrés a lo largo de la secuencia</translation>
+    </message>
+    <message>
         <source>stroke volume</source>
         <translation>volumen sistólico</translation>
     </message>
@@ -5523,14 +5547,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>el OpenGL del controlador es anterior a 3.2</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a label map</source>
-        <translation>la extensión «%1» no es de un mapa de etiquetas</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a surface file</source>
-        <translation>la extensión «%1» no es de un archivo de superficie</translation>
     </message>
     <message>
         <source>the file does not say its axes; LPS is assumed</source>
@@ -6118,6 +6134,10 @@
         <translation>los valores que mostrar son %1, el tejido tiene %2 puntos</translation>
     </message>
     <message>
+        <source>the volume at the end of the cycle differs from the volume at its start</source>
+        <translation>el volumen al final del ciclo difiere del volumen al comienzo</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>el volumen no se puede mantener aquí: %1</translation>
     </message>
@@ -6425,14 +6445,6 @@
         <translation>onda en el cuerpo</translation>
     </message>
     <message>
-        <source>what TetGen made is not a filling of this surface: %1</source>
-        <translation>lo que hizo TetGen no es un llenado de esta superficie: %1</translation>
-    </message>
-    <message>
-        <source>what is measured on it is now at the nearest places of that surface</source>
-        <translation>lo medido en él está ahora en los lugares más próximos de esa superficie</translation>
-    </message>
-    <message>
         <source>witness point %1 has a coordinate that is not finite</source>
         <translation>el punto testigo %1 tiene una coordenada que no es finita</translation>
     </message>
@@ -6522,6 +6534,10 @@
     <message>
         <source>write it as .nrrd</source>
         <translation>escríbala como .nrrd</translation>
+    </message>
+    <message>
+        <source>write it as .seg.nrrd</source>
+        <translation>escríbala como .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>

@@ -307,13 +307,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of the given points {is|are} not in it</source>
-        <translation>
-            <numerusform>%n des points donnés n’y est pas</numerusform>
-            <numerusform>%n des points donnés n’y sont pas</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {byte|bytes} after the end ignored</source>
         <translation>
             <numerusform>%n octet après la fin ignoré</numerusform>
@@ -444,6 +437,13 @@
         <translation>
             <numerusform>%n position a plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
             <numerusform>%n positions ont plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point of the surface is|points of the surface are} missing</source>
+        <translation>
+            <numerusform>il manque %n point de la surface</numerusform>
+            <numerusform>il manque %n points de la surface</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -649,8 +649,8 @@
         <translation>Un angle demande trois points, toute autre mesure deux</translation>
     </message>
     <message>
-        <source>An ejection fraction of %1 is none of a heart</source>
-        <translation>Aucun cœur n’a une fraction d’éjection de %1</translation>
+        <source>An ejection fraction of %1 is out of range</source>
+        <translation>Une fraction d’éjection de %1 est hors limites</translation>
     </message>
     <message>
         <source>An organ needs a surface</source>
@@ -737,10 +737,6 @@
         <translation>Artères</translation>
     </message>
     <message>
-        <source>As near to a target as balance allows; what is done about negative numbers can be chosen</source>
-        <translation>Aussi près d’une cible que l’équilibre le permet ; le traitement des nombres négatifs est au choix</translation>
-    </message>
-    <message>
         <source>Ascending aorta</source>
         <translation>Aorte ascendante</translation>
     </message>
@@ -751,6 +747,10 @@
     <message>
         <source>Atria</source>
         <translation>Atriums</translation>
+    </message>
+    <message>
+        <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
+        <translation>Poids en équilibre, les plus proches d’une cible ; un paramètre indique comment les poids négatifs sont traités</translation>
     </message>
     <message>
         <source>Base</source>
@@ -847,6 +847,10 @@
     <message>
         <source>Centreline</source>
         <translation>Ligne médiane</translation>
+    </message>
+    <message>
+        <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
+        <translation>Centroïde de toutes les solutions positives, estimé par échantillonnage ; plus d’échantillons sont plus exacts</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -1606,6 +1610,14 @@
         <translation>Il ne contient que des masques vides</translation>
     </message>
     <message>
+        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
+        <translation>Il ne contient que l’en-tête d’une image NIfTI en deux fichiers ; le fichier avec les voxels, %1, n’est pas à côté</translation>
+    </message>
+    <message>
+        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
+        <translation>Il ne contient que les voxels d’une image NIfTI en deux fichiers ; le fichier avec l’en-tête, %1, n’est pas à côté</translation>
+    </message>
+    <message>
         <source>It holds points, but no faces</source>
         <translation>Il contient des points, mais pas de faces</translation>
     </message>
@@ -1666,8 +1678,8 @@
         <translation>Ce n’est pas un fichier de type %1 : son « format » n’est pas « %2 »</translation>
     </message>
     <message>
-        <source>It is not a NIfTI image: its header is not one</source>
-        <translation>Ce n’est pas une image NIfTI : son en-tête n’en est pas un</translation>
+        <source>It is not a NIfTI image: it has no NIfTI header</source>
+        <translation>Ce n’est pas une image NIfTI : il n’y a pas d’en-tête NIfTI</translation>
     </message>
     <message>
         <source>It is not a file of several volumes</source>
@@ -1748,14 +1760,6 @@
     <message>
         <source>It is of version %1; this program reads up to %2</source>
         <translation>Il est de la version %1 ; ce programme lit jusqu’à %2</translation>
-    </message>
-    <message>
-        <source>It is the half of a NIfTI image that has the voxels; its header, %1, is not beside it</source>
-        <translation>C’est la moitié d’une image NIfTI avec les voxels ; son en-tête, %1, n’est pas à côté</translation>
-    </message>
-    <message>
-        <source>It is the header of a NIfTI image in two files; that with its voxels, %1, is not beside it</source>
-        <translation>C’est l’en-tête d’une image NIfTI en deux fichiers ; celui des voxels, %1, n’est pas à côté</translation>
     </message>
     <message>
         <source>It is too large: %1 points</source>
@@ -2024,12 +2028,12 @@
         <translation>Valeur moyenne sur tous les tétraèdres des poignées à la fois, par directions ; positive, avec beaucoup de maxima</translation>
     </message>
     <message>
-        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
-        <translation>Valeur moyenne sur les régions de Voronoï des poignées vues de chaque point ; sauts, ou lente</translation>
+        <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
+        <translation>Valeur moyenne sur les triangles de Delaunay des poignées vues de chaque point ; sauts où les triangles basculent, réduits par le mélange</translation>
     </message>
     <message>
-        <source>Mean value over the triangles in which each point sees the handles; jumps, or blended rough</source>
-        <translation>Valeur moyenne sur les triangles dans lesquels chaque point voit les poignées ; sauts, ou rugueux si mêlé</translation>
+        <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
+        <translation>Valeur moyenne sur les régions de Voronoï des poignées vues de chaque point ; sauts, ou lente</translation>
     </message>
     <message>
         <source>Measure %1</source>
@@ -2568,10 +2572,6 @@
         <translation>Solutions de l’équation de Laplace dans une cage de forme quelconque ; locales, sans lobes négatifs</translation>
     </message>
     <message>
-        <source>Some files say that they are in RAS and this one does not say what it is in</source>
-        <translation>Certains fichiers indiquent RAS et celui-ci n’indique pas ses axes</translation>
-    </message>
-    <message>
         <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
         <translation>Certaines de ses valeurs demandent plus de 32 bits comme nombre entier ; elles sont gardées comme décimaux de sept chiffres</translation>
     </message>
@@ -2691,6 +2691,10 @@
         <translation>impossible de lancer le programme %1 de TetGen : %2</translation>
     </message>
     <message>
+        <source>TetGen&apos;s result does not fill this surface: %1</source>
+        <translation>le résultat de TetGen ne remplit pas cette surface : %1</translation>
+    </message>
+    <message>
         <source>Textbook heartbeat</source>
         <translation>Battement du manuel</translation>
     </message>
@@ -2705,10 +2709,6 @@
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavité %1 n’est pas dans la surface externe %2 : %3 % sont à l’extérieur</translation>
-    </message>
-    <message>
-        <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
-        <translation>Le centre de toutes les réponses positives, par échantillonnage ; aussi bon que le nombre d’échantillons</translation>
     </message>
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
@@ -2984,6 +2984,10 @@
         <translation>Épaississement</translation>
     </message>
     <message>
+        <source>This file does not state its axes, but other files of the series are in RAS</source>
+        <translation>Ce fichier n’indique pas ses axes, mais d’autres fichiers de la série sont en RAS</translation>
+    </message>
+    <message>
         <source>This kind of file is not supported</source>
         <translation>Ce type de fichier n’est pas pris en charge</translation>
     </message>
@@ -3071,6 +3075,14 @@
         <translation>Viridis</translation>
     </message>
     <message>
+        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
+        <translation>Viscera ne lit pas de cartes d’étiquettes qui se terminent par « %1 »</translation>
+    </message>
+    <message>
+        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
+        <translation>Viscera ne lit pas de fichiers de surface qui se terminent par « %1 »</translation>
+    </message>
+    <message>
         <source>Viscera:</source>
         <translation>Viscera :</translation>
     </message>
@@ -3137,6 +3149,10 @@
     <message>
         <source>%1 of %2 ml is not life-sized: %3</source>
         <translation>%1 de %2 ml n’est pas de taille réelle : %3</translation>
+    </message>
+    <message>
+        <source>Two of its segments have the label %1, which NIfTI cannot tell apart</source>
+        <translation>Deux de ses segments ont l’étiquette %1, ce que NIfTI ne peut pas distinguer</translation>
     </message>
     <message>
         <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
@@ -3943,10 +3959,6 @@
         <translation>volume télésystolique</translation>
     </message>
     <message>
-        <source>ends the cycle at another volume than it begins</source>
-        <translation>termine le cycle à un autre volume qu’au début</translation>
-    </message>
-    <message>
         <source>even so, folds of the surface meet when they pass</source>
         <translation>malgré cela, des plis de la surface se touchent à leur passage</translation>
     </message>
@@ -4160,6 +4172,10 @@
             <numerusform>a %n colonne</numerusform>
             <numerusform>a %n colonnes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>has a heading that does not say what the instants are</source>
+        <translation>a un en-tête qui ne dit pas ce que sont les instants</translation>
     </message>
     <message>
         <source>has a volume that is not positive</source>
@@ -4659,6 +4675,10 @@
         <translation>ses coupes ne sont pas à égale distance les unes des autres (image %1)</translation>
     </message>
     <message>
+        <source>its surface has changed: measured points were moved to the nearest places on the new surface</source>
+        <translation>sa surface a changé : les points mesurés ont été déplacés aux endroits les plus proches de la nouvelle surface</translation>
+    </message>
+    <message>
         <source>its surface is open, so it has no volume that could be locked</source>
         <translation>sa surface est ouverte, elle n’a donc pas de volume à verrouiller</translation>
     </message>
@@ -4694,12 +4714,12 @@
         <translation>sa valeur n’est pas un nombre fini</translation>
     </message>
     <message>
-        <source>its volume can be kept only when it is bound to the handles there are</source>
-        <translation>son volume ne peut être gardé que s’il est lié aux poignées présentes</translation>
+        <source>its volume can be kept only after it is bound to the present handles</source>
+        <translation>son volume ne peut être gardé qu’après sa liaison aux poignées présentes</translation>
     </message>
     <message>
-        <source>its volume is another one</source>
-        <translation>son volume en est un autre</translation>
+        <source>its volume differs from that of the surface</source>
+        <translation>son volume diffère de celui de la surface</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4788,6 +4808,10 @@
     <message>
         <source>lengthen the period first</source>
         <translation>allongez d’abord la période</translation>
+    </message>
+    <message>
+        <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
+        <translation>faites-le commencer par « time_s » pour des secondes, ou par « fraction » pour des parties du cycle</translation>
     </message>
     <message>
         <source>let its name end in .mrk.json or .fcsv</source>
@@ -5117,10 +5141,6 @@
         <translation>pause</translation>
     </message>
     <message>
-        <source>peak stress over the sequence</source>
-        <translation>contrainte maximale sur la séquence</translation>
-    </message>
-    <message>
         <source>phase %1</source>
         <translation>phase %1</translation>
     </message>
@@ -5397,6 +5417,10 @@
         <translation>sphère</translation>
     </message>
     <message>
+        <source>stress over the sequence</source>
+        <translation>contrainte sur la séquence</translation>
+    </message>
+    <message>
         <source>stroke volume</source>
         <translation>volume d’éjection systolique</translation>
     </message>
@@ -5523,14 +5547,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>l’OpenGL du pilote est antérieur à 3.2</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a label map</source>
-        <translation>l’extension « %1 » n’est pas celle d’une carte d’étiquettes</translation>
-    </message>
-    <message>
-        <source>the ending &quot;%1&quot; is none of a surface file</source>
-        <translation>l’extension « %1 » n’est pas celle d’un fichier de surface</translation>
     </message>
     <message>
         <source>the file does not say its axes; LPS is assumed</source>
@@ -6118,6 +6134,10 @@
         <translation>les valeurs à montrer sont %1, le tissu a %2 points</translation>
     </message>
     <message>
+        <source>the volume at the end of the cycle differs from the volume at its start</source>
+        <translation>le volume à la fin du cycle diffère du volume au début</translation>
+    </message>
+    <message>
         <source>the volume cannot be kept here: %1</source>
         <translation>le volume ne peut pas être gardé ici : %1</translation>
     </message>
@@ -6425,14 +6445,6 @@
         <translation>onde dans le corps</translation>
     </message>
     <message>
-        <source>what TetGen made is not a filling of this surface: %1</source>
-        <translation>ce que TetGen a fait n’est pas un remplissage de cette surface : %1</translation>
-    </message>
-    <message>
-        <source>what is measured on it is now at the nearest places of that surface</source>
-        <translation>ce qui y est mesuré est maintenant aux endroits les plus proches de cette surface</translation>
-    </message>
-    <message>
         <source>witness point %1 has a coordinate that is not finite</source>
         <translation>le point témoin %1 a une coordonnée qui n’est pas finie</translation>
     </message>
@@ -6522,6 +6534,10 @@
     <message>
         <source>write it as .nrrd</source>
         <translation>écrivez-la en .nrrd</translation>
+    </message>
+    <message>
+        <source>write it as .seg.nrrd</source>
+        <translation>écrivez-la en .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>

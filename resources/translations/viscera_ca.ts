@@ -470,6 +470,17 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>NewFile</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Voleu substituir el fitxer?</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Do you want to replace it?</source>
+        <translation>%1 ja existeix. Voleu substituir-lo?</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -1228,8 +1239,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>&amp;Mesures</translation>
     </message>
     <message>
-        <source>Show what is measured</source>
-        <translation>Mostra el que s’ha mesurat</translation>
+        <source>Show the measurements</source>
+        <translation>Mostra les mesures</translation>
     </message>
     <message>
         <source>Names of &amp;parts</source>
@@ -1741,8 +1752,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada.</translation>
     </message>
     <message>
-        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
-        <translation>Mou %1 i les seves cavitats com el cor d’un llibre de text, a partir de l’estat actual com a final de la diàstole. Es converteix en una seqüència enregistrada.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
+        <translation>Fa bategar %1 i les seves cavitats com el cor d’un llibre de text. La forma actual compta com a final de la diàstole. El resultat és una seqüència enregistrada.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1764,8 +1775,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Substitueix tots els òrgans oberts; Desfés els recupera</translation>
     </message>
     <message>
-        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
-        <translation>%1 és per a: %2; segons el nom, %3 és un altre òrgan.</translation>
+        <source>%1 is made for a %2, but the name %3 suggests another organ.</source>
+        <translation>%1 és per a: %2, però el nom %3 fa pensar en un altre òrgan.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
@@ -2361,8 +2372,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1 òrgans: %2 amb errors, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
     </message>
     <message>
-        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
-        <translation>%1 de %2 òrgans no són de mida natural; la unitat de longitud és única per al pacient</translation>
+        <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
+        <translation>%1 de %2 òrgans no són de mida natural; un canvi d’unitat s’aplica a tots els òrgans llegits de fitxers de superfície</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
@@ -2515,7 +2526,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Durada </translation>
     </message>
     <message>
-        <source>Length of one cycle</source>
+        <source>Duration of one cycle</source>
         <translation>Durada d’un cicle</translation>
     </message>
     <message>
@@ -2592,8 +2603,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Llengua dels botons i missatges de la pàgina; els textos de sota es queden com estan</translation>
     </message>
     <message>
-        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
-        <translation>Això és tot el que el lector podrà llegir: els noms de fitxer, les dates i el que és amagat no són a la lliçó. Comproveu que no hi hagi noms de pacients; feu doble clic en un text per canviar-lo.</translation>
+        <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
+        <translation>Qui llegeixi la lliçó només veurà aquests textos: no conté noms de fitxer, dates ni òrgans amagats. Comproveu que als textos no hi hagi noms de pacients; feu doble clic en un text per canviar-lo.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2697,6 +2708,30 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Only partly possible: %1</source>
         <translation>Només és possible en part: %1</translation>
     </message>
+    <message>
+        <source>Recording a movie</source>
+        <translation>Enregistrament d’una pel·lícula</translation>
+    </message>
+    <message>
+        <source>Close without these files?</source>
+        <translation>Voleu tancar sense aquests fitxers?</translation>
+    </message>
+    <message>
+        <source>Files are still being written: %1.</source>
+        <translation>Encara s’estan escrivint fitxers: %1.</translation>
+    </message>
+    <message>
+        <source>They will be missing when Viscera closes now.</source>
+        <translation>Faltaran si Viscera es tanca ara.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Tanca</translation>
+    </message>
+    <message>
+        <source>&amp;Wait</source>
+        <translation>&amp;Espera</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2737,8 +2772,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Òrgan</translation>
     </message>
     <message>
-        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
-        <translation>En la postura, en els eixos del pacient; esquerra, posterior i superior són positius</translation>
+        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
+        <translation>Lloc en la postura, en els eixos del pacient: positiu cap a l’esquerra, l’esquena i el cap</translation>
     </message>
     <message>
         <source>%1: at rest %2 mm</source>
@@ -2838,8 +2873,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Moviment a partir d’una sèrie</translation>
     </message>
     <message>
-        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
-        <translation>No s’ha mesurat com es mouen els punts al llarg d’una paret: la mitjana i el percentil 95 del batec són vàlids, el patró local d’aquest mapa no.</translation>
+        <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
+        <translation>La sèrie no mostra com es mouen els punts al llarg d’una paret. La mitjana i el percentil 95 del batec són fiables; el patró local d’aquest mapa, no.</translation>
     </message>
     <message numerus="yes">
         <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
@@ -3066,12 +3101,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation> ms</translation>
     </message>
     <message>
-        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <source>Duration of one whole cycle: the number of phases times the step between them</source>
         <translation>Durada d’un cicle sencer: el nombre de fases per l’interval entre elles</translation>
     </message>
     <message>
-        <source>One cycle lasts</source>
-        <translation>Un cicle dura</translation>
+        <source>Duration of one cycle</source>
+        <translation>Durada d’un cicle</translation>
     </message>
     <message>
         <source>The last phase leads back to the first</source>
@@ -3130,8 +3165,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Es llegeix la sèrie</translation>
     </message>
     <message>
-        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
-        <translation>Una sola imatge no té moviment propi. Obriu-la (Fitxer &gt; Obre); «Ajusta una seqüència a un òrgan» en el mode Reprodueix fa bategar el cor i les seves cavitats com al llibre.</translation>
+        <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
+        <translation>Una sola imatge no mostra moviment. Obriu-la amb Fitxer &gt; Obre i trieu després «Ajusta una seqüència a un òrgan» en el mode Reprodueix per donar al cor i a les seves cavitats el batec del llibre de text.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3188,7 +3223,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>En curs...</translation>
     </message>
     <message>
-        <source>Enter the length of one cycle first</source>
+        <source>Enter the duration of one cycle first</source>
         <translation>Introduïu primer la durada d’un cicle</translation>
     </message>
     <message>
@@ -3310,6 +3345,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>normal</source>
         <translation>normal</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>des de %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>fins a %1</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3838,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Keep these organs as they are posed now in a second view, and go on here</source>
         <translation>Fixa aquests òrgans en la postura actual en una segona vista i continua aquí</translation>
     </message>
+    <message>
+        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
+        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls corbats.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3938,8 +3985,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::Playback</name>
     <message>
-        <source>%1 moves its own handles, and these are different.</source>
-        <translation>%1 mou els seus propis tiradors, i aquests són diferents.</translation>
+        <source>The sequence %1 moves its own handles, but the document has others.</source>
+        <translation>La seqüència %1 mou els seus propis tiradors, però el document en té uns altres.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4040,8 +4087,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Tanca</translation>
     </message>
     <message>
-        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
-        <translation>En els eixos del pacient, mm; esquerra, posterior i superior són positius</translation>
+        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
+        <translation>En els eixos del pacient, mm: positiu cap a l’esquerra, l’esquena i el cap</translation>
     </message>
     <message>
         <source>Witness %1</source>
@@ -4324,8 +4371,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Distància de la superfície al que es va mesurar, per àrea</translation>
     </message>
     <message>
-        <source>Below this distance are 95 % of the area</source>
-        <translation>El 95 % de l’àrea és per sota d’aquesta distància</translation>
+        <source>95 % of the area lies within this distance</source>
+        <translation>El 95 % de l’àrea és dins d’aquesta distància</translation>
     </message>
     <message>
         <source>The largest distance</source>
@@ -4336,8 +4383,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Volum mesurat</translation>
     </message>
     <message>
-        <source>Volume of the fit before volumes were kept</source>
-        <translation>Volum de l’ajust abans de mantenir els volums</translation>
+        <source>Volume of the fit before it is brought to the measured volume</source>
+        <translation>Volum de l’ajust abans de dur-lo al volum mesurat</translation>
     </message>
     <message>
         <source>Volume of the fit</source>
@@ -4392,16 +4439,16 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>teixit de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
-        <translation>La sessió no desa el que s’ha mesurat. Calculeu de nou el moviment per veure-ho: Seqüència &gt; Moviment a partir d’una sèrie</translation>
+        <source>A session does not keep the measured surfaces. To see them, find the motion again: Sequence &gt; Motion from a series</source>
+        <translation>La sessió no desa les superfícies mesurades. Per veure-les, calculeu de nou el moviment: Seqüència &gt; Moviment a partir d’una sèrie</translation>
     </message>
     <message>
         <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
         <translation>Les superfícies mesurades en la fase més propera, com de vidre a la vista</translation>
     </message>
     <message>
-        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
-        <translation>Acoloreix els òrgans segons la distància al que es va mesurar en la fase més propera</translation>
+        <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
+        <translation>Acoloreix els òrgans segons la distància a les superfícies mesurades de la fase més propera</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
@@ -4569,8 +4616,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mà&amp;xim de talls gruixuts</translation>
     </message>
     <message>
-        <source>Instead of their mean</source>
-        <translation>En comptes de la mitjana</translation>
+        <source>Show the largest value across a thick slice instead of the mean</source>
+        <translation>Mostra el valor màxim a través d’un tall gruixut en comptes de la mitjana</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
@@ -4922,8 +4969,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>, vinculat en %1 ms</translation>
     </message>
     <message>
-        <source>%1, the pose folds %2</source>
-        <translation>%1, la postura plega %2</translation>
+        <source>%1, %2 of tissue folded by the pose</source>
+        <translation>%1, %2 de teixit plegats per la postura</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5103,8 +5150,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Tensió</translation>
     </message>
     <message>
-        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
-        <translation>Distorsió del teixit (tensió rotacional) per la postura: feu-hi clic per veure els valors; C secciona l’òrgan; arrossegueu un tirador i el mapa el segueix</translation>
+        <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
+        <translation>Fins a quin punt la postura distorsiona el teixit (tensió rotacional): feu clic a l’òrgan per llegir els valors d’un punt; C el secciona; el mapa s’actualitza mentre arrossegueu un tirador</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5496,8 +5543,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Colors</translation>
     </message>
     <message>
-        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
-        <translation>Els colors del valor més baix al més alt; els angles i les raons tenen cadascun la seva tria</translation>
+        <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
+        <translation>Colors del valor més baix al més alt; els mapes d’angles i els de raons conserven cadascun la seva pròpia tria</translation>
     </message>
 </context>
 <context>
@@ -5595,8 +5642,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
-        <translation>Establert a %1 %2, però aquests tiradors permeten com a màxim %3, que és el que s’usa.</translation>
+        <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
+        <translation>El valor està establert a %1 %2, però aquests tiradors permeten com a màxim %3, de manera que s’usa %3.</translation>
     </message>
     <message>
         <source>These handles allow up to %1.</source>
@@ -5677,8 +5724,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Shift+,</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart back, else one frame</source>
-        <translation>Deu mil·lisegons enrere en un cor; si no, un fotograma</translation>
+        <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Retrocedeix deu mil·lisegons en un batec, un fotograma en altres seqüències</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
@@ -5689,8 +5736,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Shift+.</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart forward, else one frame</source>
-        <translation>Deu mil·lisegons endavant en un cor; si no, un fotograma</translation>
+        <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Avança deu mil·lisegons en un batec, un fotograma en altres seqüències</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -5886,8 +5933,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Dona a l’òrgan aquest volum amb el mínim moviment dels tiradors compensadors, o de tots els lliures</translation>
     </message>
     <message>
-        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
-        <translation>%1 té el volum demanat; a partir d’ara el bloqueig conserva aquest.</translation>
+        <source>%1 now has the target volume; its lock keeps this volume from now on.</source>
+        <translation>%1 té ara el volum objectiu; a partir d’ara el bloqueig conserva aquest volum.</translation>
     </message>
 </context>
 <context>

@@ -470,6 +470,17 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>NewFile</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Do you want to replace it?</source>
+        <translation>%1 ist schon vorhanden. Soll die Datei ersetzt werden?</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -1228,8 +1239,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>&amp;Messungen</translation>
     </message>
     <message>
-        <source>Show what is measured</source>
-        <translation>Zeigen, was gemessen ist</translation>
+        <source>Show the measurements</source>
+        <translation>Die Messungen zeigen</translation>
     </message>
     <message>
         <source>Names of &amp;parts</source>
@@ -1741,8 +1752,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche.</translation>
     </message>
     <message>
-        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
-        <translation>Bewegt %1 und seine Höhlen wie ein Lehrbuchherz, ausgehend vom jetzigen Zustand als Ende der Diastole. Daraus wird eine aufgezeichnete Sequenz.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
+        <translation>Lässt %1 und seine Höhlen wie ein Lehrbuchherz schlagen. Die jetzige Form gilt als Ende der Diastole. Das Ergebnis ist eine aufgezeichnete Sequenz.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1764,8 +1775,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Alle offenen Organe ersetzen; Rückgängig holt sie zurück</translation>
     </message>
     <message>
-        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
-        <translation>%1 ist für ein anderes Organ gemacht (%2): Dem Namen nach ist %3 keines.</translation>
+        <source>%1 is made for a %2, but the name %3 suggests another organ.</source>
+        <translation>%1 ist für „%2“ gemacht, aber der Name %3 deutet auf ein anderes Organ hin.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
@@ -2361,8 +2372,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1 Organe: %2 mit Fehlern, %3 zum Ansehen, %4 ohne Probleme. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
     </message>
     <message>
-        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
-        <translation>%1 von %2 Organen sind nicht lebensgroß; die Längeneinheit ist für den ganzen Patienten dieselbe</translation>
+        <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
+        <translation>%1 von %2 Organen sind nicht lebensgroß; eine andere Einheit gilt für alle Organe aus Oberflächendateien</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
@@ -2515,8 +2526,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Dauer </translation>
     </message>
     <message>
-        <source>Length of one cycle</source>
-        <translation>Länge eines Zyklus</translation>
+        <source>Duration of one cycle</source>
+        <translation>Dauer eines Zyklus</translation>
     </message>
     <message>
         <source>Sequences (*%1)</source>
@@ -2592,8 +2603,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Sprache der Schaltflächen und Meldungen der Seite; die Texte unten bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
-        <translation>Mehr als dies kann ein Leser nicht lesen: Dateinamen, Daten und Ausgeblendetes sind nicht in der Lektion. Achten Sie auf Namen von Patienten; ein Doppelklick auf einen Text ändert ihn.</translation>
+        <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
+        <translation>Wer die Lektion liest, sieht nur diese Texte: Sie enthält keine Dateinamen, keine Datumsangaben und keine ausgeblendeten Organe. Prüfen Sie die Texte auf Namen von Patienten; ein Doppelklick auf einen Text ändert ihn.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2697,6 +2708,30 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Only partly possible: %1</source>
         <translation>Nur teilweise möglich: %1</translation>
     </message>
+    <message>
+        <source>Recording a movie</source>
+        <translation>Ein Film wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Close without these files?</source>
+        <translation>Ohne diese Dateien schließen?</translation>
+    </message>
+    <message>
+        <source>Files are still being written: %1.</source>
+        <translation>Es werden noch Dateien geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>They will be missing when Viscera closes now.</source>
+        <translation>Sie fehlen, wenn Viscera jetzt geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Wait</source>
+        <translation>&amp;Warten</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2737,8 +2772,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Organ</translation>
     </message>
     <message>
-        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
-        <translation>In der Pose, in den Achsen des Patienten; links, hinten und oben zählen positiv</translation>
+        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
+        <translation>Ort in der Pose, in den Achsen des Patienten: positiv nach links, zum Rücken und zum Kopf</translation>
     </message>
     <message>
         <source>%1: at rest %2 mm</source>
@@ -2838,8 +2873,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Bewegung aus einer Serie</translation>
     </message>
     <message>
-        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
-        <translation>Wie sich Punkte entlang einer Wand bewegen, wurde nicht gemessen: Mittelwert und 95. Perzentil über den Schlag sind aussagekräftig, das örtliche Muster dieser Karte nicht.</translation>
+        <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
+        <translation>Die Serie zeigt nicht, wie sich Punkte entlang einer Wand bewegen. Mittelwert und 95. Perzentil über den Schlag sind zuverlässig, das örtliche Muster dieser Karte nicht.</translation>
     </message>
     <message numerus="yes">
         <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
@@ -3066,12 +3101,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation> ms</translation>
     </message>
     <message>
-        <source>Length of one whole cycle: the number of phases times the step between them</source>
-        <translation>Länge eines ganzen Zyklus: Anzahl der Phasen mal Schritt zwischen ihnen</translation>
+        <source>Duration of one whole cycle: the number of phases times the step between them</source>
+        <translation>Dauer eines ganzen Zyklus: Anzahl der Phasen mal Schritt zwischen ihnen</translation>
     </message>
     <message>
-        <source>One cycle lasts</source>
-        <translation>Ein Zyklus dauert</translation>
+        <source>Duration of one cycle</source>
+        <translation>Dauer eines Zyklus</translation>
     </message>
     <message>
         <source>The last phase leads back to the first</source>
@@ -3130,8 +3165,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Serie wird gelesen</translation>
     </message>
     <message>
-        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
-        <translation>Ein einzelnes Bild hat keine eigene Bewegung. Öffnen Sie es (Datei &gt; Öffnen); „Sequenz an ein Organ anpassen“ im Modus Abspielen lässt das Herz und seine Höhlen wie im Lehrbuch schlagen.</translation>
+        <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
+        <translation>Ein einzelnes Bild zeigt keine Bewegung. Öffnen Sie es mit Datei &gt; Öffnen und wählen Sie dann „Sequenz an ein Organ anpassen“ im Modus Abspielen, um das Herz und seine Höhlen wie im Lehrbuch schlagen zu lassen.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3188,8 +3223,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>In Arbeit...</translation>
     </message>
     <message>
-        <source>Enter the length of one cycle first</source>
-        <translation>Geben Sie zuerst die Länge eines Zyklus ein</translation>
+        <source>Enter the duration of one cycle first</source>
+        <translation>Geben Sie zuerst die Dauer eines Zyklus ein</translation>
     </message>
     <message>
         <source>Heart</source>
@@ -3310,6 +3345,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>normal</source>
         <translation>normal</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3838,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Keep these organs as they are posed now in a second view, and go on here</source>
         <translation>Diese Organe in ihrer jetzigen Pose in einer zweiten Ansicht festhalten und hier weiterarbeiten</translation>
     </message>
+    <message>
+        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
+        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine gebogenen Schnitte.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3938,8 +3985,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::Playback</name>
     <message>
-        <source>%1 moves its own handles, and these are different.</source>
-        <translation>%1 bewegt eigene Griffe, und diese hier sind andere.</translation>
+        <source>The sequence %1 moves its own handles, but the document has others.</source>
+        <translation>Die Sequenz %1 bewegt eigene Griffe, aber das Dokument hat andere.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4040,8 +4087,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
-        <translation>In den Achsen des Patienten, mm; links, hinten und oben zählen positiv</translation>
+        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
+        <translation>In den Achsen des Patienten, mm: positiv nach links, zum Rücken und zum Kopf</translation>
     </message>
     <message>
         <source>Witness %1</source>
@@ -4324,8 +4371,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Abstand der Oberfläche von den Messdaten, nach Fläche</translation>
     </message>
     <message>
-        <source>Below this distance are 95 % of the area</source>
-        <translation>Unter diesem Abstand liegen 95 % der Fläche</translation>
+        <source>95 % of the area lies within this distance</source>
+        <translation>95 % der Fläche liegen innerhalb dieses Abstands</translation>
     </message>
     <message>
         <source>The largest distance</source>
@@ -4336,8 +4383,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Gemessenes Volumen</translation>
     </message>
     <message>
-        <source>Volume of the fit before volumes were kept</source>
-        <translation>Volumen der Anpassung, bevor Volumina gehalten wurden</translation>
+        <source>Volume of the fit before it is brought to the measured volume</source>
+        <translation>Volumen der Anpassung, bevor sie auf das gemessene Volumen gebracht wird</translation>
     </message>
     <message>
         <source>Volume of the fit</source>
@@ -4392,16 +4439,16 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Gewebe %1 bis %2 ml</translation>
     </message>
     <message>
-        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
-        <translation>Eine Sitzung behält nicht, was gemessen wurde. Bestimmen Sie die Bewegung erneut, um es zu sehen: Sequenz &gt; Bewegung aus einer Serie</translation>
+        <source>A session does not keep the measured surfaces. To see them, find the motion again: Sequence &gt; Motion from a series</source>
+        <translation>Eine Sitzung behält die gemessenen Oberflächen nicht. Um sie zu sehen, bestimmen Sie die Bewegung erneut: Sequenz &gt; Bewegung aus einer Serie</translation>
     </message>
     <message>
         <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
         <translation>Die in der nächsten Phase gemessenen Oberflächen, als Glas in der Ansicht</translation>
     </message>
     <message>
-        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
-        <translation>Färbt die Organe nach ihrem Abstand von den Messdaten der nächsten Phase</translation>
+        <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
+        <translation>Die Organe nach ihrem Abstand von den gemessenen Oberflächen der nächsten Phase färben</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
@@ -4569,8 +4616,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ma&amp;ximum dicker Schichten</translation>
     </message>
     <message>
-        <source>Instead of their mean</source>
-        <translation>Statt ihres Mittelwerts</translation>
+        <source>Show the largest value across a thick slice instead of the mean</source>
+        <translation>Den größten Wert in einer dicken Schicht statt des Mittelwerts zeigen</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
@@ -4922,8 +4969,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>, in %1 ms gebunden</translation>
     </message>
     <message>
-        <source>%1, the pose folds %2</source>
-        <translation>%1, die Pose faltet %2</translation>
+        <source>%1, %2 of tissue folded by the pose</source>
+        <translation>%1, %2 Gewebe von der Pose gefaltet</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5103,8 +5150,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Stress</translation>
     </message>
     <message>
-        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
-        <translation>Gewebeverzerrung (Rotationsstress) durch die Pose: Ein Klick zeigt ihre Werte; C schneidet das Organ auf; ziehen Sie an einem Griff, folgt die Karte</translation>
+        <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
+        <translation>Wie stark die Pose das Gewebe verzerrt (Rotationsstress): Ein Klick auf das Organ zeigt die Werte eines Punktes; C schneidet es auf; die Karte folgt, während Sie an einem Griff ziehen</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5496,8 +5543,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Farben</translation>
     </message>
     <message>
-        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
-        <translation>Die Farben vom niedrigsten zum höchsten Wert; Winkel und Verhältnisse haben je eine eigene Auswahl</translation>
+        <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
+        <translation>Farben vom niedrigsten zum höchsten Wert; Karten von Winkeln und Karten von Verhältnissen behalten je eine eigene Auswahl</translation>
     </message>
 </context>
 <context>
@@ -5595,8 +5642,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
-        <translation>Auf %1 %2 gesetzt, aber diese Griffe erlauben höchstens %3; dieser Wert wird verwendet.</translation>
+        <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
+        <translation>Der Wert ist auf %1 %2 gesetzt, aber diese Griffe erlauben höchstens %3; daher wird %3 verwendet.</translation>
     </message>
     <message>
         <source>These handles allow up to %1.</source>
@@ -5677,8 +5724,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Shift+,</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart back, else one frame</source>
-        <translation>Beim Herzen zehn Millisekunden zurück, sonst ein Bild</translation>
+        <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Beim Herzschlag um zehn Millisekunden zurück, bei anderen Sequenzen um ein Bild</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
@@ -5689,8 +5736,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Shift+.</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart forward, else one frame</source>
-        <translation>Beim Herzen zehn Millisekunden vor, sonst ein Bild</translation>
+        <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Beim Herzschlag um zehn Millisekunden vor, bei anderen Sequenzen um ein Bild</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -5886,8 +5933,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Dem Organ dieses Volumen mit der kleinsten Bewegung der ausgleichenden oder aller freien Griffe geben</translation>
     </message>
     <message>
-        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
-        <translation>%1 hat das gewünschte Volumen; ab jetzt hält die Sperre dieses.</translation>
+        <source>%1 now has the target volume; its lock keeps this volume from now on.</source>
+        <translation>%1 hat jetzt das Zielvolumen; die Sperre hält von nun an dieses Volumen.</translation>
     </message>
 </context>
 <context>

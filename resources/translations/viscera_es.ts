@@ -470,6 +470,17 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>NewFile</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>¿Sustituir el archivo?</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Do you want to replace it?</source>
+        <translation>%1 ya existe. ¿Quiere sustituirlo?</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -1228,8 +1239,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>&amp;Mediciones</translation>
     </message>
     <message>
-        <source>Show what is measured</source>
-        <translation>Mostrar lo medido</translation>
+        <source>Show the measurements</source>
+        <translation>Mostrar las mediciones</translation>
     </message>
     <message>
         <source>Names of &amp;parts</source>
@@ -1741,8 +1752,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>%1 tiene una superficie abierta; una secuencia necesita una cerrada.</translation>
     </message>
     <message>
-        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
-        <translation>Mueve %1 y sus cavidades como el corazón de un libro de texto, a partir de su estado actual como final de la diástole. Se convierte en una secuencia grabada.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
+        <translation>Hace latir %1 y sus cavidades como el corazón de un libro de texto. La forma actual cuenta como final de la diástole. El resultado es una secuencia grabada.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1764,8 +1775,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Sustituir todos los órganos abiertos; Deshacer los recupera</translation>
     </message>
     <message>
-        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
-        <translation>%1 es para %2 y, por su nombre, %3 es otro órgano.</translation>
+        <source>%1 is made for a %2, but the name %3 suggests another organ.</source>
+        <translation>%1 es para %2, pero el nombre %3 sugiere otro órgano.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
@@ -2361,8 +2372,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1 órganos: %2 con defectos, %3 por revisar, %4 sin problemas. Aún no hay nada en el documento y no se modifica ningún archivo.</translation>
     </message>
     <message>
-        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
-        <translation>%1 de %2 órganos no tienen tamaño natural; la unidad de longitud es la misma para todo el paciente</translation>
+        <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
+        <translation>%1 de %2 órganos no tienen tamaño natural; un cambio de unidad se aplica a todos los órganos leídos de archivos de superficie</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
@@ -2515,7 +2526,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Duración </translation>
     </message>
     <message>
-        <source>Length of one cycle</source>
+        <source>Duration of one cycle</source>
         <translation>Duración de un ciclo</translation>
     </message>
     <message>
@@ -2592,8 +2603,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Idioma de los botones y mensajes de la página; los textos de abajo no cambian</translation>
     </message>
     <message>
-        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
-        <translation>Esto es todo lo que podrá leer un lector: los nombres de archivos, las fechas y lo oculto no están en la lección. Busque nombres de pacientes; haga doble clic en un texto para cambiarlo.</translation>
+        <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
+        <translation>Quien lea la lección verá solo estos textos: no contiene nombres de archivos, fechas ni órganos ocultos. Compruebe que en los textos no haya nombres de pacientes; haga doble clic en un texto para cambiarlo.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2697,6 +2708,30 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Only partly possible: %1</source>
         <translation>Solo es posible en parte: %1</translation>
     </message>
+    <message>
+        <source>Recording a movie</source>
+        <translation>Grabación de una película</translation>
+    </message>
+    <message>
+        <source>Close without these files?</source>
+        <translation>¿Cerrar sin estos archivos?</translation>
+    </message>
+    <message>
+        <source>Files are still being written: %1.</source>
+        <translation>Todavía se están escribiendo archivos: %1.</translation>
+    </message>
+    <message>
+        <source>They will be missing when Viscera closes now.</source>
+        <translation>Faltarán si Viscera se cierra ahora.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>&amp;Wait</source>
+        <translation>&amp;Esperar</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2737,8 +2772,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Órgano</translation>
     </message>
     <message>
-        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
-        <translation>En la pose, en los ejes del paciente; izquierda, posterior y superior son positivos</translation>
+        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
+        <translation>Lugar en la pose, en los ejes del paciente: positivo hacia la izquierda, la espalda y la cabeza</translation>
     </message>
     <message>
         <source>%1: at rest %2 mm</source>
@@ -2838,8 +2873,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Movimiento de una serie</translation>
     </message>
     <message>
-        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
-        <translation>No se ha medido cómo se mueven los puntos a lo largo de una pared: la media y el percentil 95 del latido son válidos, el patrón local de este mapa no.</translation>
+        <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
+        <translation>La serie no muestra cómo se mueven los puntos a lo largo de una pared. La media y el percentil 95 del latido son fiables; el patrón local de este mapa, no.</translation>
     </message>
     <message numerus="yes">
         <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
@@ -3066,12 +3101,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation> ms</translation>
     </message>
     <message>
-        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <source>Duration of one whole cycle: the number of phases times the step between them</source>
         <translation>Duración de un ciclo completo: el número de fases por el intervalo entre ellas</translation>
     </message>
     <message>
-        <source>One cycle lasts</source>
-        <translation>Duración del ciclo</translation>
+        <source>Duration of one cycle</source>
+        <translation>Duración de un ciclo</translation>
     </message>
     <message>
         <source>The last phase leads back to the first</source>
@@ -3130,8 +3165,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Leyendo la serie</translation>
     </message>
     <message>
-        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
-        <translation>Una sola imagen no tiene movimiento propio. Ábrala (Archivo &gt; Abrir); «Ajustar una secuencia a un órgano» en el modo Reproducir hace latir el corazón y sus cavidades como en el libro.</translation>
+        <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
+        <translation>Una sola imagen no muestra movimiento. Ábrala con Archivo &gt; Abrir y elija después «Ajustar una secuencia a un órgano» en el modo Reproducir para dar al corazón y a sus cavidades el latido del libro de texto.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3188,7 +3223,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Trabajando...</translation>
     </message>
     <message>
-        <source>Enter the length of one cycle first</source>
+        <source>Enter the duration of one cycle first</source>
         <translation>Introduzca primero la duración de un ciclo</translation>
     </message>
     <message>
@@ -3310,6 +3345,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>normal</source>
         <translation>normal</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>desde %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>hasta %1</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3838,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Keep these organs as they are posed now in a second view, and go on here</source>
         <translation>Conservar estos órganos en su pose actual en una segunda vista y seguir aquí</translation>
     </message>
+    <message>
+        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
+        <translation>La película no muestra distancias, superficies ajenas ni cortes curvados.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3938,8 +3985,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::Playback</name>
     <message>
-        <source>%1 moves its own handles, and these are different.</source>
-        <translation>%1 mueve sus propios tiradores y estos son distintos.</translation>
+        <source>The sequence %1 moves its own handles, but the document has others.</source>
+        <translation>La secuencia %1 mueve sus propios tiradores, pero el documento tiene otros.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4040,8 +4087,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
-        <translation>En los ejes del paciente, mm; izquierda, posterior y superior son positivos</translation>
+        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
+        <translation>En los ejes del paciente, mm: positivo hacia la izquierda, la espalda y la cabeza</translation>
     </message>
     <message>
         <source>Witness %1</source>
@@ -4324,8 +4371,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Distancia de la superficie a lo medido, ponderada por área</translation>
     </message>
     <message>
-        <source>Below this distance are 95 % of the area</source>
-        <translation>El 95 % del área está por debajo de esta distancia</translation>
+        <source>95 % of the area lies within this distance</source>
+        <translation>El 95 % del área está dentro de esta distancia</translation>
     </message>
     <message>
         <source>The largest distance</source>
@@ -4336,8 +4383,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Volumen medido</translation>
     </message>
     <message>
-        <source>Volume of the fit before volumes were kept</source>
-        <translation>Volumen del ajuste antes de imponer los volúmenes</translation>
+        <source>Volume of the fit before it is brought to the measured volume</source>
+        <translation>Volumen del ajuste antes de llevarlo al volumen medido</translation>
     </message>
     <message>
         <source>Volume of the fit</source>
@@ -4392,16 +4439,16 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>tejido %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
-        <translation>La sesión no guarda lo medido. Calcule de nuevo el movimiento para verlo: Secuencia &gt; Movimiento de una serie</translation>
+        <source>A session does not keep the measured surfaces. To see them, find the motion again: Sequence &gt; Motion from a series</source>
+        <translation>La sesión no guarda las superficies medidas. Para verlas, calcule de nuevo el movimiento: Secuencia &gt; Movimiento de una serie</translation>
     </message>
     <message>
         <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
         <translation>Las superficies medidas en la fase más próxima, como vidrio en la vista</translation>
     </message>
     <message>
-        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
-        <translation>Colorea los órganos según su distancia a lo medido en la fase más próxima</translation>
+        <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
+        <translation>Colorear los órganos según su distancia a las superficies medidas de la fase más próxima</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
@@ -4569,8 +4616,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Má&amp;ximo de los cortes gruesos</translation>
     </message>
     <message>
-        <source>Instead of their mean</source>
-        <translation>En lugar de su media</translation>
+        <source>Show the largest value across a thick slice instead of the mean</source>
+        <translation>Mostrar el valor máximo a través de un corte grueso en lugar de la media</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
@@ -4922,8 +4969,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>, vinculado en %1 ms</translation>
     </message>
     <message>
-        <source>%1, the pose folds %2</source>
-        <translation>%1, la pose pliega %2</translation>
+        <source>%1, %2 of tissue folded by the pose</source>
+        <translation>%1, %2 de tejido plegados por la pose</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5103,8 +5150,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Estrés</translation>
     </message>
     <message>
-        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
-        <translation>Distorsión del tejido (estrés rotacional) por la pose: haga clic para ver sus valores; C secciona el órgano; arrastre un tirador y el mapa lo sigue</translation>
+        <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
+        <translation>Cuánto distorsiona la pose el tejido (estrés rotacional): haga clic en el órgano para leer los valores de un punto; C lo secciona; el mapa se actualiza mientras arrastra un tirador</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5496,8 +5543,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Colores</translation>
     </message>
     <message>
-        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
-        <translation>Los colores del valor más bajo al más alto; los ángulos y las razones tienen cada uno su elección</translation>
+        <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
+        <translation>Colores del valor más bajo al más alto; los mapas de ángulos y los de razones conservan cada uno su propia elección</translation>
     </message>
 </context>
 <context>
@@ -5595,8 +5642,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
-        <translation>Fijado en %1 %2, pero estos tiradores permiten %3 como máximo, que es lo que se usa.</translation>
+        <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
+        <translation>El valor está fijado en %1 %2, pero estos tiradores permiten como máximo %3, por lo que se usa %3.</translation>
     </message>
     <message>
         <source>These handles allow up to %1.</source>
@@ -5677,8 +5724,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Shift+,</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart back, else one frame</source>
-        <translation>Diez milisegundos de un corazón atrás; si no, un fotograma</translation>
+        <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Retroceder diez milisegundos en un latido, un fotograma en otras secuencias</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
@@ -5689,8 +5736,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Shift+.</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart forward, else one frame</source>
-        <translation>Diez milisegundos de un corazón adelante; si no, un fotograma</translation>
+        <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Avanzar diez milisegundos en un latido, un fotograma en otras secuencias</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -5886,8 +5933,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Dar al órgano este volumen con el menor movimiento de los tiradores que compensan, o de todos los libres</translation>
     </message>
     <message>
-        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
-        <translation>%1 tiene el volumen pedido; desde ahora su bloqueo conserva ese.</translation>
+        <source>%1 now has the target volume; its lock keeps this volume from now on.</source>
+        <translation>%1 tiene ahora el volumen objetivo; desde ahora su bloqueo conserva este volumen.</translation>
     </message>
 </context>
 <context>

@@ -470,6 +470,17 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
 </context>
 <context>
+    <name>NewFile</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Remplacer le fichier ?</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Do you want to replace it?</source>
+        <translation>%1 existe déjà. Voulez-vous le remplacer ?</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -1228,8 +1239,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>&amp;Mesures</translation>
     </message>
     <message>
-        <source>Show what is measured</source>
-        <translation>Afficher ce qui est mesuré</translation>
+        <source>Show the measurements</source>
+        <translation>Afficher les mesures</translation>
     </message>
     <message>
         <source>Names of &amp;parts</source>
@@ -1741,8 +1752,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
     </message>
     <message>
-        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
-        <translation>Anime %1 et ses cavités comme le cœur d’un manuel, à partir de leur état actuel pris comme fin de diastole. Il en résulte une séquence enregistrée.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
+        <translation>Fait battre %1 et ses cavités comme le cœur d’un manuel. La forme actuelle compte comme fin de diastole. Le résultat est une séquence enregistrée.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1764,8 +1775,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Remplacer tous les organes ouverts&#x202f;; Annuler les ramène</translation>
     </message>
     <message>
-        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
-        <translation>%1 est faite pour un organe «&#x202f;%2&#x202f;» et, d’après son nom, %3 est un autre organe.</translation>
+        <source>%1 is made for a %2, but the name %3 suggests another organ.</source>
+        <translation>%1 est faite pour un organe « %2 », mais le nom %3 suggère un autre organe.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
@@ -2361,8 +2372,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>%1 organes&#x202f;: %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
     </message>
     <message>
-        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
-        <translation>%1 organes sur %2 ne sont pas grandeur nature&#x202f;; l’unité de longueur est commune au patient</translation>
+        <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
+        <translation>%1 organes sur %2 ne sont pas grandeur nature ; un changement d’unité s’applique à tous les organes lus dans des fichiers de surface</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
@@ -2515,7 +2526,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Durée </translation>
     </message>
     <message>
-        <source>Length of one cycle</source>
+        <source>Duration of one cycle</source>
         <translation>Durée d’un cycle</translation>
     </message>
     <message>
@@ -2592,8 +2603,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Langue des boutons et messages de la page&#x202f;; les textes ci-dessous restent tels quels</translation>
     </message>
     <message>
-        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
-        <translation>C’est tout ce qu’un lecteur pourra lire&#x202f;: noms de fichiers, dates et éléments masqués ne sont pas dans la leçon. Cherchez des noms de patients&#x202f;; double-cliquez un texte pour le changer.</translation>
+        <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
+        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez un texte pour le changer.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2697,6 +2708,30 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>Only partly possible: %1</source>
         <translation>Possible en partie seulement : %1</translation>
     </message>
+    <message>
+        <source>Recording a movie</source>
+        <translation>Enregistrement d’un film</translation>
+    </message>
+    <message>
+        <source>Close without these files?</source>
+        <translation>Fermer sans ces fichiers ?</translation>
+    </message>
+    <message>
+        <source>Files are still being written: %1.</source>
+        <translation>Des fichiers sont encore en cours d’écriture : %1.</translation>
+    </message>
+    <message>
+        <source>They will be missing when Viscera closes now.</source>
+        <translation>Ils manqueront si Viscera se ferme maintenant.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Wait</source>
+        <translation>&amp;Attendre</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2737,8 +2772,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Organe</translation>
     </message>
     <message>
-        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
-        <translation>Dans la pose, dans les axes du patient ; gauche, postérieur et supérieur sont positifs</translation>
+        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
+        <translation>Lieu dans la pose, dans les axes du patient : positif vers la gauche, le dos et la tête</translation>
     </message>
     <message>
         <source>%1: at rest %2 mm</source>
@@ -2838,8 +2873,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Mouvement d’une série</translation>
     </message>
     <message>
-        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
-        <translation>Le mouvement des points le long d’une paroi n’a pas été mesuré : la moyenne et le 95e percentile du battement sont valables, le motif local de cette carte ne l’est pas.</translation>
+        <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
+        <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e percentile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
     </message>
     <message numerus="yes">
         <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
@@ -3066,11 +3101,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation> ms</translation>
     </message>
     <message>
-        <source>Length of one whole cycle: the number of phases times the step between them</source>
-        <translation>Durée d’un cycle entier&#x202f;: le nombre de phases multiplié par le pas entre elles</translation>
+        <source>Duration of one whole cycle: the number of phases times the step between them</source>
+        <translation>Durée d’un cycle entier : le nombre de phases multiplié par le pas entre elles</translation>
     </message>
     <message>
-        <source>One cycle lasts</source>
+        <source>Duration of one cycle</source>
         <translation>Durée d’un cycle</translation>
     </message>
     <message>
@@ -3130,8 +3165,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Lecture de la série</translation>
     </message>
     <message>
-        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
-        <translation>Une image seule n’a pas de mouvement propre. Ouvrez-la (Fichier &gt; Ouvrir) ; « Ajuster une séquence à un organe » en mode Lire fait battre le cœur et ses cavités comme dans le manuel.</translation>
+        <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
+        <translation>Une image seule ne montre pas de mouvement. Ouvrez-la avec Fichier &gt; Ouvrir, puis choisissez « Ajuster une séquence à un organe » en mode Lire pour donner au cœur et à ses cavités le battement du manuel.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3188,7 +3223,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>En cours...</translation>
     </message>
     <message>
-        <source>Enter the length of one cycle first</source>
+        <source>Enter the duration of one cycle first</source>
         <translation>Indiquez d’abord la durée d’un cycle</translation>
     </message>
     <message>
@@ -3310,6 +3345,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message>
         <source>normal</source>
         <translation>normale</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>à partir de %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>jusqu’à %1</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3838,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Keep these organs as they are posed now in a second view, and go on here</source>
         <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
     </message>
+    <message>
+        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
+        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes courbées.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3938,8 +3985,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::Playback</name>
     <message>
-        <source>%1 moves its own handles, and these are different.</source>
-        <translation>%1 meut ses propres poignées, et celles-ci sont différentes.</translation>
+        <source>The sequence %1 moves its own handles, but the document has others.</source>
+        <translation>La séquence %1 meut ses propres poignées, mais le document en a d’autres.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4040,8 +4087,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
-        <translation>Dans les axes du patient, mm ; gauche, postérieur et supérieur sont positifs</translation>
+        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
+        <translation>Dans les axes du patient, mm : positif vers la gauche, le dos et la tête</translation>
     </message>
     <message>
         <source>Witness %1</source>
@@ -4324,8 +4371,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Distance de la surface à ce qui a été mesuré, selon l’aire</translation>
     </message>
     <message>
-        <source>Below this distance are 95 % of the area</source>
-        <translation>95 % de l’aire sont sous cette distance</translation>
+        <source>95 % of the area lies within this distance</source>
+        <translation>95 % de l’aire se trouve en deçà de cette distance</translation>
     </message>
     <message>
         <source>The largest distance</source>
@@ -4336,8 +4383,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Volume mesuré</translation>
     </message>
     <message>
-        <source>Volume of the fit before volumes were kept</source>
-        <translation>Volume de l’ajustement avant conservation des volumes</translation>
+        <source>Volume of the fit before it is brought to the measured volume</source>
+        <translation>Volume de l’ajustement avant d’être amené au volume mesuré</translation>
     </message>
     <message>
         <source>Volume of the fit</source>
@@ -4392,16 +4439,16 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>tissu %1 à %2 ml</translation>
     </message>
     <message>
-        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
-        <translation>Une session ne garde pas ce qui a été mesuré. Recalculez le mouvement pour le voir : Séquence &gt; Mouvement d’une série</translation>
+        <source>A session does not keep the measured surfaces. To see them, find the motion again: Sequence &gt; Motion from a series</source>
+        <translation>Une session ne garde pas les surfaces mesurées. Pour les voir, recalculez le mouvement : Séquence &gt; Mouvement d’une série</translation>
     </message>
     <message>
         <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
         <translation>Les surfaces mesurées à la phase la plus proche, comme du verre dans la vue</translation>
     </message>
     <message>
-        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
-        <translation>Colore les organes selon leur distance à ce qui a été mesuré à la phase la plus proche</translation>
+        <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
+        <translation>Colorer les organes selon leur distance aux surfaces mesurées de la phase la plus proche</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
@@ -4569,8 +4616,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>&amp;Maximum des coupes épaisses</translation>
     </message>
     <message>
-        <source>Instead of their mean</source>
-        <translation>Au lieu de leur moyenne</translation>
+        <source>Show the largest value across a thick slice instead of the mean</source>
+        <translation>Afficher la plus grande valeur à travers une coupe épaisse au lieu de la moyenne</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
@@ -4922,8 +4969,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>, lié en %1 ms</translation>
     </message>
     <message>
-        <source>%1, the pose folds %2</source>
-        <translation>%1, la pose replie %2</translation>
+        <source>%1, %2 of tissue folded by the pose</source>
+        <translation>%1, %2 de tissu repliés par la pose</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5103,8 +5150,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Contrainte</translation>
     </message>
     <message>
-        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
-        <translation>Distorsion tissulaire (contrainte rotationnelle) due à la pose&#x202f;: cliquez-la pour voir ses valeurs&#x202f;; C ouvre l’organe&#x202f;; faites glisser une poignée, la carte suit</translation>
+        <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
+        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5496,8 +5543,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Couleurs</translation>
     </message>
     <message>
-        <source>The colours from the lowest value to the highest; angles and ratios have a choice each</source>
-        <translation>Les couleurs de la valeur la plus basse à la plus haute ; les angles et les rapports ont chacun leur choix</translation>
+        <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
+        <translation>Couleurs de la valeur la plus basse à la plus haute ; les cartes d’angles et les cartes de rapports gardent chacune leur propre choix</translation>
     </message>
 </context>
 <context>
@@ -5595,8 +5642,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
-        <translation>Réglé à %1 %2, mais ces poignées permettent %3 au plus, valeur utilisée.</translation>
+        <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
+        <translation>La valeur est réglée à %1 %2, mais ces poignées permettent au plus %3 ; c’est donc %3 qui est utilisé.</translation>
     </message>
     <message>
         <source>These handles allow up to %1.</source>
@@ -5677,8 +5724,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Shift+,</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart back, else one frame</source>
-        <translation>Dix millisecondes d’un cœur en arrière, sinon une image</translation>
+        <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Reculer de dix millisecondes dans un battement, d’une image dans les autres séquences</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
@@ -5689,8 +5736,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Shift+.</translation>
     </message>
     <message>
-        <source>Ten milliseconds of a heart forward, else one frame</source>
-        <translation>Dix millisecondes d’un cœur en avant, sinon une image</translation>
+        <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
+        <translation>Avancer de dix millisecondes dans un battement, d’une image dans les autres séquences</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -5886,8 +5933,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Donner ce volume à l’organe par le plus petit mouvement des poignées qui compensent, ou de toutes les libres</translation>
     </message>
     <message>
-        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
-        <translation>%1 a le volume demandé ; désormais son verrou garde celui-ci.</translation>
+        <source>%1 now has the target volume; its lock keeps this volume from now on.</source>
+        <translation>%1 a maintenant le volume cible ; désormais son verrou garde ce volume.</translation>
     </message>
 </context>
 <context>

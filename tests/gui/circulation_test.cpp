@@ -5,10 +5,14 @@
 #include <QSlider>
 #include <QTableWidget>
 
+#include <limits>
+
+#include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
+#include "window/circulation/numbers_table.h"
 #include "window/session/session_files.h"
 #include "window/timeline/volume_panel.h"
 
@@ -201,6 +205,30 @@ TEST_F(PlayedCirculation, OfAPatientsHeartHasItsVentricleAndLeavesItItsMotion) {
   EXPECT_EQ(window().workspace().undo().undoName(), "Circulation of this heart");
   EXPECT_EQ(model().present()->name, "Fitted circulation");
   EXPECT_FALSE(window().findChild<QAbstractButton*>(QStringLiteral("scenario.rest"))->isChecked());
+}
+
+TEST_F(PlayedCirculation, TheCommandsMoveTheHeartOfASavedSessionAsTheWindowDoes) {
+  choose("exercise");
+  const presentation::ViewState view = presentation::viewFromJson(window().sessions().contents().view);
+  const plugin::Registry systems = plugin::builtInRegistry();
+  const sample_organs::SampleLibrary library = sample_organs::standardLibrary();
+  Progress progress;
+  app::cli::CommandContext context{progress, {}, library, systems};
+  const auto sequence = app::cli::sequenceOf(document().state(), view, context);
+  ASSERT_TRUE(sequence);
+  const double rate = course()->standardRatePerMinute();
+  EXPECT_NEAR(sequence->standardRatePerMinute(), rate, 1e-9);
+  Points shown, commanded;
+  course()->poseAt(0.3 * 60 / rate, rate, shown);
+  sequence->poseAt(0.3 * 60 / rate, rate, commanded);
+  EXPECT_LT((shown - commanded).rowwise().norm().maxCoeff(), 1e-3);
+}
+
+TEST_F(PlayedCirculation, NormalRangesHaveTheNumbersOfTheLanguage) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(app::normalText({1.5, 8, {}}, 1), QStringLiteral("1.5 - 8.0"));
+  EXPECT_EQ(app::normalText({60, kNone, {}}, 0), QStringLiteral("from 60"));
+  EXPECT_EQ(app::normalText({-kNone, 5, {}}, 0), QStringLiteral("up to 5"));
 }
 
 } // namespace

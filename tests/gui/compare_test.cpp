@@ -9,7 +9,11 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "session_fixture.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/sequences/heartbeat.h"
+#include "window/binding_messages.h"
 #include "window/compare/side_header.h"
 
 namespace viscera::tests {
@@ -197,6 +201,26 @@ TEST_F(TwoViews, ShareTheInstantTheCamerasAndTheDocument) {
   key(Qt::Key_X);
   EXPECT_EQ(second().document().organs().front()->look.opacity, document().organs().front()->look.opacity);
   EXPECT_EQ(second().undo().names().size(), 0u) << "only the first document has steps";
+}
+
+TEST_F(TwoViews, AKeptPoseStaysWhileTheFirstViewGoesOn) {
+  compareRates();
+  parts().comparison().showKeptPose();
+  ASSERT_TRUE(waitUntil([this] { return !second().live().busy() && second().jobs().idle(); }));
+  settle();
+  EXPECT_EQ(parts().comparison().playback().sequence(), nullptr) << "taken again after it was given up";
+}
+
+TEST_F(TwoViews, ASecondViewThatGoesTakesItsOffersAlong) {
+  auto bar = std::make_unique<app::MessageBar>();
+  auto second = std::make_unique<app::Workspace>(plugin::builtInRegistry());
+  auto messages = std::make_unique<app::BindingMessages>(*second, bar.get());
+  second->undo().perform(document::addOrgans({ball("Ball", 30, 3)}));
+  second->undo().perform(
+      document::addHandles({{Vec3(0, 0, 0)}, {Vec3(1, 0, 0)}, {Vec3(0, 1, 0)}, {Vec3(0, 0, 1)}}));
+  ASSERT_TRUE(waitUntil([&] { return second->jobs().idle() && !bar->text().isEmpty(); }));
+  messages.reset();
+  EXPECT_EQ(bar->text(), QString());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 
+#include "viscera/document/organ_commands.h"
 #include "window/table/handle_table.h"
 #include "window_test.h"
 
@@ -35,7 +36,7 @@ TEST_F(HandleTableTest, ShowsWhereHandlesAreAndTakesWhatIsTypedAsOneStep) {
   ASSERT_EQ(model().rowCount(), static_cast<int>(document().rig().handles.size()));
   EXPECT_EQ(at(2, Column::restY).toDouble(), rest.y());
   ASSERT_TRUE(type(2, Column::poseY, rest.y() + 7));
-  EXPECT_EQ(document().pose()(2, 1), rest.y() + 7);
+  EXPECT_NEAR(document().pose()(2, 1), rest.y() + 7, 1e-12);
   EXPECT_NEAR(at(2, Column::moved).toDouble(), 7, 1e-12);
   EXPECT_FALSE(type(2, Column::poseY, QStringLiteral("far"))) << "no number";
   window().workspace().undo().undo();
@@ -67,6 +68,16 @@ TEST_F(HandleTableTest, TellsTheCoordinatesOfTheVertexThatIsClicked) {
   const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   ASSERT_EQ(lines.size(), model().rowCount() + 1);
   EXPECT_EQ(lines[6].split(QLatin1Char('\t')).last().toDouble(), weights[5]) << "all digits are copied";
+}
+
+TEST_F(HandleTableTest, KeepsALockedVolumeAsThePageDoes) {
+  const auto organ = document().organs().front()->id;
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(organ, true)));
+  settle();
+  const double before = window().workspace().live().volume(organ).nowMl;
+  ASSERT_TRUE(type(2, app::HandleModel::poseY, at(2, app::HandleModel::poseY).toDouble() + 9));
+  settle();
+  EXPECT_NEAR(window().workspace().live().volume(organ).nowMl, before, 1e-6 * before);
 }
 
 } // namespace viscera::tests

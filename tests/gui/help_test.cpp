@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QTest>
 
@@ -68,6 +69,25 @@ TEST_F(Tour, FramesFollowTheWindowTakeNoClicksAndEndWithEscape) {
   key(Qt::Key_Escape);
   EXPECT_FALSE(card().isVisible());
   EXPECT_TRUE(frames().isEmpty());
+}
+
+TEST_F(Tour, LetsTheWindowHideEveryFrameBeforeItTakesThemAway) {
+  next();
+  ASSERT_TRUE(waitUntil([this] { return framesFit(); }));
+  const QPointer<app::PointingFrame> frame = frames().front();
+  ASSERT_TRUE(window().close());
+  // Qt goes through a list of the children while it hides them: each has to be there until it is through.
+  EXPECT_FALSE(frame.isNull()) << "the window hid a child that was gone";
+  settle();
+  EXPECT_TRUE(frame.isNull());
+}
+
+TEST_F(Tour, MayBeUnderWayWhenTheWindowEnds) {
+  next();
+  ASSERT_TRUE(waitUntil([this] { return framesFit(); }));
+  const QPointer<app::PointingFrame> frame = frames().front();
+  endWindow();
+  EXPECT_TRUE(frame.isNull()) << "the window takes its frames with it";
 }
 
 } // namespace

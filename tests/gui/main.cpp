@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "lent_display.h"
 #include "window/application.h"
 #include "window/run_window.h"
 
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (listing)
     return RUN_ALL_TESTS();
+  viscera::tests::useLentDisplay();
   if (qEnvironmentVariableIsEmpty("DISPLAY")) {
     std::puts("The tests of the window need a display: ./test.sh starts a virtual one.");
     return 1;

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QTest>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 
 #include "atlas_window.h"
 #include "screen_check.h"
@@ -217,6 +218,25 @@ TEST_F(ManyOrgans, FocusShowsWhatWasHidden) {
   ASSERT_FALSE(organ("Lumbar1").look.visible);
   key(Qt::Key_F);
   EXPECT_TRUE(organ("Lumbar1").look.visible);
+}
+
+TEST_F(ManyOrgans, SearchLooksAtTheNamesThatAreShownAndGoesWithItsField) {
+  window().workspace().perform(document::renameOrgan(organ("liver").id, "LV cavity"));
+  settle();
+  search().setText(QStringLiteral("cavit"));
+  int shown = 0;
+  for (QTreeWidgetItemIterator it(&list()); *it; ++it)
+    if (!(*it)->isHidden() && (*it)->childCount() == 0)
+      ++shown;
+  EXPECT_EQ(shown, 1);
+  std::vector<document::OrganId> gone;
+  for (const auto& one : document().organs())
+    if (one->name != "spleen")
+      gone.push_back(one->id);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(gone)));
+  settle();
+  EXPECT_FALSE(search().isVisible());
+  EXPECT_FALSE(row(QStringLiteral("spleen"))->isHidden()) << "by a field that nobody sees";
 }
 
 } // namespace

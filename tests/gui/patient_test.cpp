@@ -123,14 +123,14 @@ TEST_F(PatientTest, FoldedTissueIsCountedInTheStatus) {
   key(Qt::Key_3);
   window().actions()["scan.bent"]->trigger();
   const auto status = [this] { return window().findChild<QLabel*>(QStringLiteral("statusBinding"))->text(); };
-  EXPECT_FALSE(status().contains(QStringLiteral("folds"))) << status().toStdString();
+  EXPECT_FALSE(status().contains(QStringLiteral("folded"))) << status().toStdString();
   // The handles in front change places with those behind: the patient is turned inside out.
   Points mirrored = document().rig().restPositions();
   mirrored.col(1) *= -0.8;
   window().workspace().perform(document::moveHandles(allHandles(), mirrored));
   ASSERT_TRUE(bent());
   settle();
-  EXPECT_TRUE(status().contains(QStringLiteral("folds"))) << status().toStdString();
+  EXPECT_TRUE(status().contains(QStringLiteral("folded"))) << status().toStdString();
   EXPECT_TRUE(QString::fromStdString(window().slices().presenter().picture(0).note)
                   .contains(QStringLiteral("folded")));
 }

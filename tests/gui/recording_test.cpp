@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,6 +16,7 @@
 #include <thread>
 
 #include "viscera/document/organ_commands.h"
+#include "window/movie/movie_plan.h"
 #include "window/panels/play_page.h"
 #include "window_probe.h"
 
@@ -211,6 +213,29 @@ TEST_F(Recordings, ATableNeedsNoPicturesAndWhatCannotBeDoneIsSaid) {
                     label->text().contains(QStringLiteral("ffmpeg")));
   EXPECT_TRUE(said);
   qputenv("PATH", search);
+}
+
+TEST_F(Recordings, AFileThatWasChosenStaysWhenTheSequencePlaysOn) {
+  const QString file = path(QStringLiteral("mine.ogv"));
+  describe(QStringLiteral("Ogg"), file, 10, 1);
+  const double rate = window().playback().player().ratePerMinute();
+  window().playback().setRate(rate + 5);
+  key(Qt::Key_Space);
+  settle();
+  EXPECT_EQ(find<QLineEdit>("recordFile").text(), file);
+}
+
+TEST_F(Recordings, AProposedFileLeavesTheTableOfAnotherAlone) {
+  const QString folder = path(QString());
+  QFile table(path(QStringLiteral("beat.csv")));
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.close();
+  EXPECT_EQ(
+      QFileInfo(app::freeMovieFile(folder, QStringLiteral("beat"), app::MovieFormat::ogg, true)).fileName(),
+      QStringLiteral("beat_2.ogv"));
+  EXPECT_EQ(
+      QFileInfo(app::freeMovieFile(folder, QStringLiteral("beat"), app::MovieFormat::ogg, false)).fileName(),
+      QStringLiteral("beat.ogv"));
 }
 
 } // namespace

@@ -1,8 +1,12 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -13,7 +17,10 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "window/export_actions.h"
+#include "window/lecture/slides.h"
 #include "window/session/session_files.h"
+#include "window/widgets/new_file.h"
 
 namespace viscera::tests {
 namespace {
@@ -286,6 +293,101 @@ TEST_F(SessionTest, NoneIsOpenedBesideAnotherOrgan) {
   settle();
   EXPECT_FALSE(message().isEmpty());
   EXPECT_EQ(document().organs().size(), 1u);
+}
+
+TEST_F(SessionTest, ASaveThatEndsAfterTheSessionIsNoFileOfTheNextOne) {
+  work();
+  answer(Answer::discard);
+  bool followed = false;
+  sessions().saveTo(path(QStringLiteral("first.viscera")), false, [&] { followed = true; });
+  sessions().begin();
+  ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("first.viscera")); }));
+  EXPECT_FALSE(followed);
+  EXPECT_EQ(sessions().file(), QString()) << "the next save would write over the other patient's";
+  EXPECT_TRUE(QFile::exists(path(QStringLiteral("first.viscera"))));
+}
+
+TEST_F(SessionTest, WorkThatWasDoneWhileAnotherSessionWasReadIsAskedAbout) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  answer(Answer::cancel);
+  sessions().open(path(QStringLiteral("work.viscera")));
+  EXPECT_EQ(asked_, 0) << "nothing is lost yet";
+  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
+  const document::DocumentState state = document().state();
+  ASSERT_TRUE(waitUntil([this] { return asked_ == 1; }));
+  settle();
+  EXPECT_TRUE(document().state() == state);
+}
+
+TEST_F(SessionTest, SlidesAreWorkThatIsSavedAndBelongToTheirSession) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  ASSERT_FALSE(window().isWindowModified());
+  window().slides().add();
+  EXPECT_TRUE(window().isWindowModified());
+  save(path(QStringLiteral("work.viscera")));
+  EXPECT_FALSE(window().isWindowModified());
+  window().slides().rename(0, QStringLiteral("From the left"));
+  EXPECT_TRUE(window().isWindowModified());
+  window().viewModel().change([](presentation::ViewState& state) { state.cut.on = true; });
+  answer(Answer::discard);
+  sessions().begin();
+  EXPECT_TRUE(window().slides().all().empty());
+  EXPECT_FALSE(window().viewModel().state().cut.on);
+  EXPECT_FALSE(window().isWindowModified());
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_EQ(window().slides().all().size(), 1u);
+  EXPECT_FALSE(window().isWindowModified());
+}
+
+TEST_F(SessionTest, OffersOfTheDocumentBeforeAreGone) {
+  window().workspace().say({app::Message::Severity::warning, QStringLiteral("Of before"), {}, 0});
+  sessions().begin();
+  EXPECT_EQ(message(), QString());
+}
+
+TEST_F(SessionTest, AnExportThatIsNotDoneIsAskedAboutBeforeTheWindowCloses) {
+  work();
+  answer(Answer::discard);
+  QStringList named;
+  bool leave = false;
+  window().setUnwrittenQuestion([&](const QStringList& names) {
+    named = names;
+    return leave;
+  });
+  window().exports().exportOrgans(path(QStringLiteral("all.glb")));
+  window().exports().exportTable(path(QStringLiteral("table.csv")));
+  EXPECT_FALSE(window().close());
+  EXPECT_EQ(named.size(), 2) << "one export does not take the place of another";
+  ASSERT_TRUE(waitUntil([this] { return window().workspace().writing().isEmpty(); }));
+  EXPECT_TRUE(QFile::exists(path(QStringLiteral("all.glb"))));
+  EXPECT_TRUE(QFile::exists(path(QStringLiteral("table.csv"))));
+  EXPECT_TRUE(window().close());
+}
+
+/// Answers the question that comes next with this button.
+void answerNext(QMessageBox::StandardButton button) {
+  QTimer::singleShot(0, [button] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    box->button(button)->click();
+  });
+}
+
+TEST_F(SessionTest, AFileThatGetsItsEndingReplacesNoneUnasked) {
+  const QStringList endings{QStringLiteral(".viscera"), QStringLiteral(".other")};
+  EXPECT_EQ(app::asNewFile(&window(), {}, endings), QString());
+  EXPECT_EQ(app::asNewFile(&window(), QStringLiteral("/a.other"), endings), QStringLiteral("/a.other"));
+  const QString chosen = path(QStringLiteral("work"));
+  EXPECT_EQ(app::asNewFile(&window(), chosen, endings), chosen + QStringLiteral(".viscera"));
+  QFile file(chosen + QStringLiteral(".viscera"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  answerNext(QMessageBox::No);
+  EXPECT_EQ(app::asNewFile(&window(), chosen, endings), QString());
+  answerNext(QMessageBox::Yes);
+  EXPECT_EQ(app::asNewFile(&window(), chosen, endings), file.fileName());
 }
 
 } // namespace

@@ -231,7 +231,7 @@ TEST_F(Track, StressIsThatOfTheMuscleAloneAndSaysWhatItDoesNotTell) {
     }
   }
   EXPECT_TRUE(find<QLabel>("stressCaution").isVisible());
-  EXPECT_TRUE(find<QLabel>("stressCaution").text().contains(QStringLiteral("was not measured")));
+  EXPECT_TRUE(find<QLabel>("stressCaution").text().contains(QStringLiteral("how points move along a wall")));
   window().playback().stop();
   settle();
   EXPECT_FALSE(find<QLabel>("stressCaution").isVisible()) << "your own pose is known everywhere";

@@ -28,7 +28,7 @@ void WindowTest::SetUp() {
 }
 
 void WindowTest::TearDown() {
-  window_.reset();
+  endWindow();
 }
 
 void WindowTest::reopenWindow() {

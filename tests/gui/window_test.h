@@ -30,6 +30,8 @@ protected:
   app::ViewWidget& view();
   /// Closes the window and makes another one with the same settings.
   void reopenWindow();
+  /// Ends the window as it is, without closing it; the test has none any more.
+  void endWindow() { window_.reset(); }
 
   QString path(const QString& name) const { return folder_.filePath(name); }
   /// Writes a sphere of 60 mm radius as a file and returns its name.

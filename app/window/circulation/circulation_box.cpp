@@ -12,6 +12,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "window/circulation/numbers_table.h"
 #include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/page.h"
@@ -54,8 +55,7 @@ QString tipOf(const circulation::ParameterInfo& info) {
     return what;
   const int decimals = rangeOf(info).decimals;
   return CirculationBox::tr("%1. Marked: normal, %2 %3 (%4)")
-      .arg(what, text(circulation::rangeText(*info.normal, decimals)), text(info.unit),
-           text(info.normal->source));
+      .arg(what, normalText(*info.normal, decimals), text(info.unit), text(info.normal->source));
 }
 
 } // namespace

@@ -18,10 +18,10 @@
 namespace viscera::app {
 
 /// Solves the circulation that the document has chosen and makes the sample heart beat with it. Workers do
-/// both: what is under way is let finish and shown, and the next one begins with the newest choice, so that a
-/// control that moves is seen to move. While it moves, the heart's beat is taken from that of the choice
-/// before; it is found anew, and tried at all instants, as soon as the control rests. Where the document lets
-/// the textbook's beat move the heart, the heart gets that back.
+/// both. A running computation finishes and is shown before the next one starts with the newest choice, so
+/// the view follows a moving control. While a control moves, the heart's beat is derived from the previous
+/// choice's beat; as soon as the control rests, the beat is computed anew and checked at all instants. Where
+/// the document lets the textbook's beat move the heart, the heart gets that back.
 class CirculationModel final : public QObject {
   Q_OBJECT
 

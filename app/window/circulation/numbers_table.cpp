@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 
+#include <cmath>
+
 #include "window/language.h"
 #include "window/workspace.h"
 
@@ -16,6 +18,15 @@ const circulation::Reading& readingOf(int row) {
 }
 
 } // namespace
+
+QString normalText(const circulation::NormalValues& normal, int decimals) {
+  const QString low = formatNumber(normal.low, decimals), high = formatNumber(normal.high, decimals);
+  if (!std::isfinite(normal.high))
+    return NumbersTable::tr("from %1").arg(low);
+  if (!std::isfinite(normal.low))
+    return NumbersTable::tr("up to %1").arg(high);
+  return QStringLiteral("%1 - %2").arg(low, high);
+}
 
 NumbersTable::NumbersTable(QWidget* parent)
     : QTableWidget(static_cast<int>(circulation::readings().size()), kNumbersColumns, parent),
@@ -57,8 +68,7 @@ void NumbersTable::setPerson(const norms::Person& person) {
     const auto normal = circulation::normalOf(readingOf(row), person);
     if (!normal)
       continue;
-    item(row, kNumbersNormal)
-        ->setText(text(circulation::rangeText(*normal, readingOf(row).decimals > 0 ? 1 : 0)));
+    item(row, kNumbersNormal)->setText(normalText(*normal, readingOf(row).decimals > 0 ? 1 : 0));
     item(row, kNumbersNormal)->setToolTip(text(normal->source));
   }
 }

@@ -7,6 +7,9 @@
 
 namespace viscera::app {
 
+/// A normal range with the numbers of the window's language: "60 - 100", "from 60", "up to 5".
+QString normalText(const circulation::NormalValues& normal, int decimals);
+
 /// A table of the computed numbers of a circulation, with normal ranges and the numbers of a kept
 /// circulation.
 class NumbersTable final : public QTableWidget {

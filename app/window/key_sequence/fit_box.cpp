@@ -236,8 +236,8 @@ void FitBox::syncTarget() {
   else if (!organ->closed())
     target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(inWords(organ->name)));
   else if (hollow)
-    target_->setText(tr("Moves %1 and its chambers as a textbook's heart, from how they are as the end of "
-                        "diastole. It becomes a recorded sequence.")
+    target_->setText(tr("Makes %1 and its chambers beat like a textbook heart. The present shape counts as "
+                        "the end of diastole. The result is a recorded sequence.")
                          .arg(inWords(organ->name)));
   else
     target_->setText(

@@ -17,6 +17,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "window/language.h"
 #include "window/style/icon.h"
+#include "window/widgets/new_file.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -139,7 +140,7 @@ void KeyBox::makeButtons() {
   period_ = secondsBox(this);
   period_->setObjectName(QStringLiteral("keyPeriod"));
   period_->setPrefix(tr("Duration "));
-  period_->setToolTip(tr("Length of one cycle"));
+  period_->setToolTip(tr("Duration of one cycle"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {
     document::KeySequenceEdit edit;
@@ -227,8 +228,7 @@ QString KeyBox::fileName(bool saving) const {
   if (file.isEmpty())
     return file;
   settings_.setValue(kSequencesFolderKey, QFileInfo(file).absolutePath());
-  return saving && !file.endsWith(QLatin1String(kSequenceEnding)) ? file + QLatin1String(kSequenceEnding)
-                                                                  : file;
+  return saving ? asNewFile(window, file, {QLatin1String(kSequenceEnding)}) : file;
 }
 
 } // namespace viscera::app

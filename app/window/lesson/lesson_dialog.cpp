@@ -43,8 +43,8 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   notes_->setTabChangesFocus(true);
 
   auto* remark = new QLabel(
-      tr("This is all that a reader will be able to read: names of files, dates and what is "
-         "hidden are not in the lesson. Look for names of patients; double-click a text to change it.") +
+      tr("A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden "
+         "organs. Check the texts for names of patients; double-click a text to change it.") +
       QLatin1Char(' ') + caution());
   remark->setWordWrap(true);
   auto* form = new QFormLayout;

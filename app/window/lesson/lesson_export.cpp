@@ -65,7 +65,7 @@ void LessonExport::choose() {
 void LessonExport::write(const lesson::LessonPlan& plan, const QString& file) {
   auto organs = std::make_shared<live::PosedCopy>(window_.workspace.live().copy());
   window_.workspace.jobs().submit<double>(
-      tr("Exporting the lesson").toStdString(), "export",
+      tr("Exporting the lesson").toStdString(), Workspace::slotOf(file),
       [plan, organs, from = source(), path = file.toStdString()](Progress& progress) {
         if (QFileInfo(QString::fromStdString(path)).suffix() == QLatin1String("glb"))
           return lesson::writeAnimatedGltf(path, plan, from, *organs, progress).largestErrorMm;

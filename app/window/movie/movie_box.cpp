@@ -15,6 +15,7 @@
 
 #include "viscera/scene/movie_writer.h"
 #include "window/style/icon.h"
+#include "window/widgets/new_file.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -48,6 +49,7 @@ MovieBox::MovieBox(Settings& settings, QWidget* parent) : QWidget(parent), setti
     chosen_ = false;
     syncFormat();
   });
+  connect(table_, &QCheckBox::toggled, this, &MovieBox::proposeFile);
   connect(file_, &QLineEdit::textEdited, this, [this] { chosen_ = true; });
   connect(record_, &QPushButton::clicked, this, [this] {
     if (running_)
@@ -123,7 +125,6 @@ MoviePlan MovieBox::plan() const {
 
 void MovieBox::setName(const QString& name) {
   name_ = name;
-  chosen_ = false;
   proposeFile();
 }
 
@@ -171,7 +172,8 @@ void MovieBox::proposeFile() {
   if (chosen_ || running_)
     return;
   const QString folder = settings_.folder(kMovieFolderKey, QStandardPaths::MoviesLocation);
-  file_->setText(freeMovieFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format()));
+  file_->setText(freeMovieFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format(),
+                               table_->isEnabled() && table_->isChecked()));
   file_->setToolTip(file_->text());
 }
 
@@ -184,7 +186,10 @@ void MovieBox::chooseFile() {
                                          QStringLiteral("%1 (*%2)").arg(info.name, info.ending));
   if (file.isEmpty())
     return;
-  file_->setText(file.endsWith(info.ending) ? file : file + info.ending);
+  const QString named = info.ending.isEmpty() ? file : asNewFile(this, file, {info.ending});
+  if (named.isEmpty())
+    return;
+  file_->setText(named);
   file_->setToolTip(file_->text());
   chosen_ = true;
 }

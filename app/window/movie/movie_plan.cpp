@@ -33,13 +33,14 @@ QString MoviePlan::tableFile() const {
   return info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".csv");
 }
 
-QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format) {
+QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format, bool table) {
   const QString ending = infoOf(format).ending;
   for (int number = 1;; ++number) {
     const QString suffix = number == 1 ? QString() : QStringLiteral("_%1").arg(number);
-    const QString file = folder + QLatin1Char('/') + name + suffix + ending;
-    if (!QFileInfo::exists(file))
-      return file;
+    MoviePlan plan;
+    plan.file = folder + QLatin1Char('/') + name + suffix + ending;
+    if (!QFileInfo::exists(plan.file) && !(table && QFileInfo::exists(plan.tableFile())))
+      return plan.file;
   }
 }
 

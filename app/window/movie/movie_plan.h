@@ -37,7 +37,8 @@ struct MoviePlan {
   QString tableFile() const;
 };
 
-/// A file in the folder that is not there yet: "heartbeat_75.ogv", "heartbeat_75_2.ogv".
-QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format);
+/// A file in the folder that is not there yet, nor the `table` beside it: "heartbeat_75.ogv",
+/// "heartbeat_75_2.ogv".
+QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format, bool table);
 
 } // namespace viscera::app

@@ -268,6 +268,8 @@ void OrganPanel::rebuild() {
   list_->setVisible(!organs.empty());
   opacity_->setVisible(!organs.empty());
   search_->setVisible(!systems_.empty());
+  if (systems_.empty())
+    search_->clear(); // A field that nobody sees hides no row.
   updateVolumes();
   syncSelection();
   giveNamesRoom();
@@ -312,12 +314,11 @@ void OrganPanel::updateSystems() {
   }
 }
 
-/// Rows whose organ has what is searched for in its name; a system without such a row is hidden.
+/// Rows that have what is searched for in the name that they show; a system without such a row is hidden.
 void OrganPanel::filter() {
   const QString part = search_->text().trimmed();
-  for (const auto& organ : workspace_.document().organs())
-    if (const auto item = items_.find(organ->id); item != items_.end())
-      item->second->setHidden(!part.isEmpty() && !text(organ->name).contains(part, Qt::CaseInsensitive));
+  for (const auto& [id, item] : items_)
+    item->setHidden(!part.isEmpty() && !item->text(kOrganName).contains(part, Qt::CaseInsensitive));
   for (const auto& [id, item] : items_) // A cavity that fits shows the organ around it.
     if (!item->isHidden() && item->parent())
       item->parent()->setHidden(false);

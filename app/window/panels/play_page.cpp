@@ -140,17 +140,19 @@ void PlayPage::makePatientCirculation(Workspace& workspace) {
   connect(patient_, &QAbstractButton::clicked, this, [this, &workspace] {
     if (!ventricle_)
       return;
-    workspace.guarded([this, &workspace] {
-      Progress quiet;
-      const circulation::PatientFit fit = circulation::fitToVentricle(
-          {ventricle_->endDiastolicMl, ventricle_->ejectionFraction, playback_.player().ratePerMinute(), 0},
-          quiet);
-      if (!workspace.perform(
-              document::takeCirculation(tr("Circulation of this heart").toStdString(), fit.parameters)))
-        return;
-      patientFit_->setText(asSentence(fit.remark()));
-      syncPatientCirculation();
-    });
+    workspace.inBackground<circulation::PatientFit>(
+        tr("Circulation of this heart"), "patient",
+        [heart = circulation::MeasuredVentricle{ventricle_->endDiastolicMl, ventricle_->ejectionFraction,
+                                                playback_.player().ratePerMinute(), 0}](Progress& progress) {
+          return circulation::fitToVentricle(heart, progress);
+        },
+        [this, &workspace](const circulation::PatientFit& fit) {
+          if (!workspace.perform(
+                  document::takeCirculation(tr("Circulation of this heart").toStdString(), fit.parameters)))
+            return;
+          patientFit_->setText(asSentence(fit.remark()));
+          syncPatientCirculation();
+        });
   });
 }
 
@@ -166,7 +168,8 @@ void PlayPage::syncPatientCirculation() {
     if (isLeft(lines[line]))
       ventricle_ = volumes_.indices(line);
   patient_->setVisible(ventricle_.has_value());
-  patientFit_->setVisible(ventricle_ && mode_.circulation().on() && !patientFit_->text().isEmpty());
+  patientFit_->setVisible(ventricle_ && mode_.circulation().on() && mode_.circulation().choice().fitted &&
+                          !patientFit_->text().isEmpty());
 }
 
 void PlayPage::makeRecording(Settings& settings) {

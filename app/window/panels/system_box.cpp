@@ -179,10 +179,11 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
     slider->setRange(rangeOf(parameter, most));
     slider->setValue(value);
     const QString limit = tr("%1 %2").arg(formatNumber(most, 1)).arg(text(parameter.unit));
-    remark->setText(value > most ? tr("Set to %1 %2, but these handles allow %3 at most, which is used.")
-                                       .arg(value)
-                                       .arg(text(parameter.unit), limit)
-                                 : tr("These handles allow up to %1.").arg(limit));
+    remark->setText(value > most
+                        ? tr("The value is set to %1 %2, but these handles allow at most %3, so %3 is used.")
+                              .arg(value)
+                              .arg(text(parameter.unit), limit)
+                        : tr("These handles allow up to %1.").arg(limit));
     remark->setVisible(std::isfinite(most));
   });
   return box;

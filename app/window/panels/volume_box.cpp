@@ -44,7 +44,7 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
   connect(apply_, &QPushButton::clicked, this, [this] {
     const auto organ = workspace_.currentOrgan();
     if (organ && poses_.setVolume(organ->id, field_->value()) && organ->volumeLocked)
-      workspace_.note(tr("%1 has the volume that was asked for; from here on its lock keeps that one.")
+      workspace_.note(tr("%1 now has the target volume; its lock keeps this volume from now on.")
                           .arg(inWords(organ->name)));
     apply_->setFocus();
     typed_ = false;

@@ -87,7 +87,7 @@ void ReportExport::write(const QString& file) {
     source.prescribed = player.runner().prescribed();
   }
   workspace.inBackground<int>(
-      tr("Writing the report"), "export",
+      tr("Writing the report"), Workspace::slotOf(file),
       [material, path = file.toStdString()](Progress& progress) {
         if (!report::isReportFile(path))
           throw UsageError("It is not a file that a report can be", path, "let it end in .pdf or .html");

@@ -10,6 +10,8 @@
 #include <chrono>
 #include <utility>
 
+#include "window/widgets/new_file.h"
+
 namespace viscera::app {
 namespace {
 
@@ -40,6 +42,7 @@ SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, SessionView
     : QObject(window), workspace_(workspace), playback_(playback), view_(view), settings_(settings),
       window_(window), writes_(postTo(this)) {
   subscription_ = workspace.undo().onChange([this] { onUndo(); });
+  connect(&view, &SessionView::changed, this, &SessionFiles::onView);
   connect(&timer_, &QTimer::timeout, this, &SessionFiles::autosaveIfDue);
   connect(this, &SessionFiles::changed, this, &SessionFiles::syncTitle);
   syncTitle();
@@ -100,44 +103,49 @@ void SessionFiles::chooseAndSave(std::function<void()> then) {
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString start =
       file_.isEmpty() ? folder + QLatin1Char('/') + tr("session") + QLatin1String(kSessionEnding) : file_;
-  QString file = QFileDialog::getSaveFileName(window_, tr("Save the session as"), start,
-                                              linked + QStringLiteral(";;") + embedded, &chosen);
-  if (file.isEmpty())
-    return;
-  if (!document::isSessionFile(file.toStdString()))
-    file += QLatin1String(kSessionEnding);
-  saveTo(file, chosen == embedded, std::move(then));
+  const QString file =
+      asNewFile(window_,
+                QFileDialog::getSaveFileName(window_, tr("Save the session as"), start,
+                                             linked + QStringLiteral(";;") + embedded, &chosen),
+                {QLatin1String(kSessionEnding)});
+  if (!file.isEmpty())
+    saveTo(file, chosen == embedded, std::move(then));
 }
 
 void SessionFiles::saveTo(const QString& file, bool embed, std::function<void()> then) {
   document::SessionContents saved = contents();
   saved.embedSurfaces = saved.embedScan = embed;
-  const document::DocumentState state = saved.state;
+  const Kept kept{saved.state, view_.slides()};
   writes_.submit<bool>(
       tr("Saving %1").arg(QFileInfo(file).fileName()).toStdString(), {},
       [path = file.toStdString(), saved = std::move(saved)](Progress& progress) {
         document::writeSession(path, saved, progress);
         return true;
       },
-      [this, file, embed, state, then = std::move(then)](JobResult<bool> result) {
+      [this, file, embed, kept, session = session_, then = std::move(then)](JobResult<bool> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (!result.value)
           return;
-        wrote(file, embed, state);
-        if (then)
+        wrote(file, session == session_ ? std::optional(embed) : std::nullopt, kept);
+        if (then && session == session_)
           then();
       });
 }
 
-void SessionFiles::wrote(const QString& file, bool embed, const document::DocumentState& state) {
-  file_ = QFileInfo(file).absoluteFilePath();
-  embed_ = embed;
-  settings_.setValue(kFolderKey, QFileInfo(file_).absolutePath());
-  settings_.addRecentFiles({file_});
-  workspace_.undo().markSaved(state);
-  workspace_.note(tr("Saved as %1").arg(file_), kSavedSeconds);
+void SessionFiles::wrote(const QString& file, std::optional<bool> embed, const Kept& kept) {
+  const QString whole = QFileInfo(file).absoluteFilePath();
+  settings_.setValue(kFolderKey, QFileInfo(whole).absolutePath());
+  settings_.addRecentFiles({whole});
+  if (embed) {
+    file_ = whole;
+    embed_ = *embed;
+    savedSlides_ = kept.slides;
+    workspace_.undo().markSaved(kept.state);
+  }
+  workspace_.note(tr("Saved as %1").arg(whole), kSavedSeconds);
   Q_EMIT recentFilesChanged();
+  onUndo();
   Q_EMIT changed();
 }
 
@@ -173,6 +181,8 @@ void SessionFiles::begin() {
   whenSaved([this] {
     workspace_.jobs().cancelAll();
     takeContents({}, {});
+    view_.forget();
+    takeSlides();
     Q_EMIT opened();
   });
 }
@@ -183,13 +193,21 @@ void SessionFiles::read(const QString& file, std::optional<document::Recovery> r
       [path = file.toStdString(), library = sample_organs::standardLibrary()](Progress& progress) {
         return document::readSession(path, library, progress);
       },
-      [this, file, recovery](const document::OpenedSession& session) {
-        if (!recovery)
-          return take(session, QFileInfo(file).absoluteFilePath());
-        take(session, QString::fromStdString(session.contents.recovers.string()));
-        workspace_.undo().markUnsaved();
-        if (autosave_)
-          autosave_->adopt(*recovery);
+      [this, file, recovery,
+       asked = Kept{workspace_.state(), view_.slides()}](const document::OpenedSession& session) {
+        const auto takeIt = [this, file, recovery, session] {
+          if (!recovery)
+            return take(session, QFileInfo(file).absoluteFilePath());
+          take(session, QString::fromStdString(session.contents.recovers.string()));
+          workspace_.undo().markUnsaved();
+          if (autosave_)
+            autosave_->adopt(*recovery);
+        };
+        // Work that was done while the file was read has not been asked about.
+        if (workspace_.state() == asked.state && view_.slides() == asked.slides)
+          takeIt();
+        else
+          whenSaved(takeIt);
       });
 }
 
@@ -202,6 +220,7 @@ void SessionFiles::take(const document::OpenedSession& session, const QString& f
   }
   Q_EMIT opened();
   workspace_.guarded([&] { view_.apply(session.contents.view); });
+  takeSlides();
   sayWarnings(session.warnings);
 }
 
@@ -209,6 +228,7 @@ void SessionFiles::take(const document::OpenedSession& session, const QString& f
 void SessionFiles::takeContents(const document::SessionContents& contents, const QString& file) {
   if (autosave_)
     autosave_->clear();
+  ++session_;
   playback_.forgetAll();
   workspace_.selection().clear();
   workspace_.undo().reset({}); // The ids of the other document mean nothing here.
@@ -218,6 +238,19 @@ void SessionFiles::takeContents(const document::SessionContents& contents, const
   missing_ = contents.missing;
   missingScan_ = contents.missingScan;
   Q_EMIT changed();
+}
+
+/// Those of the view are as they were saved.
+void SessionFiles::takeSlides() {
+  seenSlides_ = savedSlides_ = view_.slides();
+  onUndo();
+}
+
+void SessionFiles::onView() {
+  if (seenSlides_ == view_.slides())
+    return;
+  seenSlides_ = view_.slides();
+  onUndo();
 }
 
 void SessionFiles::sayWarnings(const std::vector<std::string>& warnings) {
@@ -267,17 +300,21 @@ void SessionFiles::onUndo() {
 void SessionFiles::offerRecovery() {
   if (recoveries_.empty())
     return;
-  const QString when = QLocale().toString(dateOf(recoveries_.front()), QLocale::ShortFormat);
+  const document::Recovery offered = recoveries_.front();
+  const QString when = QLocale().toString(dateOf(offered), QLocale::ShortFormat);
   Message message;
   message.severity = Message::Severity::warning;
   message.text = tr("Viscera ended without saving. It has kept a copy of the work of %1.").arg(when);
   message.offers.push_back({tr("Recover"), [this] { recover(); }});
-  message.offers.push_back({tr("Discard"), [this] {
-                              document::discard(recoveries_.front());
-                              recoveries_.erase(recoveries_.begin());
+  message.offers.push_back({tr("Discard"), [this, offered] {
+                              document::discard(offered);
+                              std::erase_if(recoveries_, [&offered](const document::Recovery& recovery) {
+                                return recovery.file == offered.file;
+                              });
                               Q_EMIT changed();
                               offerRecovery();
                             }});
+  recoveryText_ = message.text;
   workspace_.say(message);
 }
 
@@ -287,6 +324,7 @@ void SessionFiles::recover() {
   whenSaved([this] {
     const document::Recovery recovery = recoveries_.front();
     recoveries_.erase(recoveries_.begin());
+    workspace_.retract(recoveryText_);
     read(QString::fromStdString(recovery.file.string()), recovery);
     Q_EMIT changed();
   });

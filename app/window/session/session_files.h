@@ -40,7 +40,7 @@ public:
   /// "liver.viscera", or the name of one without a file.
   QString name() const;
   /// Whether there are changes that are not saved.
-  bool modified() const { return !workspace_.undo().isClean(); }
+  bool modified() const { return !workspace_.undo().isClean() || view_.slides() != savedSlides_; }
   /// Everything that is saved, as it is now.
   document::SessionContents contents() const;
 
@@ -88,7 +88,16 @@ private:
   void read(const QString& file, std::optional<document::Recovery> recovery);
   void take(const document::OpenedSession& session, const QString& file);
   void takeContents(const document::SessionContents& contents, const QString& file);
-  void wrote(const QString& file, bool embed, const document::DocumentState& state);
+  /// What a session file keeps, and undo or the user can change.
+  struct Kept {
+    document::DocumentState state;
+    std::vector<presentation::Slide> slides;
+  };
+
+  /// Whether surfaces are inside; none: it was written for a session that is no longer open.
+  void wrote(const QString& file, std::optional<bool> embed, const Kept& kept);
+  void takeSlides();
+  void onView();
   void sayWarnings(const std::vector<std::string>& warnings);
   void onUndo();
   /// Says in the window's title which session it is and whether it is saved.
@@ -103,11 +112,15 @@ private:
   QWidget* window_;
   QString file_;
   bool embed_ = false;
+  int session_ = 0; ///< Another number for every document that takes the place of the one before.
+  std::vector<presentation::Slide> savedSlides_;
+  std::vector<presentation::Slide> seenSlides_;
   std::vector<document::MissingOrgan> missing_;
   std::string missingScan_; ///< As in the session file, of a scan that was not found there.
   JobQueue writes_;         ///< Of its own: saving waits for no long work.
   std::unique_ptr<document::Autosave> autosave_;
   std::vector<document::Recovery> recoveries_;
+  QString recoveryText_; ///< The offer of the first of them.
   std::function<Answer(const QString&)> question_;
   bool autosaveFailed_ = false; ///< It was said.
   bool wasModified_ = false;

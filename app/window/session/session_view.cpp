@@ -30,7 +30,20 @@ struct SessionView::Wanted {
   Points shownPose; ///< As the picture was saved.
 };
 
-SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {}
+SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {
+  connect(&window_.view, &ViewModel::changed, this, &SessionView::changed);
+}
+
+void SessionView::forget() {
+  window_.view.change([](presentation::ViewState& state) {
+    state.slides.clear();
+    state.person = {};
+    state.cut = {};
+    state.scan = {};
+    state.stress = presentation::habitOf(state.stress);
+    state.stress.cut = false;
+  });
+}
 
 std::string SessionView::gather() const {
   presentation::ViewState state = window_.picture.state();

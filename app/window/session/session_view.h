@@ -37,8 +37,13 @@ public:
   /// Brings the window to that view. Motions are made on a worker and shown when they are there. Throws
   /// `DataError` for text that is no such view, with nothing of it done.
   void apply(const std::string& view);
+  /// The view without what belongs to the document that goes: slides, person, cuts and slices.
+  void forget();
+
+  const std::vector<presentation::Slide>& slides() const { return window_.view.state().slides; }
 
 Q_SIGNALS:
+  void changed();
   /// The view that was applied has no camera.
   void framingWanted();
 

@@ -125,7 +125,8 @@ void BentExport::exportScan(const QString& file) {
   if (!can)
     return;
   workspace_.inBackground<Written>(
-      tr("Exporting the bent scan"), "export", [work](Progress& progress) { return write(work, progress); },
+      tr("Exporting the bent scan"), Workspace::slotOf(file),
+      [work](Progress& progress) { return write(work, progress); },
       [this, file](const Written& written) {
         settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
         QString said = tr("The bent scan was written to %1.").arg(file);

@@ -188,7 +188,10 @@ void ScanActions::makeSwitches(Actions& actions) {
        &ScanLook::bent},
       {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
       {"scan.maximum",
-       {tr("Ma&ximum of thick slices"), nullptr, {}, tr("Instead of their mean")},
+       {tr("Ma&ximum of thick slices"),
+        nullptr,
+        {},
+        tr("Show the largest value across a thick slice instead of the mean")},
        &ScanLook::maximum}};
   menu_.addSeparator();
   for (const Switch& item : all) {

@@ -14,8 +14,8 @@ constexpr int kAllDigits = 17;
 
 } // namespace
 
-HandleModel::HandleModel(Workspace& workspace, QObject* parent)
-    : QAbstractTableModel(parent), workspace_(workspace) {
+HandleModel::HandleModel(Workspace& workspace, PoseEditor& poses, QObject* parent)
+    : QAbstractTableModel(parent), workspace_(workspace), poses_(poses) {
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.pose() || change.organs())
       refresh();
@@ -162,9 +162,9 @@ bool HandleModel::setData(const QModelIndex& index, const QVariant& value, int r
     place(0, column - restX) = *typed;
     return workspace_.perform(document::moveRestHandles({handle.id}, place));
   }
-  place.row(0) = workspace_.document().pose().row(index.row());
-  place(0, column - poseX) = *typed;
-  return workspace_.perform(document::moveHandles({handle.id}, place));
+  Vec3 by = Vec3::Zero();
+  by[column - poseX] = *typed - workspace_.document().pose()(index.row(), column - poseX);
+  return poses_.moveBy({handle.id}, by).has_value(); // As on the page: locked volumes stay.
 }
 
 QString HandleModel::textOf(const std::vector<int>& rows) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "window/pose_editor.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -23,7 +24,8 @@ class HandleModel final : public QAbstractTableModel {
 public:
   enum Column { label, groups, restX, restY, restZ, poseX, poseY, poseZ, moved, weight, columns };
 
-  explicit HandleModel(Workspace& workspace, QObject* parent = nullptr);
+  /// Both have to live longer.
+  HandleModel(Workspace& workspace, PoseEditor& poses, QObject* parent = nullptr);
 
   /// Looks at the coordinates of that vertex from now on; none: at none.
   void showVertex(std::optional<ShownVertex> vertex);
@@ -54,6 +56,7 @@ private:
   QString groupsOf(const document::Handle& handle) const;
 
   Workspace& workspace_;
+  PoseEditor& poses_;
   std::optional<ShownVertex> vertex_;
   Values weights_;
   int rows_ = 0;

@@ -16,8 +16,9 @@
 
 namespace viscera::app {
 
-HandleTable::HandleTable(Workspace& workspace, const Picture& picture, ViewWidget& view, QWidget* parent)
-    : QDialog(parent), workspace_(workspace), picture_(picture), view_(view), model_(workspace),
+HandleTable::HandleTable(Workspace& workspace, PoseEditor& poses, const Picture& picture, ViewWidget& view,
+                         QWidget* parent)
+    : QDialog(parent), workspace_(workspace), picture_(picture), view_(view), model_(workspace, poses),
       sorted_(new QSortFilterProxyModel(this)), table_(new QTableView(this)), vertex_(new QLabel(this)) {
   setWindowTitle(tr("Table of handles"));
   setObjectName(QStringLiteral("handleTable"));

@@ -21,7 +21,8 @@ class HandleTable final : public QDialog {
 
 public:
   /// All have to live longer.
-  HandleTable(Workspace& workspace, const Picture& picture, ViewWidget& view, QWidget* parent);
+  HandleTable(Workspace& workspace, PoseEditor& poses, const Picture& picture, ViewWidget& view,
+              QWidget* parent);
 
   /// Adds "handles.table".
   void addTo(Actions& actions);

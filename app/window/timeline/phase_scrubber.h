@@ -8,8 +8,8 @@
 
 namespace viscera::app {
 
-/// Left and right of a strip that shows a cycle; the same of all strips, so that instants stand below each
-/// other.
+/// The margin at the left and right of every strip that shows a cycle, in logical pixels. All strips share
+/// it, so that the same instants stand below each other.
 inline constexpr double kPhaseMargin = 8;
 
 /// A strip that shows one cycle with its phases and the present instant, which mouse and arrow keys move.

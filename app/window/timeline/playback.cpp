@@ -157,8 +157,8 @@ bool Playback::start() {
 void Playback::offerOwnHandles() {
   Message message;
   message.severity = Message::Severity::warning;
-  message.text =
-      tr("%1 moves its own handles, and these are different.").arg(inWords(present_.sequence->name()));
+  message.text = tr("The sequence %1 moves its own handles, but the document has others.")
+                     .arg(inWords(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
          if (workspace_.perform(document::replaceRig(document::rigOf(*present_.sequence),

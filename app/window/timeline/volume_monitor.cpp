@@ -131,6 +131,7 @@ void VolumeMonitor::measure(int index) {
   const motion::MotionRunner& runner = side.playback->player().runner();
   if (!side.playback->player().movable() || workspace.live().busy()) {
     workspace.jobs().cancelSlot(kCycleSlot);
+    ++side.ticket;
     side.cause.reset();
     side.curves.reset();
     return;
@@ -142,12 +143,15 @@ void VolumeMonitor::measure(int index) {
   side.curves.reset();
   auto work = [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](
                   Progress& progress) { return motion::measureCycle(ahead->runner(), progress); };
-  auto done = [self = QPointer(this), index, cause](JobResult<motion::CycleCurves> result) {
-    if (!self || self->sides_[index].cause != cause)
+  auto done = [self = QPointer(this), index, mine = ++side.ticket](JobResult<motion::CycleCurves> result) {
+    if (!self || self->sides_[index].ticket != mine)
       return;
-    self->sides_[index].curves = std::move(result.value);
+    Side& measured = self->sides_[index];
+    if (result.cancelled()) // The next occasion measures again.
+      measured.cause.reset();
+    measured.curves = std::move(result.value);
     if (result.error)
-      self->sides_[index].workspace->report(*result.error);
+      measured.workspace->report(*result.error);
     Q_EMIT self->updated();
   };
   workspace.jobs().submit<motion::CycleCurves>(tr("Volumes over the cycle").toStdString(), kCycleSlot,

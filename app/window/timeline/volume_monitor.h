@@ -87,7 +87,8 @@ private:
     Playback* playback = nullptr;
     std::optional<motion::MotionCause> cause;  ///< Of what is measured or being measured.
     std::optional<motion::CycleCurves> curves; ///< None while it is being measured.
-    std::vector<Subscription> subscriptions;
+    std::vector<Subscription> subscriptions = {};
+    int ticket = 0; ///< Of the newest measurement: others come too late.
   };
 
   void watch(Side& side);

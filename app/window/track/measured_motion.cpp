@@ -167,8 +167,8 @@ bool MeasuredMotion::surfacesKnown() const {
 QString MeasuredMotion::caution() const {
   return !present_ || present_->motion->corresponding
              ? QString()
-             : tr("Where points of a wall move along it was not measured: mean and 95th percentile over the "
-                  "beat can be read, the local pattern of this map cannot.");
+             : tr("The series does not show how points move along a wall. The mean and the 95th percentile "
+                  "over the beat are reliable, the local pattern of this map is not.");
 }
 
 void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {

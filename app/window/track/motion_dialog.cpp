@@ -141,13 +141,13 @@ void MotionDialog::makeTimes(QVBoxLayout& column) {
   period_->setSingleStep(kPeriodStep);
   period_->setDecimals(1);
   period_->setSuffix(tr(" ms"));
-  period_->setToolTip(tr("Length of one whole cycle: the number of phases times the step between them"));
+  period_->setToolTip(tr("Duration of one whole cycle: the number of phases times the step between them"));
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MotionDialog::sync);
   row->addWidget(period_);
   rate_ = new QLabel(this);
   rate_->setObjectName(QStringLiteral("muted"));
   row->addWidget(rate_, 1);
-  form->addRow(tr("One cycle lasts"), row);
+  form->addRow(tr("Duration of one cycle"), row);
   loop_ = new QCheckBox(tr("The last phase leads back to the first"), this);
   loop_->setObjectName(QStringLiteral("seriesLoop"));
   loop_->setChecked(true);
@@ -228,9 +228,8 @@ void MotionDialog::take(const motion::SeriesContents& contents) {
   if (contents.periodSeconds)
     period_->setValue(kMsPerSecond * *contents.periodSeconds);
   say(contents.phases == 1
-          ? tr("One image has no motion of its own. Open it (File > Open), and Fit a sequence "
-               "to an organ in Play mode lets the heart and its chambers beat as the "
-               "textbook's.")
+          ? tr("A single image shows no motion. Open it with File > Open, then choose \"Fit a sequence to an "
+               "organ\" in Play mode to give the heart and its chambers the textbook's beat.")
           : text(contents.doubt),
       false);
   fillItems();
@@ -282,7 +281,7 @@ void MotionDialog::sync() {
   what_->setText(what);
   start_->setEnabled(!contents_.items.empty() && contents_.phases != 1 && period > 0 && !finding_);
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
-  start_->setToolTip(period > 0 ? QString() : tr("Enter the length of one cycle first"));
+  start_->setToolTip(period > 0 ? QString() : tr("Enter the duration of one cycle first"));
 }
 
 motion::SeriesRequest MotionDialog::request() const {

@@ -137,10 +137,10 @@ void ResidualTable::makeTable() {
   const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
                             tr("Time of the phase"),
                             tr("Distance of the surface from what was measured, by area"),
-                            tr("Below this distance are 95 % of the area"),
+                            tr("95 % of the area lies within this distance"),
                             tr("The largest distance"),
                             tr("Volume that was measured"),
-                            tr("Volume of the fit before volumes were kept"),
+                            tr("Volume of the fit before it is brought to the measured volume"),
                             tr("Volume of the fit"),
                             tr("How well the voxels agree: 1 for all"),
                             tr("Triangles that face the wrong way"),
@@ -220,16 +220,16 @@ void ResidualTable::fill() {
 
 /// A session has the numbers, and not the surfaces.
 void ResidualTable::syncSwitches() {
-  const QString tip =
-      tr("A session does not keep what was measured. Find the motion again to see it: Sequence "
-         "> Motion from a series");
+  const QString tip = tr("A session does not keep the measured surfaces. To see them, find the motion again: "
+                         "Sequence > Motion from a series");
   const bool known = measured_.surfacesKnown();
   ghost_->setEnabled(known);
   ghost_->setToolTip(known ? tr("The surfaces that were measured in the nearest phase, as glass in the view")
                            : tip);
   distances_->setEnabled(known);
   distances_->setToolTip(
-      known ? tr("Colours the organs by their distance from what was measured in the nearest phase") : tip);
+      known ? tr("Colour the organs by their distance from the measured surfaces of the nearest phase")
+            : tip);
 }
 
 void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {

@@ -123,6 +123,11 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   refresh();
 }
 
+bool Picture::hasMoreThanMovies() const {
+  const presentation::ScanLook& scan = model_.state().scan;
+  return map_ || !guests_.empty() || !measured_.empty() || (scan.standing && scan.bent);
+}
+
 void Picture::refresh() {
   workspace_.guarded([this] {
     presentation::ViewState view = state();

@@ -52,6 +52,8 @@ public:
   /// Where the valves of the heart are found that is shown beating, whenever the picture is drawn.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
+  /// Whether it has what a movie of the view leaves out: distances, surfaces of others, bent slices.
+  bool hasMoreThanMovies() const;
   /// Names of these parts alone; nothing: as the view's state says.
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 

@@ -124,7 +124,9 @@ TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)
   hide();
 }
 
-TourCard::~TourCard() = default;
+TourCard::~TourCard() {
+  dropFrames();
+}
 
 void TourCard::start() {
   show();
@@ -144,16 +146,24 @@ void TourCard::goTo(std::size_t step) {
   if (present.enter)
     present.enter();
   adjustSize();
-  frames_.clear();
+  dropFrames();
   for (const QString& name : present.targets)
     if (auto* target = window()->findChild<QWidget*>(name))
-      frames_.push_back(std::make_unique<PointingFrame>(*target));
+      frames_.push_back(new PointingFrame(*target));
+}
+
+/// Later: the frames are the window's children, and it may be hiding or deleting its children just now.
+void TourCard::dropFrames() {
+  for (const QPointer<PointingFrame>& frame : frames_)
+    if (frame)
+      frame->deleteLater();
+  frames_.clear();
 }
 
 void TourCard::hideEvent(QHideEvent* event) {
   QFrame::hideEvent(event);
   if (!event->spontaneous()) // The window was not merely minimised.
-    frames_.clear();
+    dropFrames();
 }
 
 ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(parent) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 #include <QStringList>
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 class QLabel;
@@ -57,10 +57,11 @@ protected:
 
 private:
   void goTo(std::size_t step);
+  void dropFrames();
 
   std::vector<TourStep> steps_;
   std::size_t step_ = 0;
-  std::vector<std::unique_ptr<PointingFrame>> frames_;
+  std::vector<QPointer<PointingFrame>> frames_; ///< The window's.
   QLabel* title_;
   QLabel* count_;
   QLabel* text_;

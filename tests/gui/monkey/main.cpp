@@ -12,14 +12,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../lent_display.h"
 #include "printed.h"
 #include "window/application.h"
 #include "window/run_window.h"
 #include "window_monkey.h"
 
 /// The monkey as a program:
-///   window_monkey --seed N [--runs N] [--actions N]   so many runs from that seed on, each in a process of
-///   its own window_monkey --replay FILE                       the actions of a file, told one by one
+///   window_monkey --seed N [--runs N] [--actions N]   so many runs from that seed on, each a process
+///   window_monkey --replay FILE                       the actions of a file, told one by one
 ///   window_monkey --shrink FILE                       leaves out what does not matter, and writes FILE again
 /// What a run that goes wrong did is left in monkey-SEED.txt.
 namespace {
@@ -141,6 +142,7 @@ int main(int argc, char** argv) {
   unsigned seed = 1;
   int runs = 1, count = 200;
   qputenv("QT_QPA_PLATFORM", "xcb");
+  viscera::tests::useLentDisplay();
   const Arguments arguments{argc, argv};
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
