@@ -4,6 +4,7 @@
 #   ./test.sh                 everything
 #   ./test.sh CTEST_OPTION... a part: ./test.sh -R geometry, ./test.sh -L gui
 #   ./test.sh --fuzz SECONDS [TARGET...]  runs the fuzzers instead (docs/reliability.md), for so long each
+#   ./test.sh --sanitise address|thread [CTEST_OPTION...]  everything, or a part, under a sanitiser: an hour or more
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 readonly root
@@ -12,34 +13,47 @@ source "$root/resources/scripts/prepare.sh"
 
 # shellcheck source=resources/scripts/fuzz.sh
 source "$root/resources/scripts/fuzz.sh"
+# shellcheck source=resources/scripts/sanitise.sh
+source "$root/resources/scripts/sanitise.sh"
 
-readonly build=$root/build/release
+build=$root/build/release
 jobs=$(nproc)
 readonly jobs
 
-# A virtual display for the tests of the window, on a number that is free; ended with the script.
-display_pid=
-stop_display() {
-  kill "$display_pid" 2>/dev/null || return 0
-  wait "$display_pid" 2>/dev/null || true
+# Virtual displays for the tests of the window, on numbers that are free; ended with the script. ctest lends each of them
+# to one test at a time (tests/gui/lent_display.h).
+display_pids=()
+stop_displays() {
+  kill "${display_pids[@]}" 2>/dev/null || true
+  wait "${display_pids[@]}" 2>/dev/null || true
 }
 
+# start_display: one more; its number is in `display`.
 start_display() {
-  local number_file=$build/display
+  local number_file=$build/display log=$build/xvfb-${#display_pids[@]}.log waited
   : >"$number_file"
-  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp 3>"$number_file" >"$build/xvfb.log" 2>&1 &
-  display_pid=$!
-  trap stop_display EXIT
-  local waited
+  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp 3>"$number_file" >"$log" 2>&1 &
+  display_pids+=($!)
+  trap stop_displays EXIT
   for ((waited = 0; waited < 300; ++waited)); do
     [ ! -s "$number_file" ] || break
-    kill -0 "$display_pid" 2>/dev/null || break
+    kill -0 "${display_pids[-1]}" 2>/dev/null || break
     sleep 0.1
   done
-  [ -s "$number_file" ] || fail "Xvfb did not start; it says: $(cat "$build/xvfb.log")"
-  DISPLAY=:$(<"$number_file")
-  export DISPLAY
+  [ -s "$number_file" ] || fail "Xvfb did not start; it says: $(cat "$log")"
+  display=$(<"$number_file")
+}
+
+# start_displays COUNT: so many, listed for ctest in $build/displays.json; $DISPLAY is the first, of whatever else needs one.
+start_displays() {
+  local display list=
   unset WAYLAND_DISPLAY XAUTHORITY
+  while [ "${#display_pids[@]}" -lt "$1" ]; do
+    start_display
+    [ "${#display_pids[@]}" -gt 1 ] || export DISPLAY=:$display
+    list+=${list:+, }"{\"id\": \"$display\"}"
+  done
+  printf '{"version": {"major": 1, "minor": 0}, "local": [{"displays": [%s]}]}\n' "$list" >"$build/displays.json"
 }
 
 # Several tests run at once, each on several threads: one that waits must not keep a processor from one that works.
@@ -63,6 +77,10 @@ if [ "${1:-}" = --fuzz ]; then
   fuzz "${@:2}"
   exit
 fi
+if [ "${1:-}" = --sanitise ]; then
+  sanitise "${@:2}"
+  exit
+fi
 mapfile -t packages < <(packages_to_test_if_there)
 mapfile -t packages < <(known_of "${packages[@]}")
 [ "${#packages[@]}" -eq 0 ] || install_packages "${packages[@]}"
@@ -74,11 +92,12 @@ if [ "$#" -eq 0 ]; then
   # Compiled as in everything, which takes these objects from the compiler's cache.
   (cd "$root" && cmake --preset core-only -DVISCERA_UNITY=ON && cmake --build --preset core-only) >&2
   ctest --test-dir "$root/build/core-only" --parallel "$jobs" --output-on-failure --no-tests=error
+  set -- --label-exclude '^numerical$' # They have run now, of the same objects.
 fi
 
 say "== Everything"
 configure_and_build "$root" "$build" all \
   -DVISCERA_WERROR=ON -DVISCERA_BUILD_TESTS=ON -DVISCERA_BUILD_BENCHMARKS=ON
 use_own_environment
-start_display
-ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error "$@"
+start_displays "$jobs"
+ctest --test-dir "$build" --parallel "$jobs" --resource-spec-file "$build/displays.json" --output-on-failure --no-tests=error "$@"

@@ -165,11 +165,14 @@ class Plugin(unittest.TestCase):
             server.stdout.close()
 
     def test_a_handle_is_dragged_in_the_window(self):
-        if not os.environ.get("DISPLAY"):
+        # ctest lends this test a display of its own: a window beside another one would take its focus.
+        lent = re.search(r"id:(\d+)", os.environ.get("CTEST_RESOURCE_GROUP_0_DISPLAYS", ""))
+        display = f":{lent[1]}" if lent else os.environ.get("DISPLAY")
+        if not display:
             self.skipTest("there is no display")
         done = finished(
             [str(PREFIX / "usr/bin/paraview"), "--dr", f"--script={HERE / 'in_window.py'}"],
-            VISCERA_PLUGIN=str(PLUGIN), VISCERA_RESULTS=str(BUILD), DISPLAY=os.environ["DISPLAY"],
+            VISCERA_PLUGIN=str(PLUGIN), VISCERA_RESULTS=str(BUILD), DISPLAY=display,
         )
         said = re.search(r"DRAGGED \[(\d+)\] missed by (\d+) pixels; volume (\S+) (\S+)", done.stdout)
         self.assertTrue(said, done.stdout + done.stderr)
