@@ -1,7 +1,9 @@
 #include "viscera/document/autosave.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
+#include <mutex>
 #include <random>
 #include <string>
 #include <system_error>
@@ -120,35 +122,86 @@ void discard(const Recovery& recovery) {
   recovery.lock->remove();
 }
 
-/// The file, for the worker that writes it and the thread that removes it.
-struct Autosave::Target {
-  std::mutex mutex;
-  fs::path folder;
-  fs::path file;
-  std::shared_ptr<FileLock> lock;
+/// The file, for the worker that writes it and the thread that gives it up.
+class Autosave::Target {
+public:
+  explicit Target(fs::path folder) : folder_(std::move(folder)) {}
 
-  /// Takes a name that no other program has.
+  /// Writes the contents, under a name that no other program has; leaves no file when it was given up.
+  void write(const SessionContents& contents, Progress& progress) {
+    try {
+      const std::lock_guard guard(mutex_);
+      progress.throwIfCancelled();
+      require();
+      writeSession(file_, contents, progress);
+    } catch (...) {
+      removeIfGivenUp();
+      throw;
+    }
+    removeIfGivenUp();
+  }
+
+  /// Removes the file, now or when it has been written. Waits for nobody.
+  void giveUp() {
+    givenUp_ = true;
+    if (const std::unique_lock guard(mutex_, std::try_to_lock); guard.owns_lock())
+      remove();
+  }
+
+  void adopt(const Recovery& recovery) {
+    const std::lock_guard guard(mutex_);
+    file_ = recovery.file;
+    lock_ = recovery.lock;
+  }
+
+  fs::path file() {
+    const std::lock_guard guard(mutex_);
+    return lock_ ? file_ : fs::path();
+  }
+
+private:
   void require() {
-    if (lock)
+    if (lock_)
       return;
     std::error_code error;
-    fs::create_directories(folder, error);
-    fs::permissions(folder, fs::perms::owner_all, error); // Organs of patients are nobody else's business.
+    fs::create_directories(folder_, error);
+    fs::permissions(folder_, fs::perms::owner_all, error); // Organs of patients are nobody else's business.
     const std::string name =
         kPrefix + std::to_string(::getpid()) + "-" + std::to_string(std::random_device()());
-    lock = FileLock::take(folder / (name + kLockEnding));
-    if (!lock)
+    lock_ = FileLock::take(folder_ / (name + kLockEnding));
+    if (!lock_)
       throw CannotCreateError("unsaved work cannot be kept safe: the folder cannot be written to",
-                              folder.string(), "save often, or make room there");
-    file = withEnding(lock->file(), kSessionEnding);
+                              folder_.string(), "save often, or make room there");
+    file_ = withEnding(lock_->file(), kSessionEnding);
   }
+
+  /// After the mutex was let go: whoever gave the file up while it was held has not removed it.
+  void removeIfGivenUp() {
+    if (!givenUp_)
+      return;
+    const std::lock_guard guard(mutex_);
+    remove();
+  }
+
+  void remove() {
+    if (!lock_)
+      return;
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+    lock_->remove();
+    lock_.reset();
+  }
+
+  std::mutex mutex_; ///< Held while the file is written: of the members below.
+  fs::path folder_;
+  fs::path file_;
+  std::shared_ptr<FileLock> lock_;
+  std::atomic<bool> givenUp_ = false;
 };
 
 Autosave::Autosave(fs::path folder, JobQueue::Post post, Clock clock, double delaySeconds)
     : folder_(std::move(folder)), clock_(std::move(clock)), delaySeconds_(delaySeconds),
-      target_(std::make_shared<Target>()), jobs_(std::move(post)) {
-  target_->folder = folder_;
-}
+      target_(std::make_shared<Target>(folder_)), jobs_(std::move(post)) {}
 
 Autosave::~Autosave() = default;
 
@@ -166,10 +219,7 @@ void Autosave::write(SessionContents contents, Done done) {
   jobs_.submit<bool>(
       "Autosave", kSlot,
       [target = target_, contents = std::move(contents)](Progress& progress) {
-        const std::lock_guard guard(target->mutex);
-        progress.throwIfCancelled();
-        target->require();
-        writeSession(target->file, contents, progress);
+        target->write(contents, progress);
         return true;
       },
       [done = std::move(done)](JobResult<bool> result) {
@@ -181,25 +231,17 @@ void Autosave::write(SessionContents contents, Done done) {
 void Autosave::clear() {
   changedAt_.reset();
   jobs_.cancelSlot(kSlot);
-  const std::lock_guard guard(target_->mutex);
-  if (!target_->lock)
-    return;
-  std::error_code ignored;
-  fs::remove(target_->file, ignored);
-  target_->lock->remove();
-  target_->lock.reset();
+  target_->giveUp();
+  target_ = std::make_shared<Target>(folder_);
 }
 
 void Autosave::adopt(const Recovery& recovery) {
   clear();
-  const std::lock_guard guard(target_->mutex);
-  target_->file = recovery.file;
-  target_->lock = recovery.lock;
+  target_->adopt(recovery);
 }
 
 fs::path Autosave::file() const {
-  const std::lock_guard guard(target_->mutex);
-  return target_->lock ? target_->file : fs::path();
+  return target_->file();
 }
 
 } // namespace viscera::document

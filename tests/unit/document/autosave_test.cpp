@@ -1,10 +1,14 @@
 #include "viscera/document/autosave.h"
 
+#include <chrono>
 #include <fstream>
+#include <random>
+#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "session_scene.h"
+#include "viscera/document/scan_item.h"
 
 namespace viscera::document {
 namespace {
@@ -38,6 +42,18 @@ SessionContents someContents() {
   contents.state = s.document.state();
   contents.recovers = "/home/somebody/liver.viscera";
   return contents;
+}
+
+/// Of no file, so that a session holds it; without a pattern that would pack fast.
+ScanItem scanThatTakesLongToPack() {
+  medical_io::Scan scan;
+  scan.size = {256, 256, 256};
+  std::vector<std::int16_t> samples(std::size_t{256} * 256 * 256);
+  std::minstd_rand noise(1);
+  for (std::int16_t& sample : samples)
+    sample = static_cast<std::int16_t>(noise());
+  scan.samples = std::move(samples);
+  return scanItem(std::move(scan), {});
 }
 
 TEST(Autosave, IsDueAMinuteAfterTheFirstChangeAndNotBefore) {
@@ -87,11 +103,29 @@ TEST(Autosave, LeavesNothingAfterACleanEnd) {
   {
     Program program(folder);
     program.write(someContents());
-    program.autosave.write(someContents()); // One that is still on its way.
     program.autosave.clear();
     EXPECT_TRUE(std::filesystem::is_empty(folder / "state"));
+    program.autosave.write(someContents());
+    program.autosave.clear(); // While it is on its way.
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder / "state"));
+}
+
+TEST(Autosave, IsClearedWithoutAWaitForWhatIsBeingWritten) {
+  TemporaryFolder folder;
+  SessionContents contents = someContents();
+  contents.state.scan = std::make_shared<const ScanItem>(scanThatTakesLongToPack());
+  Program program(folder);
+  program.autosave.write(contents);
+  const auto begun = [&] {
+    return std::filesystem::exists(folder / "state") && !std::filesystem::is_empty(folder / "state");
+  };
+  program.box.runUntil(begun);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // It packs by now, which takes a second.
+  program.autosave.clear();
+  EXPECT_FALSE(std::filesystem::is_empty(folder / "state")) << "clear() waited for the write";
+  EXPECT_EQ(program.autosave.file(), "") << "the next change has a file of its own";
+  program.box.runUntil([&] { return std::filesystem::is_empty(folder / "state"); });
 }
 
 TEST(Autosave, ARecoveryThatWasTakenIsThisProgramsFileNow) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -66,16 +65,18 @@ public:
   /// Writes the contents soon, in place of earlier ones. `done` is called through `post`, unless a later
   /// write or `clear` made this one unnecessary.
   void write(SessionContents contents, Done done = {});
-  /// Everything is saved, or not wanted: the recovery file goes, and what waits to be written is forgotten.
+  /// Everything is saved, or not wanted: the recovery file goes, at the latest when a write that has begun is
+  /// over, and what waits to be written is forgotten. Waits for nobody.
   void clear();
   /// Looks after this file from now on in place of a new one: its contents are the document's now.
   void adopt(const Recovery& recovery);
 
-  /// Of this program; whether it is there or not. Empty before the first write.
+  /// Of this program; whether it is there or not. Empty before the first write. Waits for a write that has
+  /// begun.
   std::filesystem::path file() const;
 
 private:
-  struct Target;
+  class Target;
 
   std::filesystem::path folder_;
   Clock clock_;
