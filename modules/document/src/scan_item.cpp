@@ -1,7 +1,6 @@
 #include "viscera/document/scan_item.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <utility>
@@ -11,34 +10,18 @@
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::document {
 namespace {
 
-/// Of neighbours of which one is not zero, in a scan: more differ.
-constexpr double kMostBorders = 0.6;
 constexpr std::size_t kHashedAtOnce = std::size_t{1} << 20U; ///< Bytes; the hash depends on it.
 
 /// Segmentations say what they are.
 bool isNamedAsLabels(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return name.ends_with(".seg.nrrd") || name.ends_with(".seg.nhdr");
-}
-
-template <class Sample>
-bool looksLikeLabels(const std::vector<Sample>& samples) {
-  std::size_t pairs = 0, borders = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto value = static_cast<double>(samples[i]);
-    if (!(value >= 0) || value != std::floor(value))
-      return false;
-    if (i > 0 && (samples[i] != 0 || samples[i - 1] != 0)) {
-      ++pairs;
-      borders += samples[i] != samples[i - 1] ? 1 : 0;
-    }
-  }
-  return static_cast<double>(borders) <= kMostBorders * static_cast<double>(pairs);
 }
 
 std::string_view sampleBytes(const medical_io::Scan& scan) {
@@ -105,11 +88,6 @@ ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanO
   return item;
 }
 
-bool looksLikeLabels(const medical_io::Scan& scan) {
-  const bool plain = scan.slope == 1 && scan.intercept == 0 && scan.modality.empty();
-  return plain && std::visit([](const auto& samples) { return looksLikeLabels(samples); }, scan.samples);
-}
-
 std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress) {
   for (auto file = files.begin(); file != files.end(); ++file) {
     if (isNamedAsLabels(*file) || !medical_io::isScan(*file))
@@ -122,7 +100,7 @@ std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Prog
         throw;
       continue; // A label map of a form that scans do not have; who reads it as such says what is wrong.
     }
-    if (looksLikeLabels(*item.scan))
+    if (medical_io::looksLikeLabels(*item.scan))
       continue;
     files.erase(file);
     return item;

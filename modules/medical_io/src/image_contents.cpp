@@ -11,7 +11,7 @@ namespace {
 
 /// So few different values are labels even when no two neighbours are the same.
 constexpr std::size_t kFewValues = 8;
-constexpr double kMostlyEqual = 0.5; ///< Of pairs of neighbours of which one is not 0.
+constexpr double kMostlyEqual = 0.4; ///< Of pairs of neighbours of which one is not 0.
 
 template <class Sample>
 bool areLabels(const std::vector<Sample>& samples, double slope, double intercept) {
@@ -42,6 +42,13 @@ bool areLabels(const std::vector<Sample>& samples, double slope, double intercep
 
 } // namespace
 
+bool looksLikeLabels(const Scan& scan) {
+  return scan.modality.empty() &&
+         std::visit(
+             [&](const auto& samples) { return areLabels(samples, scan.slope, scan.intercept); },
+             scan.samples);
+}
+
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress) {
   std::error_code error;
   if (std::filesystem::is_directory(fileOrFolder, error))
@@ -58,9 +65,7 @@ ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress&
   if (extensionOf(fileOrFolder).starts_with(".seg."))
     return ImageContents::labels;
   const Scan scan = readScan(fileOrFolder, {}, progress);
-  const bool labels = std::visit(
-      [&](const auto& samples) { return areLabels(samples, scan.slope, scan.intercept); }, scan.samples);
-  return labels ? ImageContents::labels : ImageContents::values;
+  return looksLikeLabels(scan) ? ImageContents::labels : ImageContents::values;
 }
 
 } // namespace viscera::medical_io

@@ -13,6 +13,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/scan_fit.h"
+#include "viscera/medical_io/image_file.h"
 
 namespace viscera::document {
 namespace {
@@ -56,11 +57,11 @@ TEST(ScanItem, WithNoiseInItIsNoLabelMapEvenWithoutNegativeValues) {
   medical_io::Scan scan = tests::phantomScan({12, 12, 12}, Vec3::Ones(), Vec3::Zero(), noise);
   scan.modality.clear();
   scan.intercept = 0;
-  EXPECT_FALSE(looksLikeLabels(scan));
+  EXPECT_FALSE(medical_io::looksLikeLabels(scan));
   std::get<std::vector<std::int16_t>>(scan.samples).assign(scan.voxelCount(), 4);
-  EXPECT_TRUE(looksLikeLabels(scan));
+  EXPECT_TRUE(medical_io::looksLikeLabels(scan));
   scan.modality = "MR";
-  EXPECT_FALSE(looksLikeLabels(scan)) << "the file says what it is";
+  EXPECT_FALSE(medical_io::looksLikeLabels(scan)) << "the file says what it is";
 }
 
 TEST(ScanItem, IsOneStepOfTheDocument) {

@@ -35,10 +35,6 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress);
 
-/// Whether the values are rather numbers of organs than measured ones: whole, none below zero, and mostly
-/// equal to their neighbours'. O(voxels).
-bool looksLikeLabels(const medical_io::Scan& scan);
-
 /// Takes the first file or folder out of `files` that is a scan, and reads it; none when all of them are
 /// something else. Image formats hold scans and label maps alike: what looks like labels is none, and neither
 /// is what cannot be read as a scan but may be a label map. Throws `NoInputError`, `DataError` for a scan

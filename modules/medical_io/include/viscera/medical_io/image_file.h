@@ -25,9 +25,12 @@ void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
 /// What the voxels of an image file stand for.
 enum class ImageContents { values, labels };
 
-/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values.
-/// Labels are whole numbers from 0 on, of which there are few (eight) or which mostly have neighbours of the
-/// same value. Reads the file. Throws as `readScan`.
+/// Whether the values of a scan are rather numbers of organs than measured ones: whole, none below zero, and
+/// few (eight) or mostly equal to their neighbours'. A scan that names its modality says itself that it is
+/// none. O(voxels).
+bool looksLikeLabels(const Scan& scan);
+
+/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values. Reads the file. Throws as `readScan`.
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 } // namespace viscera::medical_io
