@@ -65,6 +65,8 @@ public:
   }
   ~BenchedWindow() override { TearDown(); }
   void TestBody() override {}
+  /// Users have the whole window.
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
 
   using WindowTest::click;
   using WindowTest::document;

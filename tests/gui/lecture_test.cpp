@@ -20,6 +20,7 @@ namespace {
 /// The window as it gives room to the view: panels of modes, the whole screen, slides.
 class Room : public PlayMode {
 protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
   bool shown(const char* panel) {
     return window().findChild<QDockWidget*>(QLatin1String(panel))->isVisible();
   }

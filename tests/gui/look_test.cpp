@@ -60,7 +60,10 @@ TEST_P(ThemeTest, TheStyleSheetHasNoWordLeftUnreplaced) {
 
 INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, testing::Values(app::ThemeKind::dark, app::ThemeKind::light));
 
-class ModeTest : public WindowTest, public testing::WithParamInterface<int> {};
+class ModeTest : public WindowTest, public testing::WithParamInterface<int> {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+};
 
 TEST_P(ModeTest, NothingIsClippedInASmallWindow) {
   key(static_cast<Qt::Key>(Qt::Key_0 + GetParam()));

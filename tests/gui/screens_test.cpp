@@ -18,6 +18,7 @@ namespace {
 /// The whole window as a user sees it, with the sample heart in its ejection.
 class Screens : public WindowTest {
 protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
   void SetUp() override {
     WindowTest::SetUp();
     window().samples().load(QStringLiteral("heart"), false);

@@ -21,6 +21,9 @@ class StressModeTest : public WindowTest {
 protected:
   static constexpr int kFewWitnesses = 600;
 
+  /// Drags and probes by pixels.
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+
   void SetUp() override {
     WindowTest::SetUp();
     open(sphereFile());

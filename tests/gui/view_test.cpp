@@ -33,6 +33,7 @@ namespace {
 
 class ViewTest : public WindowTest {
 protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
   void SetUp() override {
     WindowTest::SetUp();
     open(sphereFile());

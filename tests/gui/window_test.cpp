@@ -40,6 +40,8 @@ void WindowTest::reopenWindow() {
   window_ = std::make_unique<app::MainWindow>(*settings_, registry(), [this] { return now_; });
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->resize(1280, 800);
+  if (const auto size = viewSize())
+    window_->viewArea().view()->setMaximumSize(*size);
   window_->show();
   window_->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QPoint>
+#include <QSize>
 #include <QTemporaryDir>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,7 +18,8 @@
 
 namespace viscera::tests {
 
-/// A real window of 1280 x 800 on the display, with settings of its own and a clock that the test turns.
+/// A real window of 1280 x 800 on the display, its picture smaller, with settings of its own and a clock that
+/// the test turns.
 class WindowTest : public testing::Test {
 protected:
   void SetUp() override;
@@ -24,6 +27,10 @@ protected:
 
   /// The coordinate systems that the window offers.
   virtual plugin::Registry registry() const { return plugin::builtInRegistry(); }
+
+  /// Of the picture in the window; nothing where a test is about how much room that has. The software
+  /// renderer takes by the pixel, and few tests look at the picture.
+  virtual std::optional<QSize> viewSize() const { return QSize(480, 360); }
 
   app::MainWindow& window() { return *window_; }
   const document::Document& document() { return window_->workspace().document(); }
