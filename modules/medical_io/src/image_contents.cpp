@@ -44,9 +44,8 @@ bool areLabels(const std::vector<Sample>& samples, double slope, double intercep
 
 bool looksLikeLabels(const Scan& scan) {
   return scan.modality.empty() &&
-         std::visit(
-             [&](const auto& samples) { return areLabels(samples, scan.slope, scan.intercept); },
-             scan.samples);
+         std::visit([&](const auto& samples) { return areLabels(samples, scan.slope, scan.intercept); },
+                    scan.samples);
 }
 
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress) {
