@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -143,6 +144,13 @@ TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   // 1600 x 1000 pixels at 200 % are 800 x 500 logical ones.
   EXPECT_LE(window().minimumSizeHint().width(), 800);
   EXPECT_LE(window().minimumSizeHint().height(), 500);
+}
+
+TEST_F(WindowTest, WhatAnEmptyFieldSaysIsNotTakenForItsText) {
+  auto& search = find<QLineEdit>("organSearch");
+  const app::Theme theme = app::themeOf(app::ThemeKind::dark);
+  EXPECT_EQ(search.palette().color(QPalette::PlaceholderText), theme.muted);
+  EXPECT_EQ(search.palette().color(QPalette::Text), theme.text);
 }
 
 TEST_F(WindowTest, TheViewDrawsTheOrganInItsColour) {

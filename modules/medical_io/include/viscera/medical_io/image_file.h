@@ -30,7 +30,8 @@ enum class ImageContents { values, labels };
 /// none. O(voxels).
 bool looksLikeLabels(const Scan& scan);
 
-/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values. Reads the file. Throws as `readScan`.
+/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values. Reads
+/// the file. Throws as `readScan`.
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 } // namespace viscera::medical_io
