@@ -4,16 +4,19 @@
 # debootstrap and a mirror.
 #   resources/scripts/try_packages.sh [PACKAGE_FOLDER]   PACKAGE_FOLDER: packages that are there already
 # shellcheck disable=SC2016 # What stands in single quotes is for the shell inside.
-# Environment: MIRROR (http://deb.debian.org/debian), WORK (a folder for the fresh system; made and removed otherwise)
+# Environment: MIRROR (the one that this system's packages come from), WORK (a folder for the fresh system; made and removed otherwise)
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 readonly root
-readonly mirror=${MIRROR:-http://deb.debian.org/debian}
 # shellcheck source=resources/scripts/prepare.sh
 source "$root/resources/scripts/prepare.sh"
 
 [ "$(id -u)" -eq 0 ] || fail "A fresh system needs root. Run it as root." 77
 command -v debootstrap >/dev/null || fail "debootstrap is missing. As root: apt-get install debootstrap" 69
+
+mirror=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 'Codename: bookworm' | sort -u | head -n 1)}
+[ -n "$mirror" ] || fail "This system has no source of Debian 12. Name a mirror: MIRROR=ADDRESS $0" 69
+readonly mirror
 
 readonly build=$root/build/package
 
