@@ -1,5 +1,7 @@
 #include <fstream>
 
+#include <nlohmann/json.hpp>
+
 #include "fuzz_target.h"
 #include "session_scene.h"
 #include "temporary_folder.h"
@@ -29,15 +31,61 @@ void openSession(Bytes bytes) {
           "A session that is written, read and written again has the same bytes.");
 }
 
-std::vector<std::string> sessionSeeds() {
+/// What one of the small sessions has beside a tetrahedron and its handles.
+using SessionEdit = void (*)(document::UndoStack& undo, const document::Document& document);
+
+std::string smallSession(SessionEdit edit) {
+  document::Document document;
+  document::UndoStack undo(document);
+  undo.perform(
+      document::addOrgans({{document::makeOrgan("T", viscera::tests::tetrahedron(60, 60, 60)), -1}}));
+  undo.perform(document::addHandles(viscera::tests::cubeHandles(90)));
+  edit(undo, document);
   const viscera::tests::TemporaryFolder folder;
-  document::SessionContents contents = viscera::tests::fullContents(folder);
+  document::SessionContents contents;
+  contents.state = document.state();
+  contents.view = R"({"mode":"deform"})";
+  viscera::tests::write(folder / "a.viscera", contents);
+  return viscera::tests::contentsOf(folder / "a.viscera");
+}
+
+/// Many small files instead of a large one: most of that would be coordinates in base64, which mutations only
+/// break.
+std::vector<std::string> sessionSeeds() {
+  const std::vector<SessionEdit> edits = {
+      [](auto&, const auto&) {},
+      [](auto& undo, const auto& document) {
+        undo.perform(document::addGroup("Front", {1, 0.5, 0}, {document.rig().handles[1].id}));
+        undo.perform(document::setSystem({"t-celestial", {}}));
+        undo.perform(document::setParameter("softness", 0.5));
+      },
+      [](auto& undo, const auto& document) {
+        undo.perform(document::setVolumeLocked(document.organs()[0]->id, true));
+        undo.perform(document::moveHandles({document.rig().handles[0].id}, viscera::tests::row(-80, 1, 2)));
+        undo.perform(document::recordKey(0.25, sequences::Easing::hold));
+        undo.perform(document::recordKey(0.5));
+      },
+      [](auto& undo, const auto& document) {
+        const document::MeasuredPoint point =
+            document::surfacePoint(*document.organs()[0], 3, {0.1, 0.2, 0.7});
+        undo.perform(document::addMeasurement({point, point}));
+      },
+      [](auto& undo, const auto& document) {
+        undo.perform(document::addStressProbe(document.organs()[0]->id, {9, 9, 9}));
+        undo.perform(document::addStressProbe(document.organs()[0]->id, {9, 9, 12}));
+        const auto& probes = document.stressMarks().probes;
+        undo.perform(document::addStressLine(probes[0].id, probes[1].id));
+      },
+      [](auto& undo, const auto&) {
+        undo.perform(document::takeCage({"cube.off", viscera::tests::cubeCage(90)}));
+      },
+      [](auto& undo, const auto&) {
+        undo.perform(document::chooseScenario("exercise"));
+        undo.perform(document::setCirculationParameter("lvEes", 2));
+      }};
   std::vector<std::string> out;
-  for (const bool embed : {true, false}) {
-    contents.embedSurfaces = embed;
-    viscera::tests::write(folder / "a.viscera", contents);
-    out.push_back(viscera::tests::contentsOf(folder / "a.viscera"));
-  }
+  for (const SessionEdit edit : edits)
+    out.push_back(smallSession(edit));
   return out;
 }
 
@@ -86,8 +134,10 @@ void readOrganDefinition(Bytes bytes) {
 std::vector<std::string> definitionSeeds() {
   std::vector<std::string> out;
   for (const char* organ : {"heart", "kidney_left", "liver", "stomach"})
-    out.push_back(viscera::tests::contentsOf(sample_organs::standardLibrary().definitions /
-                                             (std::string(organ) + ".json")));
+    out.push_back(
+        nlohmann::json::parse(viscera::tests::contentsOf(sample_organs::standardLibrary().definitions /
+                                                         (std::string(organ) + ".json")))
+            .dump());
   return out;
 }
 

@@ -107,7 +107,8 @@ class Blocks {
 public:
   using Visit = std::function<void(const char*, std::size_t)>;
   Blocks(std::uint64_t count, std::size_t width, Progress& progress, const Visit& visit)
-      : count_(count), width_(width), progress_(progress), visit_(visit), buffer_(kBlockValues) {}
+      : count_(count), width_(width), progress_(progress), visit_(visit),
+        buffer_(static_cast<std::size_t>(std::min<std::uint64_t>(count, kBlockValues))) {}
 
   /// Calls `fill(bytes, wanted)` for block after block; it gives the bytes there were.
   template <class Fill>
@@ -172,8 +173,9 @@ void visitPacked(const FileBytes& source, std::size_t begin, const StoredValues&
                  std::uint64_t count, std::uint64_t bytes, Blocks& blocks) {
   const std::string_view packed = source.view().substr(std::min(begin, source.bytes.size()));
   Unpacker unpacker(source, packed, stored.packing);
-  std::vector<char> aside(std::size_t{1} << 16U);
-  for (std::uint64_t left = saturatedSum(stored.skippedBytes, skipped); left > 0;) {
+  std::uint64_t left = saturatedSum(stored.skippedBytes, skipped);
+  std::vector<char> aside(static_cast<std::size_t>(std::min<std::uint64_t>(left, std::uint64_t{1} << 16U)));
+  while (left > 0) {
     const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, aside.size()));
     if (unpacker.read(aside.data(), wanted) < wanted)
       source.fail("the file is cut off: its header promises more voxels than there are");
