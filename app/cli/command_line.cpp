@@ -8,6 +8,8 @@
 #include <new>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <unistd.h>
@@ -126,6 +128,11 @@ int guarded(std::ostream& err, const std::function<int()>& work) {
     return complain(err, error.exitCode(), error.what());
   } catch (const std::bad_alloc&) {
     return complain(err, kInternalError, "out of memory (try a smaller model, or close other programs)");
+  } catch (const std::system_error& error) { // A thread that finds no room for its stack comes as this.
+    const bool room = error.code() == std::errc::resource_unavailable_try_again;
+    return complain(err, kInternalError,
+                    room ? "out of memory for another thread (close other programs)"
+                         : std::string("internal error: ") + error.what());
   } catch (const std::exception& error) {
     return complain(err, kInternalError, std::string("internal error: ") + error.what());
   } catch (...) {
@@ -222,6 +229,13 @@ std::string nameOf(const CLI::App& app) {
   return chosen.empty() ? "viscera" : "viscera " + chosen.front()->get_name();
 }
 
+/// Only the options of a command that may be meant are made: there are some two hundred in all.
+bool optionsAreNeeded(const Command& command, int argc, const char* const* argv) {
+  return std::any_of(argv + std::min(argc, 1), argv + argc, [&command](std::string_view word) {
+    return word == command.name() || word.starts_with("--write-manual");
+  });
+}
+
 } // namespace
 
 int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
@@ -245,8 +259,10 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
         referenceCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
-    command->addOptions(*options);
-    common.addTo(*options);
+    if (optionsAreNeeded(*command, argc, argv)) {
+      command->addOptions(*options);
+      common.addTo(*options);
+    }
     options->callback([&chosen, it = command.get()] { chosen = it; });
   }
   try {

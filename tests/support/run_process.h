@@ -13,6 +13,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +32,7 @@ struct ProcessOptions {
   std::map<std::string, std::optional<std::string>> environment; ///< Set, or unset where there is no value.
   std::optional<std::chrono::milliseconds> interruptAfter;       ///< Sends `signal` then.
   int signal = SIGINT;                                           ///< Ctrl+C.
+  std::optional<std::size_t> addressSpace; ///< The most that it may map, bytes, as `ulimit -v` says it.
 };
 
 namespace detail {
@@ -42,6 +44,10 @@ namespace detail {
   ::dup2(err, STDERR_FILENO);
   for (const auto& [name, value] : options.environment)
     value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
+  if (options.addressSpace) {
+    const rlimit limit{*options.addressSpace, *options.addressSpace};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
   std::vector<char*> arguments;
   for (const std::string& argument : command)
     arguments.push_back(const_cast<char*>(argument.c_str()));

@@ -1,5 +1,8 @@
+#include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <random>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +119,28 @@ TEST(BrokenScanHeaders, PromisesOfHugePicturesTakeNoMemory) {
   EXPECT_FALSE(tryReading(folder.put("huge.nii", header)));
   EXPECT_FALSE(tryReading(folder.put("huge.nii.gz", tests::gzipped(header))));
   EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes);
+}
+
+/// Another program writes the file anew, shorter, longer or as another kind of image, while it is read.
+TEST(ChangingScan, IsReadOrRefusedAndNeverMixedUp) {
+  constexpr int kTries = 200;
+  const TemporaryFolder folder;
+  const std::string whole = tests::nrrdFile(phantom());
+  const std::vector<std::string> forms = {whole, whole.substr(0, whole.size() / 2),
+                                          tests::nrrdFile(tests::emptyLabels({70, 60, 50}))};
+  const std::filesystem::path file = folder.put("a.nrrd", whole);
+  std::atomic<bool> over = false;
+  std::thread writer([&] {
+    for (std::size_t turn = 0; !over; ++turn)
+      std::ofstream(file, std::ios::binary | std::ios::trunc) << forms[turn % forms.size()];
+  });
+  int read = 0;
+  for (int i = 0; i < kTries; ++i)
+    read += tryReading(file) ? 1 : 0;
+  over = true;
+  writer.join();
+  folder.put("a.nrrd", whole);
+  EXPECT_TRUE(tryReading(file)) << "read " << read << " times while it changed";
 }
 
 } // namespace
