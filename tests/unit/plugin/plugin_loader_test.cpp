@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <new>
 
 #include <dirent.h>
@@ -85,6 +86,29 @@ TEST_F(PluginLoaderTest, TurnsDownATruncatedPlugin) {
   const auto report = load(folder_ / "half.so");
   EXPECT_NE(report.problem, "");
   EXPECT_THAT(report.systems, IsEmpty());
+}
+
+/// Each byte of the manifest in turn: the plugin is loaded, or it is turned down with a reason.
+TEST_F(PluginLoaderTest, SurvivesADamagedManifest) {
+  std::ifstream stream(kGood, std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t begin = good.find("QTMETADATA !");
+  ASSERT_NE(begin, std::string::npos);
+  testing::internal::CaptureStderr(); // Qt says of each what is wrong.
+  int turnedDown = 0;
+  for (std::size_t at = begin; at < begin + 400; at += 3) {
+    std::string damaged = good;
+    damaged[at] = static_cast<char>(~damaged[at]);
+    const fs::path file = folder_ / (std::to_string(at) + ".so");
+    std::ofstream(file, std::ios::binary) << damaged;
+    Registry registry = builtInRegistry();
+    const PluginReport report = loadPlugins({file}, registry).at(0);
+    EXPECT_NE(report.problem.empty(), report.systems.empty()) << "byte " << at - begin;
+    turnedDown += report.problem.empty() ? 0 : 1;
+    fs::remove(file);
+  }
+  testing::internal::GetCapturedStderr();
+  EXPECT_GT(turnedDown, 0);
 }
 
 TEST_F(PluginLoaderTest, TurnsDownAPluginOfAnotherInterfaceVersionByItsManifestAlone) {
