@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,12 @@ struct Arguments {
   char** values = nullptr;
 };
 
+long mostMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
 /// Does the actions in this process; says on standard output what goes wrong.
 int perform(const Actions& actions, Arguments arguments, bool tell) {
   viscera::app::prepareForApplication();
@@ -52,6 +59,8 @@ int perform(const Actions& actions, Arguments arguments, bool tell) {
     timer.start();
     monkey.act(actions[number]);
     wrong = monkey.violation();
+    if (const long megabytes = mostMegabytes(); wrong.empty() && megabytes > kMostMegabytes)
+      wrong = "it took " + std::to_string(megabytes) + " MB";
     if (tell)
       std::cout << number << ": " << monkey.did() << ", " << timer.elapsed() << " ms" << std::endl;
   }
@@ -60,22 +69,30 @@ int perform(const Actions& actions, Arguments arguments, bool tell) {
     wrong = monkey.undoViolation();
   if (wrong.empty())
     wrong = monkey.closeViolation();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  if (wrong.empty() && usage.ru_maxrss / 1024 > kMostMegabytes)
-    wrong = "it took " + std::to_string(usage.ru_maxrss / 1024) + " MB";
   if (wrong.empty())
     return 0;
   std::cout << "after action " << number << " (" << last << "): " << wrong << std::endl;
   return kViolation;
 }
 
-/// The same in a process of its own; 0 when all holds.
+/// What a run wrote to standard error, but for what Mesa says of a display without a graphics processor.
+std::string errorsIn(std::FILE* file) {
+  std::rewind(file);
+  std::string errors;
+  for (char line[4096]; std::fgets(line, sizeof line, file) != nullptr;)
+    if (!std::string(line).starts_with("libEGL") && !std::string(line).starts_with("MESA"))
+      errors += line;
+  return errors;
+}
+
+/// The same in a process of its own; 0 when all holds and nothing stands on standard error.
 int performApart(const Actions& actions, const Arguments& arguments, bool tell = false) {
   std::cout.flush();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> errorFile(std::tmpfile(), std::fclose);
   const pid_t child = fork();
   if (child == 0) {
     alarm(kLongestRun);
+    dup2(fileno(errorFile.get()), STDERR_FILENO);
     const int code = perform(actions, arguments, tell);
     std::cout.flush();
     std::_Exit(code);
@@ -84,7 +101,10 @@ int performApart(const Actions& actions, const Arguments& arguments, bool tell =
   waitpid(child, &status, 0);
   if (WIFSIGNALED(status))
     std::cout << "ended by signal " << WTERMSIG(status) << std::endl;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : kViolation;
+  const std::string errors = errorsIn(errorFile.get());
+  if (!errors.empty())
+    std::cout << "on standard error: " << errors << std::endl;
+  return WIFEXITED(status) && errors.empty() ? WEXITSTATUS(status) : kViolation;
 }
 
 Actions read(const std::string& file) {

@@ -7,7 +7,9 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QMenu>
 #include <QTabBar>
 #include <QTest>
@@ -18,6 +20,7 @@
 #include <functional>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 #include "../window_probe.h"
 #include "label_files.h"
@@ -34,6 +37,9 @@ namespace viscera::tests {
 namespace {
 
 constexpr int kLongestWait = 90000; ///< ms; a sample heart may have to be made first.
+constexpr int kTick = 5;            ///< ms between looks at a window that works.
+/// ms, after which also those parts of the window have come round that wait for the hand to rest.
+constexpr int kPause = 130;
 constexpr double kVolumeTolerance = 1e-9;
 
 /// What would leave the window or ask the desktop for something.
@@ -130,19 +136,31 @@ std::vector<MonkeyAction> randomActions(unsigned seed, int count) {
 }
 
 WindowMonkey::WindowMonkey() {
+  QDesktopServices::setUrlHandler(QStringLiteral("file"), &refused_, "take");
   makeFiles();
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
   settings_->setValue("files/pictures", folder_.path());
   window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), [this] { return now_; });
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
-  window_->resize(1280, 800);
+  window_->resize(960, 640);
   window_->show();
+  window_->activateWindow(); // Keys go to the window that is active.
+  if (!QTest::qWaitForWindowActive(window_.get()))
+    throw std::runtime_error("the window does not become active");
   setViewSize(*window_, 320, 240); // Software draws it: small pictures, more actions.
   settle();
   begin_ = window_->workspace().state();
+  changes_ = window_->workspace().onChange([this](const document::Change& change) {
+    document::UndoStack& undo = window_->workspace().undo();
+    if (!change.interactive && !undo.canUndo() &&
+        !undo.canRedo()) // Another document, whose first state this is.
+      begin_ = window_->workspace().state();
+  });
 }
 
-WindowMonkey::~WindowMonkey() = default;
+WindowMonkey::~WindowMonkey() {
+  QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+}
 
 void WindowMonkey::makeFiles() {
   for (const auto& [name, radius] : {std::pair("ball.stl", 60.0), std::pair("large.vtp", 90.0)}) {
@@ -193,14 +211,14 @@ void WindowMonkey::act(const MonkeyAction& action) {
   did_ = action.kind;
   QTimer closer; // A dialog that runs a loop of its own is left as it came.
   QObject::connect(&closer, &QTimer::timeout, [this] { dismissDialogs(); });
-  closer.start(40);
+  closer.start(kTick);
   kinds.at(action.kind)(action);
-  QTest::qWait(5);
+  pump();
   if (!action.hasty)
     settle();
+  if (action.d > 0.95)
+    QTest::qWait(kPause);
   dismissDialogs();
-  if (!window_->workspace().undo().canUndo() && !window_->workspace().undo().canRedo())
-    begin_ = window_->workspace().state();
 }
 
 void WindowMonkey::dismissDialogs() {
@@ -211,14 +229,26 @@ void WindowMonkey::dismissDialogs() {
       dialog->reject();
 }
 
+/// Handles the events that are there.
+void WindowMonkey::pump() {
+  QCoreApplication::processEvents();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
 void WindowMonkey::settle() {
+  constexpr int kQuietLooks = 3;
+  QElapsedTimer timer;
+  timer.start();
+  QTimer tick; // Wakes the loop where nothing else does.
+  tick.start(kTick);
   int quiet = 0;
-  stuck_ = !QTest::qWaitFor(
-      [&] {
-        quiet = atPeace(*window_) ? quiet + 1 : 0;
-        return quiet > 2;
-      },
-      kLongestWait);
+  while (quiet < kQuietLooks && timer.elapsed() < kLongestWait) {
+    pump();
+    quiet = atPeace(*window_) ? quiet + 1 : 0;
+    if (quiet == 0)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  stuck_ = quiet < kQuietLooks;
 }
 
 void WindowMonkey::openSomething(double which) {
@@ -292,7 +322,7 @@ void WindowMonkey::dragInView(const MonkeyAction& action) {
   QTest::mousePress(&view, button, modifiers, from);
   for (int step = 1; step <= 4; ++step) {
     QTest::mouseMove(&view, from + by * step / 4);
-    QTest::qWait(2);
+    pump();
   }
   if (action.d > 0.35 && action.d < 0.4) // Changed their mind.
     QTest::keyClick(&view, Qt::Key_Escape);
@@ -344,7 +374,9 @@ void WindowMonkey::saveAndOpen(const MonkeyAction& action) {
 
 void WindowMonkey::changeWindow(const MonkeyAction& action) {
   if (action.a < 0.6)
-    window_->resize(900 + static_cast<int>(action.b * 800), 600 + static_cast<int>(action.c * 500));
+    action.d > 0.9
+        ? window_->resize(900 + static_cast<int>(action.b * 800), 600 + static_cast<int>(action.c * 500))
+        : window_->resize(900 + static_cast<int>(action.b * 300), 600 + static_cast<int>(action.c * 200));
   else
     window_->setTheme(action.b < 0.5 ? app::ThemeKind::dark : app::ThemeKind::light);
 }
@@ -355,7 +387,7 @@ void WindowMonkey::play(const MonkeyAction& action) {
   for (int frame = 0; frame < frames; ++frame) {
     now_ += 0.01 + 0.09 * action.b;
     window_->playback().advance();
-    QTest::qWait(1);
+    pump();
   }
 }
 
@@ -371,7 +403,9 @@ std::string WindowMonkey::violation() {
     return wrong.str();
   if (!window_->imports().isOpen()) // It shows organs that are not in the document yet.
     wrong << disagreement(*window_);
-  wrong << offTheTimeline(window_->workspace(), window_->playback());
+  // Elsewhere the timeline keeps its place until the sequence is wanted again.
+  if (window_->playback().wantedPose() == motion::WantedPose::sequence)
+    wrong << offTheTimeline(window_->workspace(), window_->playback());
   for (const auto& organ : window_->workspace().document().organs()) {
     const live::OrganVolume shown = window_->workspace().live().volume(organ->id);
     if (!shown.closed)
@@ -407,9 +441,12 @@ std::string WindowMonkey::undoViolation() {
 }
 
 std::string WindowMonkey::closeViolation() {
+  window_->samples().load(QStringLiteral("stomach"), true); // It closes while that is under way.
+  pump();
+  changes_ = {};
   window_->close();
   window_.reset();
-  QTest::qWait(5);
+  pump();
   return takePrinted();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QObject>
 #include <QTemporaryDir>
+#include <QUrl>
 
 #include <memory>
 #include <random>
@@ -27,6 +29,14 @@ MonkeyAction actionFrom(const std::string& line);
 /// `count` actions from a seed: always the same.
 std::vector<MonkeyAction> randomActions(unsigned seed, int count);
 
+/// Takes what the window would hand to a file manager.
+class RefusedUrls final : public QObject {
+  Q_OBJECT
+
+public Q_SLOTS:
+  void take(const QUrl&) {}
+};
+
 /// A window of its own, in a folder of its own, with a clock that the actions turn.
 class WindowMonkey {
 public:
@@ -41,7 +51,7 @@ public:
   std::string violation();
   /// Undoes everything, then redoes it: what of it does not bring back the documents; empty when it does.
   std::string undoViolation();
-  /// Closes the window, perhaps while jobs run, and says what that printed.
+  /// Closes the window while a sample organ is on its way, and says what that printed.
   std::string closeViolation();
 
 private:
@@ -55,16 +65,19 @@ private:
   void changeWindow(const MonkeyAction& action);
   void play(const MonkeyAction& action);
   void dismissDialogs();
+  static void pump();
   void settle();
   QPoint placeInView(double x, double y);
   void makeFiles();
 
+  RefusedUrls refused_;
   QTemporaryDir folder_;
   QStringList files_;
   double now_ = 0; ///< The clock of the sequences, s.
   std::unique_ptr<app::Settings> settings_;
   std::unique_ptr<app::MainWindow> window_;
   document::DocumentState begin_; ///< Where undo leads to.
+  Subscription changes_;
   std::string did_;
   bool stuck_ = false; ///< What was begun did not end in time.
 };

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Draws what window_soak measured: draw_soak.py soak.csv docs/pictures/soak.png
+
+Above the memory, in the middle how long frames took (the longest of each second, by what went on), below open
+descriptors and threads. Prints the longest frame of each occupation.
+"""
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+COLORS = {"playing": "#2f7fc1", "a drag": "#c1692f", "two views": "#5c9e31", "a recording": "#8a4fbf"}
+LATE_MS = 100
+
+
+def read(path):
+    with open(path, newline="", encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    for row in rows:
+        for key in row:
+            if key != "occupation":
+                row[key] = float(row[key])
+    return rows
+
+
+def draw(rows, path):
+    minutes = [row["seconds"] / 60 for row in rows]
+    figure, (memory, frames, counts) = plt.subplots(
+        3, 1, sharex=True, figsize=(10, 7.5), height_ratios=[2, 3, 1.4], layout="constrained")
+    memory.plot(minutes, [row["resident_mb"] for row in rows], color="#444444", linewidth=0.8)
+    memory.set_ylabel("memory (MB)")
+    memory.set_ylim(0, 1.15 * max(row["resident_mb"] for row in rows))
+    for name, color in COLORS.items():
+        chosen = [row for row in rows if row["occupation"] == name and row["longest_ms"] > 0]
+        frames.scatter([row["seconds"] / 60 for row in chosen], [row["longest_ms"] for row in chosen],
+                       s=4, color=color, label=name)
+    frames.axhline(LATE_MS, color="#999999", linewidth=0.8)
+    frames.set_ylabel("longest frame of a second (ms)")
+    frames.set_yscale("log")
+    frames.legend(loc="upper right", ncols=len(COLORS), frameon=False, markerscale=3)
+    counts.plot(minutes, [row["descriptors"] for row in rows], color="#2f7fc1", label="open descriptors")
+    counts.plot(minutes, [row["threads"] for row in rows], color="#c1692f", label="threads")
+    counts.set_ylim(0, None)
+    counts.legend(loc="lower right", ncols=2, frameon=False)
+    counts.set_xlabel("minutes")
+    for axes in (memory, frames, counts):
+        axes.spines[["top", "right"]].set_visible(False)
+    figure.savefig(path, dpi=110)
+
+
+def main():
+    rows = read(sys.argv[1])
+    draw(rows, sys.argv[2])
+    for name in COLORS:
+        chosen = [row for row in rows if row["occupation"] == name]
+        if chosen:
+            print(f"{name}: {len(chosen)} s, longest frame {max(row['longest_ms'] for row in chosen):.0f} ms, "
+                  f"memory {chosen[0]['resident_mb']:.1f} to {chosen[-1]['resident_mb']:.1f} MB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "../lent_display.h"
+#include "../monkey/printed.h"
+#include "window/application.h"
+#include "window/run_window.h"
+#include "window_soak.h"
+
+/// The soak as a program, which ends with 1 when something was wrong:
+///   window_soak --seconds 3600 --csv soak.csv   an hour; every second of it is a row of the table
+int main(int argc, char** argv) {
+  double seconds = 60;
+  std::string csv = "soak.csv";
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string option = argv[i];
+    if (option == "--seconds")
+      seconds = std::atof(argv[i + 1]);
+    else if (option == "--csv")
+      csv = argv[i + 1];
+  }
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  viscera::tests::useLentDisplay();
+  viscera::app::prepareForApplication();
+  viscera::app::Application application(argc, argv);
+  viscera::app::setUpApplication(application);
+  viscera::tests::keepPrinted();
+
+  std::ofstream table(csv);
+  table << "seconds,resident_mb,descriptors,threads,frames,longest_ms,occupation\n";
+  std::vector<viscera::tests::SoakSample> samples;
+  viscera::tests::WindowSoak().run(seconds, [&](const viscera::tests::SoakSample& sample) {
+    samples.push_back(sample);
+    table << sample.seconds << ',' << sample.use.residentMb << ',' << sample.use.descriptors << ','
+          << sample.use.threads << ',' << sample.frames << ',' << sample.longestMs << ',' << sample.occupation
+          << std::endl;
+  });
+  std::vector<std::string> faults = viscera::tests::soakFaults(samples);
+  if (const std::string printed = viscera::tests::takePrinted(); !printed.empty())
+    faults.push_back(printed);
+  for (const std::string& fault : faults)
+    std::cout << fault << "\n";
+  std::cout << samples.size() << " seconds, " << faults.size() << " faults" << std::endl;
+  return faults.empty() ? 0 : 1;
+}

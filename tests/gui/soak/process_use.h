@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace viscera::tests {
+
+/// What this process takes of the system at a moment, as Linux tells it.
+struct ProcessUse {
+  double residentMb = 0;
+  int descriptors = 0; ///< Open files, sockets and pipes.
+  int threads = 0;
+};
+
+inline ProcessUse processUse() {
+  ProcessUse use;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word == "VmRSS:") {
+      status >> use.residentMb;
+      use.residentMb /= 1024;
+    } else if (word == "Threads:") {
+      status >> use.threads;
+    }
+  }
+  const std::filesystem::directory_iterator open("/proc/self/fd");
+  use.descriptors = static_cast<int>(std::distance(begin(open), end(open))) - 1; // Without the look itself.
+  return use;
+}
+
+} // namespace viscera::tests

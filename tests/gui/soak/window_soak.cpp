@@ -1,0 +1,196 @@
+#include "window_soak.h"
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include <vtkInteractorObserver.h>
+
+#include "viscera/motion/player.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/compare/comparison.h"
+#include "window/modes/play_mode.h"
+#include "window/movie/movie_recorder.h"
+#include "window/session/session_files.h"
+#include "window/view/view_area.h"
+
+namespace viscera::tests {
+namespace {
+
+constexpr int kRate = 150;          ///< Beats a minute.
+constexpr int kLongestWait = 90000; ///< ms; the sample heart may have to be made first.
+constexpr double kLatestMs = 100;   ///< A frame after that is late.
+constexpr double kMostGrowth = 0.01;
+/// Of the samples; caches of Qt, Mesa and the system fill in this part.
+constexpr double kWarmUp = 0.1;
+const std::string kPlaying = "playing";
+
+/// Handles the window's events until `done`, or for so long; the soak goes on in either case.
+void waitFor(const std::function<bool()>& done, int milliseconds = kLongestWait) {
+  [[maybe_unused]] const bool came = QTest::qWaitFor(done, milliseconds);
+}
+
+template <typename Value>
+Value median(std::vector<Value> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace
+
+WindowSoak::WindowSoak() {
+  settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
+  settings_->setValue("files/pictures", folder_.path());
+  window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(),
+                                              motion::Transport::steadyClock());
+  window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
+  window_->resize(1280, 800);
+  window_->show();
+  window_->setMode("play");
+  window_->samples().load(QStringLiteral("heart"), true);
+  waitFor([this] { return window_->playback().player().playing(); });
+  window_->playback().setRate(kRate);
+  QObject::connect(window_->viewArea().view(), &QOpenGLWidget::frameSwapped, [this] { onFrame(); });
+}
+
+WindowSoak::~WindowSoak() {
+  window_->close();
+}
+
+void WindowSoak::run(double seconds, const std::function<void(const SoakSample&)>& tell) {
+  seconds_ = seconds;
+  tell_ = tell;
+  clock_.start();
+  present_ = {};
+  QTimer second;
+  second.setTimerType(Qt::PreciseTimer);
+  QObject::connect(&second, &QTimer::timeout, [this] { endSecond(); });
+  second.start(1000);
+  while (!over()) {
+    playFor(20, "playing");
+    drag();
+    playFor(10, "playing");
+    compare();
+    playFor(10, "playing");
+    record();
+    ++rounds_;
+  }
+}
+
+void WindowSoak::playFor(double seconds, const char* occupation) {
+  occupation_ = occupation;
+  window_->setMode("play");
+  if (!window_->playback().player().playing())
+    window_->playback().play();
+  QElapsedTimer timer;
+  timer.start();
+  waitFor([&] { return over() || static_cast<double>(timer.elapsed()) / 1000 >= seconds; },
+          static_cast<int>(1000 * seconds) + 1000);
+}
+
+/// Another handle in each round; the change is undone, so that the heart that beats on is the same.
+void WindowSoak::drag() {
+  occupation_ = "a drag";
+  window_->setMode("deform");
+  app::ViewWidget& view = *window_->viewArea().view();
+  vtkVisceraHandleSetRepresentation* handles = view.view().handles();
+  const Vec3 place = handles->GetPosition(7 * rounds_ % handles->GetNumberOfHandles());
+  double display[3];
+  vtkInteractorObserver::ComputeWorldToDisplay(view.view().renderer(), place.x(), place.y(), place.z(),
+                                               display);
+  const QPoint from(qRound(display[0]), qRound(view.height() - 1 - display[1]));
+  QTest::mouseMove(&view, from);
+  QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+  for (int step = 1; step <= 20; ++step) {
+    QTest::mouseMove(&view, from + QPoint(2 * step, -step));
+    QTest::qWait(40);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, -20));
+  waitFor([this] { return window_->workspace().jobs().idle(); });
+  while (window_->workspace().undo().canUndo() &&
+         *window_->workspace().state().pose != window_->workspace().state().rig->restPositions())
+    window_->workspace().undo().undo();
+  playFor(0, "a drag");
+}
+
+void WindowSoak::compare() {
+  occupation_ = "two views";
+  window_->play().comparison().showSameOrgan();
+  playFor(10, "two views");
+  window_->play().comparison().end();
+  playFor(0, "two views");
+}
+
+void WindowSoak::record() {
+  occupation_ = "a recording";
+  auto* button = window_->findChild<QAbstractButton*>(QStringLiteral("recordButton"));
+  button->click();
+  waitFor([this] { return !window_->play().recorder().running(); });
+  for (const QString& movie : QDir(folder_.path()).entryList({QStringLiteral("*.ogv")}))
+    QFile::remove(folder_.filePath(movie));
+  playFor(0, "a recording");
+}
+
+void WindowSoak::onFrame() {
+  ++present_.frames;
+  const bool playing = window_->playback().player().playing();
+  if (sinceFrame_.isValid() && playing)
+    present_.longestMs = std::max(present_.longestMs, static_cast<double>(sinceFrame_.nsecsElapsed()) / 1e6);
+  playing ? static_cast<void>(sinceFrame_.start()) : sinceFrame_.invalidate();
+}
+
+/// What another occupation has begun belongs to it until the second is over.
+void WindowSoak::endSecond() {
+  if (present_.occupation.empty() || occupation_ != kPlaying)
+    present_.occupation = occupation_;
+  present_.seconds = static_cast<double>(clock_.elapsed()) / 1000;
+  present_.use = processUse();
+  tell_(present_);
+  present_ = {};
+  present_.occupation = occupation_ == kPlaying ? std::string() : occupation_;
+}
+
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples) {
+  std::vector<SoakSample> calm;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].occupation == kPlaying && double(i) >= kWarmUp * double(samples.size()))
+      calm.push_back(samples[i]);
+  if (calm.size() < 10)
+    return {"the soak was too short to be judged"};
+  std::vector<std::string> faults;
+  const auto fault = [&faults](auto&&... parts) {
+    std::ostringstream line;
+    (line << ... << parts);
+    faults.push_back(line.str());
+  };
+  const std::size_t part = std::max<std::size_t>(calm.size() / 10, 3);
+  const auto medianMb = [&calm](std::size_t first, std::size_t last) {
+    std::vector<double> values;
+    for (std::size_t i = first; i < last; ++i)
+      values.push_back(calm[i].use.residentMb);
+    return median(values);
+  };
+  const double before = medianMb(0, part), after = medianMb(calm.size() - part, calm.size());
+  if (after > before * (1 + kMostGrowth))
+    fault("memory grew from ", before, " to ", after, " MB");
+  for (const SoakSample& sample : calm) {
+    if (sample.frames == 0)
+      fault("no frame was drawn in the second before ", sample.seconds, " s");
+    if (sample.longestMs > kLatestMs)
+      fault("a frame came after ", sample.longestMs, " ms at ", sample.seconds, " s");
+    if (sample.use.descriptors != calm.front().use.descriptors)
+      fault(sample.use.descriptors, " descriptors at ", sample.seconds, " s, ", calm.front().use.descriptors,
+            " before");
+    if (sample.use.threads != calm.front().use.threads)
+      fault(sample.use.threads, " threads at ", sample.seconds, " s, ", calm.front().use.threads, " before");
+  }
+  return faults;
+}
+
+} // namespace viscera::tests

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "process_use.h"
+#include "window/main_window.h"
+
+namespace viscera::tests {
+
+/// One second of a soak.
+struct SoakSample {
+  double seconds = 0; ///< Since the soak began.
+  ProcessUse use;
+  int frames = 0;         ///< Drawn in the first view.
+  double longestMs = 0;   ///< Between two frames that followed each other while the heart played.
+  std::string occupation; ///< What went on beside the beating: "playing" when nothing did.
+};
+
+/// Lets the sample heart beat in a real window in real time, and meanwhile does what a lesson does: drags
+/// handles, records movies and compares two rates, over and over. The window is left as it was after each.
+class WindowSoak {
+public:
+  WindowSoak();
+  ~WindowSoak();
+
+  /// For so many seconds; `tell` hears each second as it ends.
+  void run(double seconds, const std::function<void(const SoakSample&)>& tell);
+
+private:
+  void playFor(double seconds, const char* occupation);
+  void drag();
+  void compare();
+  void record();
+  void onFrame();
+  void endSecond();
+  bool over() const { return static_cast<double>(clock_.elapsed()) / 1000 >= seconds_; }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<app::Settings> settings_;
+  std::unique_ptr<app::MainWindow> window_;
+  QElapsedTimer clock_, sinceFrame_;
+  double seconds_ = 0;
+  int rounds_ = 0;
+  SoakSample present_;
+  std::string occupation_;
+  std::function<void(const SoakSample&)> tell_;
+};
+
+/// What is wrong with a soak, a line each; empty when memory, descriptors and threads stayed and no frame
+/// came late while nothing went on but the beating.
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
+
+} // namespace viscera::tests
