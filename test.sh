@@ -18,7 +18,9 @@ source "$root/resources/scripts/sanitise.sh"
 
 build=$root/build/release
 jobs=$(nproc)
-readonly jobs
+# Tests of the window wait for a moment between what a hand does: one more than there are processors keeps these busy.
+tests_at_once=$((jobs + 1))
+readonly jobs tests_at_once
 
 # Virtual displays for the tests of the window, on numbers that are free; ended with the script. ctest lends each of them
 # to one test at a time (tests/gui/lent_display.h).
@@ -99,5 +101,5 @@ say "== Everything"
 configure_and_build "$root" "$build" all \
   -DVISCERA_WERROR=ON -DVISCERA_BUILD_TESTS=ON -DVISCERA_BUILD_BENCHMARKS=ON
 use_own_environment
-start_displays "$jobs"
-ctest --test-dir "$build" --parallel "$jobs" --resource-spec-file "$build/displays.json" --output-on-failure --no-tests=error "$@"
+start_displays "$tests_at_once"
+ctest --test-dir "$build" --parallel "$tests_at_once" --resource-spec-file "$build/displays.json" --output-on-failure --no-tests=error "$@"
