@@ -1,8 +1,11 @@
 #include <QAbstractButton>
 #include <QApplication>
+#include <QProcess>
+#include <QScreen>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 
 #include <chrono>
 #include <cmath>
@@ -16,8 +19,10 @@
 #include <vtkRenderWindow.h>
 
 #include "atlas_window.h"
+#include "build_paths.h"
 #include "session_fixture.h"
 #include "viscera/deformation/place_handles.h"
+#include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
@@ -154,6 +159,50 @@ void firstPicture(benchmark::State& state) {
 }
 BENCHMARK(firstPicture)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(5);
 
+/// Whether something of the colour of a heart is in the middle of the screen.
+bool heartIsOnTheScreen() {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  const QPoint middle = screen->geometry().center();
+  const QImage image = screen->grabWindow(0, middle.x() - 150, middle.y() - 150, 300, 300).toImage();
+  int red = 0;
+  for (int y = 0; y < image.height(); y += 4)
+    for (int x = 0; x < image.width(); x += 4) {
+      const QColor color = image.pixelColor(x, y);
+      red += color.red() > color.green() + 40 && color.red() > color.blue() + 40 ? 1 : 0;
+    }
+  return red > 200;
+}
+
+/// From the start of the program, as a shell starts it, until the heart is seen on the screen; its organs are
+/// in the cache (1) or not (0). The screen is looked at every few milliseconds.
+void startTheProgram(benchmark::State& state) {
+  application();
+  const bool cached = state.range(0) != 0;
+  if (cached) {
+    BenchedWindow before; // Fills the cache of the organs.
+    before.loadHeart();
+  }
+  for (auto _ : state) {
+    const QTemporaryDir empty;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), empty.path());
+    if (!cached)
+      environment.insert(QStringLiteral("XDG_CACHE_HOME"), empty.path());
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    const auto start = Clock::now();
+    program.start(QStringLiteral(VISCERA_PROGRAM), QStringList());
+    while (!heartIsOnTheScreen() && secondsSince(start) < 60)
+      QThread::msleep(5);
+    state.SetIterationTime(secondsSince(start));
+    program.kill();
+    program.waitForFinished();
+    while (heartIsOnTheScreen())
+      QThread::msleep(20);
+  }
+}
+BENCHMARK(startTheProgram)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(5);
+
 /// One step of a drag of a handle: from the mouse's move to the picture.
 void drag(benchmark::State& state, BenchedWindow& bench) {
   bench.key(Qt::Key_3);
@@ -184,6 +233,51 @@ void dragABall(benchmark::State& state) {
   state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
 }
 BENCHMARK(dragABall)->Arg(6)->Arg(8)->Arg(9)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
+
+/// A surface that lies beside the project, in thirty handles.
+void dragAnOrgan(benchmark::State& state, const char* name) {
+  const std::filesystem::path file = std::filesystem::path(VISCERA_SOURCE_DIR) / "../shared/organs" / name;
+  if (!std::filesystem::exists(file))
+    return state.SkipWithError("it is not beside the project");
+  BenchedWindow bench;
+  bench.window().workspace().perform(document::addOrgans({{document::readOrgan(file), -1}}));
+  std::vector<document::NewHandle> handles;
+  const Points places = deformation::placeHandles(*bench.document().organs().front()->mesh, {30});
+  for (Eigen::Index row = 0; row < places.rows(); ++row)
+    handles.push_back({places.row(row).transpose()});
+  bench.window().workspace().perform(document::addHandles(handles));
+  bench.settle();
+  bench.key(Qt::Key_F);
+  drag(state, bench);
+  state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
+}
+BENCHMARK_CAPTURE(dragAnOrgan, liver, "liver.vtk")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(40);
+BENCHMARK_CAPTURE(dragAnOrgan, bunny, "bunny.obj")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(40);
+
+/// The first step of a drag under the locks of two organs, right after these were set.
+void firstLockedStep(benchmark::State& state) {
+  for (auto _ : state) {
+    BenchedWindow bench;
+    bench.loadHeart();
+    bench.key(Qt::Key_3);
+    for (std::size_t organ = 0; organ < 2; ++organ)
+      bench.window().workspace().perform(
+          document::setVolumeLocked(bench.document().organs()[organ]->id, true));
+    const QPoint at = bench.onScreen(bench.handleInView(bench.reachableHandle()));
+    QTest::mouseMove(&bench.view(), at);
+    QTest::mousePress(&bench.view(), Qt::LeftButton, Qt::NoModifier, at);
+    state.SetIterationTime(bench.untilDrawn([&] { QTest::mouseMove(&bench.view(), at + QPoint(12, 6)); }));
+    QTest::mouseRelease(&bench.view(), Qt::LeftButton, Qt::NoModifier, at);
+    bench.settle();
+  }
+}
+BENCHMARK(firstLockedStep)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(5);
 
 /// A press on a handle until it is drawn as held.
 void pressAHandle(benchmark::State& state) {
