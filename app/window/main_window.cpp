@@ -186,16 +186,9 @@ void MainWindow::connectView() {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
   });
-  auto* pointer = new OrganPointer(workspace_, *picture_, *view, *organPanel_->menu(), this);
-  // In Handles mode each click of the two adds a handle.
-  const auto trigger = [this](const char* id) {
-    return [this, action = actions_[id]] {
-      if (mode() != "handles")
-        action->trigger();
-    };
-  };
-  connect(pointer, &OrganPointer::aloneWanted, this, trigger("organ.showOnly"));
-  connect(pointer, &OrganPointer::allWanted, this, trigger("organ.showAll"));
+  auto* pointer = new OrganPointer(workspace_, *picture_, *view, organPanel_->menu(), this);
+  connect(pointer, &OrganPointer::aloneWanted, actions_["organ.showOnly"], &QAction::trigger);
+  connect(pointer, &OrganPointer::allWanted, actions_["organ.showAll"], &QAction::trigger);
 }
 
 void MainWindow::connectFiles() {

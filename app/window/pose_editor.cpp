@@ -109,25 +109,50 @@ bool PoseEditor::setVolume(document::OrganId organ, double milliliters) {
   });
 }
 
-void PoseEditor::setLocked(document::OrganId id, bool locked) {
-  const auto organ = workspace_.document().organ(id);
-  if (!organ)
-    return;
+void PoseEditor::setLocked(const std::vector<document::OrganId>& organs, bool locked) {
   finish();
-  if (!locked || organ->closed()) {
-    workspace_.perform(document::setVolumeLocked(id, locked));
-    return;
+  std::vector<document::Command> commands;
+  std::vector<document::OrganId> open;
+  for (const document::OrganId id : organs) {
+    const auto organ = workspace_.document().organ(id);
+    if (!organ || organ->volumeLocked == locked)
+      continue;
+    if (locked && !organ->closed())
+      open.push_back(id);
+    else
+      commands.push_back(document::setVolumeLocked(id, locked));
+  }
+  if (!commands.empty()) {
+    const std::string name = commands.front().name;
+    workspace_.perform(document::combined(name, std::move(commands)));
+  }
+  if (!open.empty())
+    offerToClose(open);
+}
+
+void PoseEditor::offerToClose(const std::vector<document::OrganId>& organs) {
+  QStringList names;
+  int edges = 0;
+  std::vector<document::Command> commands;
+  for (const document::OrganId id : organs) {
+    const auto organ = workspace_.document().organ(id);
+    names.push_back(inWords(organ->name));
+    edges += organ->boundaryEdges;
+    commands.push_back(document::closeHoles(id));
+    commands.push_back(document::setVolumeLocked(id, true));
   }
   Message message;
   message.severity = Message::Severity::warning;
-  message.text = tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
-                    nullptr, organ->boundaryEdges)
-                     .arg(inWords(organ->name));
-  message.offers.push_back({tr("Close the holes and lock"), [this, id] {
-                              workspace_.perform(document::combined(
-                                  tr("Close holes and lock volume").toStdString(),
-                                  {document::closeHoles(id), document::setVolumeLocked(id, true)}));
-                            }});
+  message.text = organs.size() == 1
+                     ? tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
+                          nullptr, edges)
+                           .arg(names.front())
+                     : tr("These organs are open, so they have no volumes that could be locked: %1.")
+                           .arg(names.join(QStringLiteral(", ")));
+  message.offers.push_back(
+      {tr("Close the holes and lock"), [this, commands] {
+         workspace_.perform(document::combined(tr("Close holes and lock volume").toStdString(), commands));
+       }});
   workspace_.say(message);
 }
 

@@ -46,8 +46,8 @@ public:
   /// Gives an organ another volume; false when it cannot be reached. Like what follows, it ends a gesture:
   /// the locked volumes are others after it.
   bool setVolume(document::OrganId organ, double milliliters);
-  /// Locks or unlocks an organ's volume; offers to close a surface that is open.
-  void setLocked(document::OrganId organ, bool locked);
+  /// Locks or unlocks organs' volumes in one undo step; offers to close surfaces that are open.
+  void setLocked(const std::vector<document::OrganId>& organs, bool locked);
   /// Makes the selected handles compensate, or no longer.
   void setCompensating(bool compensating);
 
@@ -63,6 +63,7 @@ Q_SIGNALS:
   void obstacleChanged(const QString& obstacle);
 
 private:
+  void offerToClose(const std::vector<document::OrganId>& organs);
   void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
   void end(void (document::UndoStack::Step::*close)());

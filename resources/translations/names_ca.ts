@@ -5105,8 +5105,8 @@
         <translation>obriu-ne un primer</translation>
     </message>
     <message>
-        <source>open the other files after it</source>
-        <translation>obriu els altres fitxers després</translation>
+        <source>open it by itself, and the other files after it</source>
+        <translation>obriu-la sola, i els altres fitxers després</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

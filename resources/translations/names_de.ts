@@ -5105,8 +5105,8 @@
         <translation>öffnen Sie zuerst eines</translation>
     </message>
     <message>
-        <source>open the other files after it</source>
-        <translation>öffnen Sie die anderen Dateien danach</translation>
+        <source>open it by itself, and the other files after it</source>
+        <translation>öffnen Sie sie allein und die anderen Dateien danach</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

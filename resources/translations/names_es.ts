@@ -5105,8 +5105,8 @@
         <translation>abra uno primero</translation>
     </message>
     <message>
-        <source>open the other files after it</source>
-        <translation>abra los demás archivos después</translation>
+        <source>open it by itself, and the other files after it</source>
+        <translation>ábrala sola, y los demás archivos después</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

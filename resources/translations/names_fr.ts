@@ -5105,8 +5105,8 @@
         <translation>ouvrez-en un d’abord</translation>
     </message>
     <message>
-        <source>open the other files after it</source>
-        <translation>ouvrez les autres fichiers ensuite</translation>
+        <source>open it by itself, and the other files after it</source>
+        <translation>ouvrez-la seule, et les autres fichiers ensuite</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

@@ -481,6 +481,13 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>OrganLooks</name>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostra només aquest</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -954,14 +961,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Move the selected handles back to their rest positions</source>
         <translation>Torna els tiradors seleccionats a la posició de repòs</translation>
-    </message>
-    <message>
-        <source>&amp;Lock volume</source>
-        <translation>B&amp;loqueja el volum</translation>
-    </message>
-    <message>
-        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
-        <translation>Manté constant el volum de l’òrgan en el mode Deforma; en un òrgan amb cavitats, el volum dins de la superfície externa</translation>
     </message>
     <message>
         <source>Restore &amp;rest volume</source>
@@ -3402,6 +3401,29 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
 </context>
 <context>
+    <name>viscera::app::OrganMenu</name>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>B&amp;loqueja el volum</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Manté constant el volum de l’òrgan en el mode Deforma; en un òrgan amb cavitats, el volum dins de la superfície externa</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Colors propis de l’òrgan</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Canvia el color</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::OrganPanel</name>
     <message>
         <source>Opacity</source>
@@ -3542,28 +3564,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 en la forma de referència, %2 (%3) ara</translation>
     </message>
     <message>
-        <source>Show only this</source>
-        <translation>Mostra només aquest</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Mostra</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
-        <source>The organ&apos;s own colours</source>
-        <translation>Colors propis de l’òrgan</translation>
-    </message>
-    <message>
-        <source>Unlock volume</source>
-        <translation>Desbloqueja el volum</translation>
-    </message>
-    <message>
-        <source>Lock volume</source>
-        <translation>Bloqueja el volum</translation>
     </message>
 </context>
 <context>
@@ -4039,6 +4041,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Close holes and lock volume</source>
         <translation>Tanca els forats i bloqueja el volum</translation>
+    </message>
+    <message>
+        <source>These organs are open, so they have no volumes that could be locked: %1.</source>
+        <translation>Aquests òrgans són oberts i no tenen cap volum que es pugui bloquejar: %1.</translation>
     </message>
 </context>
 <context>
@@ -5908,6 +5914,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Picture saved as %1</source>
         <translation>Imatge desada com a %1</translation>
+    </message>
+    <message>
+        <source>%1 is hidden behind %2.</source>
+        <translation>%2 tapa %1.</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostra només aquest</translation>
     </message>
 </context>
 <context>

@@ -481,6 +481,13 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>OrganLooks</name>
+    <message>
+        <source>Show only this</source>
+        <translation>Nur dieses zeigen</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -954,14 +961,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Move the selected handles back to their rest positions</source>
         <translation>Die gewählten Griffe in ihre Ruhelage zurückbewegen</translation>
-    </message>
-    <message>
-        <source>&amp;Lock volume</source>
-        <translation>Volumen &amp;sperren</translation>
-    </message>
-    <message>
-        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
-        <translation>Das Volumen des Organs im Modus Verformen konstant halten; bei einem Organ mit Hohlräumen das Volumen innerhalb seiner Außenfläche</translation>
     </message>
     <message>
         <source>Restore &amp;rest volume</source>
@@ -3402,6 +3401,29 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
 </context>
 <context>
+    <name>viscera::app::OrganMenu</name>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>Volumen &amp;sperren</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Das Volumen des Organs im Modus Verformen konstant halten; bei einem Organ mit Hohlräumen das Volumen innerhalb seiner Außenfläche</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Eigene Farben des Organs</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::OrganPanel</name>
     <message>
         <source>Opacity</source>
@@ -3542,28 +3564,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 in der Referenzform, jetzt %2 (%3)</translation>
     </message>
     <message>
-        <source>Show only this</source>
-        <translation>Nur dieses zeigen</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Farbe...</translation>
-    </message>
-    <message>
-        <source>The organ&apos;s own colours</source>
-        <translation>Eigene Farben des Organs</translation>
-    </message>
-    <message>
-        <source>Unlock volume</source>
-        <translation>Volumen entsperren</translation>
-    </message>
-    <message>
-        <source>Lock volume</source>
-        <translation>Volumen sperren</translation>
     </message>
 </context>
 <context>
@@ -4039,6 +4041,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Close holes and lock volume</source>
         <translation>Löcher schließen und Volumen sperren</translation>
+    </message>
+    <message>
+        <source>These organs are open, so they have no volumes that could be locked: %1.</source>
+        <translation>Diese Organe sind offen und haben keine Volumen, die sich sperren ließen: %1.</translation>
     </message>
 </context>
 <context>
@@ -5908,6 +5914,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Picture saved as %1</source>
         <translation>Bild als %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is hidden behind %2.</source>
+        <translation>%1 ist hinter %2 verborgen.</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Nur dieses zeigen</translation>
     </message>
 </context>
 <context>

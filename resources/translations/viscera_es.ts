@@ -481,6 +481,13 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>OrganLooks</name>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostrar solo este</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -954,14 +961,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Move the selected handles back to their rest positions</source>
         <translation>Devolver los tiradores seleccionados a su posición de reposo</translation>
-    </message>
-    <message>
-        <source>&amp;Lock volume</source>
-        <translation>&amp;Bloquear volumen</translation>
-    </message>
-    <message>
-        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
-        <translation>Mantener constante el volumen del órgano en el modo Deformar; en un órgano con cavidades, el volumen dentro de su superficie externa</translation>
     </message>
     <message>
         <source>Restore &amp;rest volume</source>
@@ -3402,6 +3401,29 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
 </context>
 <context>
+    <name>viscera::app::OrganMenu</name>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>&amp;Bloquear volumen</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Mantener constante el volumen del órgano en el modo Deformar; en un órgano con cavidades, el volumen dentro de su superficie externa</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Los colores propios del órgano</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Cambiar el color</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::OrganPanel</name>
     <message>
         <source>Opacity</source>
@@ -3542,28 +3564,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1 en la forma de referencia, %2 (%3) ahora</translation>
     </message>
     <message>
-        <source>Show only this</source>
-        <translation>Mostrar solo este</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Mostrar</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
-        <source>The organ&apos;s own colours</source>
-        <translation>Los colores propios del órgano</translation>
-    </message>
-    <message>
-        <source>Unlock volume</source>
-        <translation>Desbloquear volumen</translation>
-    </message>
-    <message>
-        <source>Lock volume</source>
-        <translation>Bloquear volumen</translation>
     </message>
 </context>
 <context>
@@ -4039,6 +4041,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Close holes and lock volume</source>
         <translation>Cerrar orificios y bloquear volumen</translation>
+    </message>
+    <message>
+        <source>These organs are open, so they have no volumes that could be locked: %1.</source>
+        <translation>Estos órganos están abiertos y no tienen ningún volumen que se pueda bloquear: %1.</translation>
     </message>
 </context>
 <context>
@@ -5908,6 +5914,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Picture saved as %1</source>
         <translation>Imagen guardada como %1</translation>
+    </message>
+    <message>
+        <source>%1 is hidden behind %2.</source>
+        <translation>%2 tapa %1.</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostrar solo este</translation>
     </message>
 </context>
 <context>

@@ -481,6 +481,13 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
 </context>
 <context>
+    <name>OrganLooks</name>
+    <message>
+        <source>Show only this</source>
+        <translation>Afficher seulement ceci</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1 ml</source>
@@ -954,14 +961,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Move the selected handles back to their rest positions</source>
         <translation>Ramener les poignées sélectionnées à leur position de repos</translation>
-    </message>
-    <message>
-        <source>&amp;Lock volume</source>
-        <translation>&amp;Verrouiller le volume</translation>
-    </message>
-    <message>
-        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
-        <translation>Garder constant le volume de l’organe en mode Déformer&#x202f;; pour un organe à cavités, le volume dans sa surface externe</translation>
     </message>
     <message>
         <source>Restore &amp;rest volume</source>
@@ -3402,6 +3401,29 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
 </context>
 <context>
+    <name>viscera::app::OrganMenu</name>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>&amp;Verrouiller le volume</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Garder constant le volume de l’organe en mode Déformer&#x202f;; pour un organe à cavités, le volume dans sa surface externe</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Couleurs propres de l’organe</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Changer la couleur</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::OrganPanel</name>
     <message>
         <source>Opacity</source>
@@ -3542,28 +3564,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 dans la forme de référence, %2 (%3) actuellement</translation>
     </message>
     <message>
-        <source>Show only this</source>
-        <translation>Afficher seulement ceci</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Afficher</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Couleur...</translation>
-    </message>
-    <message>
-        <source>The organ&apos;s own colours</source>
-        <translation>Couleurs propres de l’organe</translation>
-    </message>
-    <message>
-        <source>Unlock volume</source>
-        <translation>Déverrouiller le volume</translation>
-    </message>
-    <message>
-        <source>Lock volume</source>
-        <translation>Verrouiller le volume</translation>
     </message>
 </context>
 <context>
@@ -4039,6 +4041,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Close holes and lock volume</source>
         <translation>Fermer les trous et verrouiller le volume</translation>
+    </message>
+    <message>
+        <source>These organs are open, so they have no volumes that could be locked: %1.</source>
+        <translation>Ces organes sont ouverts et n’ont pas de volume à verrouiller&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -5908,6 +5914,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Picture saved as %1</source>
         <translation>Image enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>%1 is hidden behind %2.</source>
+        <translation>%1 est caché derrière %2.</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Afficher seulement ceci</translation>
     </message>
 </context>
 <context>

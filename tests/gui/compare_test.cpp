@@ -1,6 +1,7 @@
 #include "play_fixture.h"
 
 #include <QAbstractButton>
+#include <QLabel>
 #include <QSpinBox>
 #include <QTest>
 
@@ -209,6 +210,20 @@ TEST_F(TwoViews, AKeptPoseStaysWhileTheFirstViewGoesOn) {
   ASSERT_TRUE(waitUntil([this] { return !second().live().busy() && second().jobs().idle(); }));
   settle();
   EXPECT_EQ(parts().comparison().playback().sequence(), nullptr) << "taken again after it was given up";
+}
+
+TEST_F(TwoViews, TheSecondOneNamesTheOrganUnderTheMouse) {
+  compareRates();
+  app::ViewWidget& beside = parts().comparison().view();
+  auto* name = beside.findChild<QLabel*>(QStringLiteral("organUnderCursor"));
+  ASSERT_NE(name, nullptr);
+  const QPoint middle = beside.rect().center();
+  QTest::mouseMove(&beside, middle + QPoint(3, 3));
+  QTest::mouseMove(&beside, middle);
+  ASSERT_TRUE(waitUntil([&] { return name->isVisible(); }));
+  EXPECT_EQ(name->text(), QStringLiteral("Heart"));
+  QTest::mouseMove(&beside, QPoint(4, 4));
+  EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }
 
 TEST_F(TwoViews, ASecondViewThatGoesTakesItsOffersAlong) {

@@ -119,6 +119,14 @@ TEST_F(WindowTest, TheGoodOfSeveralFilesAreOpenedAndAllBadOnesAreSaid) {
   EXPECT_TRUE(message().contains(QStringLiteral("empty.stl"))) << message().toStdString();
 }
 
+TEST_F(WindowTest, AFileBesideASessionIsOpenedAndTheSessionIsSaid) {
+  window().files().open({path(QStringLiteral("case.viscera")), sphereFile()});
+  settle();
+  ASSERT_EQ(document().organs().size(), 1u);
+  EXPECT_TRUE(message().contains(QStringLiteral("case.viscera"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("alone"))) << message().toStdString();
+}
+
 TEST_F(WindowTest, ADroppedFileIsOpened) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(sphereFile())});

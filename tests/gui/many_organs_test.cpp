@@ -1,9 +1,14 @@
 #include "window_test.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
@@ -58,6 +63,23 @@ protected:
   QPoint placeOf(const std::string& name) {
     const Points& points = organ(name).mesh->points;
     return onScreen(points.colwise().mean().transpose());
+  }
+  /// Where the name of a row begins, in the list.
+  QRect nameOf(QTreeWidgetItem* item) {
+    list().scrollToItem(item);
+    QModelIndex index;
+    std::vector<int> rows;
+    for (QTreeWidgetItem* each = item; each; each = each->parent())
+      rows.insert(rows.begin(),
+                  each->parent() ? each->parent()->indexOfChild(each) : list().indexOfTopLevelItem(each));
+    for (std::size_t depth = 0; depth < rows.size(); ++depth)
+      index = list().model()->index(rows[depth], depth + 1 == rows.size() ? kName : 0, index);
+    return list().visualRect(index);
+  }
+  void choose(const std::vector<QString>& names) {
+    list().clearSelection();
+    for (const QString& name : names)
+      row(name)->setSelected(true);
   }
   std::size_t steps() { return window().workspace().undo().names().size(); }
 };
@@ -169,6 +191,95 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }
 
+/// Ctrl+A chooses the rows of the systems, too, in which there are others that the search hides.
+TEST_F(ManyOrgans, ThatTheSearchHidesAreLeftAlone) {
+  search().setText(QStringLiteral("artery"));
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_A, Qt::ControlModifier);
+  const auto& panel = *window().findChild<app::OrganPanel*>();
+  EXPECT_EQ(panel.chosen(),
+            (std::vector<document::OrganId>{organ("left renal artery").id, organ("right renal artery").id}));
+  key(Qt::Key_H, Qt::ControlModifier);
+  EXPECT_TRUE(organ("aorta").look.visible);
+  EXPECT_FALSE(organ("left renal artery").look.visible);
+  window().actions()["organ.remove"]->trigger();
+  settle();
+  EXPECT_EQ(document().organs().size(), 14u);
+  EXPECT_NO_THROW(organ("aorta"));
+}
+
+TEST_F(ManyOrgans, TheSquareOfACavityIsClickedWhereItIs) {
+  document::NewOrgan cavity = ball("hollow", 10, 2);
+  cavity.organ.parent = organ("kidney_left").id;
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({cavity})));
+  settle();
+  constexpr int kInSquare = 20; // Near its right edge.
+  for (const char* name : {"kidney_left", "hollow"}) {
+    const QRect place = nameOf(row(QString::fromLatin1(name)));
+    const QPoint square(place.left() + kInSquare, place.center().y());
+    QTest::mouseMove(list().viewport(), square);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, Qt::NoModifier, square);
+    QWidget* palette = QApplication::activePopupWidget();
+    EXPECT_NE(palette, nullptr) << name;
+    if (palette)
+      palette->close();
+    const QPoint before(place.left() - 4, place.center().y());
+    QTest::mouseMove(list().viewport(), before);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, Qt::NoModifier, before);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << name;
+  }
+}
+
+TEST_F(ManyOrgans, ThatAreChosenGetOneColourInOneStep) {
+  choose({QStringLiteral("spleen"), QStringLiteral("liver")});
+  const std::size_t before = steps();
+  const Vec3 old = organ("aorta").look.color;
+  find<QAction>("organColor").trigger();
+  QWidget* palette = QApplication::activePopupWidget();
+  ASSERT_NE(palette, nullptr);
+  palette->findChildren<QToolButton*>().back()->click();
+  settle();
+  EXPECT_NE(organ("spleen").look.color, old);
+  EXPECT_EQ(organ("spleen").look.color, organ("liver").look.color);
+  EXPECT_EQ(organ("aorta").look.color, old);
+  EXPECT_EQ(steps(), before + 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(organ("spleen").look.color, old);
+  EXPECT_EQ(organ("liver").look.color, old);
+}
+
+TEST_F(ManyOrgans, ThatAreChosenAreLockedAndUnlockedInOneStepEach) {
+  choose({QStringLiteral("spleen"), QStringLiteral("liver")});
+  const std::size_t before = steps();
+  QAction& lock = *window().actions()["volume.lock"];
+  lock.trigger();
+  EXPECT_TRUE(organ("spleen").volumeLocked);
+  EXPECT_TRUE(organ("liver").volumeLocked);
+  EXPECT_FALSE(organ("aorta").volumeLocked);
+  EXPECT_EQ(steps(), before + 1);
+  EXPECT_TRUE(lock.isChecked());
+  row(QStringLiteral("aorta"))->setSelected(true);
+  EXPECT_FALSE(lock.isChecked()) << "not all of them";
+  lock.trigger();
+  EXPECT_TRUE(organ("aorta").volumeLocked);
+  lock.trigger();
+  EXPECT_FALSE(organ("spleen").volumeLocked);
+  EXPECT_FALSE(organ("aorta").volumeLocked);
+}
+
+TEST_F(ManyOrgans, TheMenuInTheViewHasWhatTheListHas) {
+  QTest::mouseClick(&view(), Qt::RightButton, Qt::NoModifier, placeOf("spleen"));
+  auto& menu = find<QMenu>("organMenu");
+  ASSERT_TRUE(menu.isVisible());
+  EXPECT_EQ(window().workspace().selection().organ(), organ("spleen").id);
+  for (QAction* action :
+       {&find<QAction>("organColor"), window().actions()["volume.lock"], window().actions()["organ.remove"]})
+    EXPECT_TRUE(menu.actions().contains(action) && action->isVisible() && action->isEnabled())
+        << action->text().toStdString();
+  EXPECT_FALSE(find<QAction>("organOwnColors").isVisible()) << "its file had none";
+  menu.close();
+}
+
 class Atlas : public AtlasWindow {};
 
 TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
@@ -218,6 +329,28 @@ TEST_F(ManyOrgans, FocusShowsWhatWasHidden) {
   ASSERT_FALSE(organ("Lumbar1").look.visible);
   key(Qt::Key_F);
   EXPECT_TRUE(organ("Lumbar1").look.visible);
+}
+
+TEST_F(ManyOrgans, FocusOnOneThatAnotherHidesOffersToShowItAlone) {
+  const Vec3 middle = organ("spleen").mesh->points.colwise().mean().transpose();
+  document::NewOrgan wall = ball("wall", 45, 3, middle);
+  wall.organ.look.opacity = 0.5;
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({wall})));
+  window().workspace().selection().setOrgan(organ("spleen").id);
+  key(Qt::Key_F);
+  EXPECT_EQ(message(), QString()) << "it is seen through the other one";
+  document::OrganLook look = organ("wall").look;
+  look.opacity = 1;
+  ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
+  key(Qt::Key_F);
+  EXPECT_EQ(message(), QStringLiteral("spleen is hidden behind wall."));
+  auto* offer = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+  ASSERT_NE(offer, nullptr);
+  offer->click();
+  settle();
+  EXPECT_EQ(seen(), (std::vector<std::string>{"spleen"}));
+  key(Qt::Key_F);
+  EXPECT_EQ(message(), QString());
 }
 
 TEST_F(ManyOrgans, SearchLooksAtTheNamesThatAreShownAndGoesWithItsField) {

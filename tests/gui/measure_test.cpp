@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "session_fixture.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
@@ -86,6 +87,24 @@ TEST_F(MeasureTest, TwoClicksAreADistanceInTheListTheViewAndTheFile) {
   EXPECT_EQ(row[5], "ball");
   EXPECT_NEAR(std::stod(row[6]), a_.x(), kClickTolerance);
   EXPECT_NEAR(std::stod(row[18]), b_.z(), kClickTolerance);
+}
+
+/// Qt takes the second press for a double click, which shows one organ alone where nobody measures.
+TEST_F(MeasureTest, TwoQuickClicksAreTwoPointsAndHideNoOrgan) {
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("other", 10, 2, Vec3(0, 0, 75))})));
+  settle();
+  key(Qt::Key_D);
+  const QPoint place = onScreen(a_);
+  clickTwice(place, place + QPoint(4, 0));
+  EXPECT_EQ(measurements().size(), 1u);
+  for (const auto& organ : document().organs())
+    EXPECT_TRUE(organ->look.visible) << organ->name;
+  clickTwice(place, place);
+  EXPECT_EQ(measurements().size(), 1u) << "no distance of a point to itself";
+  key(Qt::Key_Escape);
+  key(Qt::Key_Escape);
+  clickTwice(onScreen(b_), onScreen(b_));
+  EXPECT_FALSE(document().organs().back()->look.visible) << "the double click is one again";
 }
 
 TEST_F(MeasureTest, ThreeClicksAreTheAngleAtTheSecond) {

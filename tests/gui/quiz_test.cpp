@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "session_fixture.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/modes/explore_mode.h"
 #include "window_probe.h"
@@ -88,6 +90,19 @@ TEST_F(Parts, AQuizHidesTheNamesAndAClickAnswers) {
   key(Qt::Key_Escape);
   EXPECT_EQ(window().explore().quiz().quiz(), nullptr);
   EXPECT_GT(named().size(), 3U) << "the names are back";
+}
+
+TEST_F(Parts, TwoQuickAnswersAreTwoAndHideNothing) {
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("other", 5, 2, Vec3(0, 0, 150))})));
+  settle();
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  ASSERT_TRUE(window().explore().quiz().active());
+  const presentation::PartQuiz& quiz = *window().explore().quiz().quiz();
+  const std::string asked = presentation::nameOf(*quiz.asked(), document().organs());
+  const QPoint wrong = placeOf(asked == "Apex" ? "Right atrium" : "Apex");
+  clickTwice(wrong, wrong);
+  EXPECT_EQ(quiz.mistakes(), 2);
+  EXPECT_TRUE(document().organs().back()->look.visible);
 }
 
 TEST_F(Parts, AnotherOrganEndsTheQuiz) {

@@ -3,6 +3,7 @@
 #include <QDoubleSpinBox>
 #include <QFrame>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -18,6 +19,7 @@
 #include "window/export_actions.h"
 #include "window/import/import_controller.h"
 #include "window/modes/stress_mode.h"
+#include "window/style/icon.h"
 #include "window_probe.h"
 
 /// Small faults that trying the window as its users do has brought to light.
@@ -312,6 +314,25 @@ TEST_F(SmallFaults, EveryLetterOfAMenuMeansOneEntry) {
                                     << action->text().toStdString();
     }
   }
+}
+
+/// Qt draws a tick only where an entry has no icon.
+TEST_F(SmallFaults, AMenuFramesTheIconOfWhatIsOn) {
+  QMenu menu(&window());
+  QAction* action = menu.addAction(app::icon("ghost"), QStringLiteral("Ghost"));
+  action->setCheckable(true);
+  menu.popup(QPoint(0, 0));
+  constexpr int kIconWidth = 28;
+  const QRect entry = menu.actionGeometry(action);
+  const QRect place(entry.topLeft(), QSize(kIconWidth, entry.height()));
+  const QImage off = menu.grab(place).toImage();
+  action->setChecked(true);
+  const QImage on = menu.grab(place).toImage();
+  int changed = 0;
+  for (int y = 0; y < off.height(); ++y)
+    for (int x = 0; x < off.width(); ++x)
+      changed += off.pixel(x, y) != on.pixel(x, y);
+  EXPECT_GT(changed, 250) << "more than the lines of the icon";
 }
 
 TEST_F(SmallFaults, AChartOfNothingFoldsAway) {

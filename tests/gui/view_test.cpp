@@ -25,6 +25,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/picture.h"
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/style/theme.h"
 #include "window_probe.h"
 
@@ -113,6 +114,21 @@ TEST_F(ViewTest, ASmallOrganIsDrawnSmoothAtOnceAndOnceForAClick) {
   ASSERT_TRUE(waitUntil([&] { return !frames.drawn.empty() && view().atRest(); }));
   EXPECT_EQ(frames.drawn.size(), 1u) << "neither the press nor the release draws one of its own";
   EXPECT_GT(frames.drawn.back().samples, 1);
+}
+
+/// Each of the two is one of the handle's.
+TEST_F(ViewTest, ADoubleClickOnAHandleHidesNoOrgan) {
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("other", 10, 2, Vec3(0, 0, 40))})));
+  settle();
+  key(Qt::Key_3);
+  const int handle = reachableHandle();
+  ASSERT_GE(handle, 0);
+  const QPoint place = onScreen(handleInView(handle));
+  clickTwice(place, place);
+  for (const auto& organ : document().organs())
+    EXPECT_TRUE(organ->look.visible) << organ->name;
+  EXPECT_EQ(window().workspace().selection().handles().size(), 1u);
+  EXPECT_FALSE(view().view().handleWidget()->IsDragging());
 }
 
 TEST_F(ViewTest, KeypadDigitsLookAlongTheBodysAxes) {

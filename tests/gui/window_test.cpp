@@ -114,6 +114,14 @@ void WindowTest::click(const QPoint& place) {
   settle();
 }
 
+void WindowTest::clickTwice(const QPoint& first, const QPoint& second) {
+  QTest::mouseMove(&view(), first);
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, first);
+  QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, second);
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, second);
+  settle();
+}
+
 void WindowTest::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(window_.get(), key, modifiers);
   settle();

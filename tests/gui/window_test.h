@@ -68,6 +68,9 @@ protected:
   /// Presses the left button, moves in small steps, releases.
   void drag(const QPoint& from, const QPoint& to);
   void click(const QPoint& place);
+  /// Presses and releases the left button at both places, so soon after each other that Qt takes the second
+  /// press for a double click.
+  void clickTwice(const QPoint& first, const QPoint& second);
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   QString message();
 

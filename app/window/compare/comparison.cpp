@@ -19,6 +19,7 @@
 #include "window/language.h"
 #include "window/sample_loader.h"
 #include "window/view/camera_link.h"
+#include "window/view/organ_pointer.h"
 #include "window/view/picture.h"
 #include "window/view/view_area.h"
 #include "window/widgets/ready_made.h"
@@ -33,6 +34,7 @@ struct Comparison::Second {
         view(new ViewWidget),
         picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {
     picture->setValves([this] { return playback.valves(); });
+    names = std::make_unique<OrganPointer>(workspace, *picture, *view, nullptr);
   }
 
   Workspace workspace;
@@ -42,6 +44,7 @@ struct Comparison::Second {
   FileActions files;
   ViewWidget* view; ///< The window's, once it is there.
   std::unique_ptr<Picture> picture;
+  std::unique_ptr<OrganPointer> names;
   std::unique_ptr<ComparedStress> stress;
   std::unique_ptr<CameraLink> cameras;
   std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
@@ -283,6 +286,7 @@ void Comparison::end() {
   second->system.reset();
   second->cameras.reset();
   second->stress.reset();
+  second->names.reset();
   second->picture.reset();
   first_.area.joinViews();
   Q_EMIT toggled(false);

@@ -72,6 +72,7 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
   });
   connect(fit_, &QPushButton::clicked, this, &FitBox::fitChosen);
   connect(&view, &ViewWidget::clicked, this, &FitBox::onClick);
+  view.addClickTaker([this] { return !picking_.empty(); });
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { syncTarget(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncTarget(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { syncGlyphs(); }));

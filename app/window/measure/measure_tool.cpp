@@ -130,7 +130,7 @@ void MeasureTool::add(const document::MeasuredPoint& point, std::optional<int> a
   if (*kind_ == Kind::rectangle && !points_.empty() &&
       (*axis != axis_ || point.rest[axis_] != points_.front().rest[axis_]))
     points_.clear();
-  if (document::isRegion(*kind_) && !points_.empty() && points_.front().rest == point.rest)
+  if (!points_.empty() && points_.back().rest == point.rest)
     return; // The second click of two at one place: nothing lies between them.
   axis_ = axis.value_or(axis_);
   points_.push_back(point);

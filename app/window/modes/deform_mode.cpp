@@ -54,18 +54,6 @@ void DeformMode::makePoseActions(Actions& actions) {
 }
 
 void DeformMode::makeVolumeActions(Actions& actions) {
-  QAction* lock = actions.add("volume.lock",
-                              {tr("&Lock volume"),
-                               "lock",
-                               {Qt::Key_K},
-                               tr("Keep the organ's volume constant in Deform mode; for an organ with "
-                                  "cavities, the volume within its outer surface")},
-                              [this, &actions] {
-                                if (const auto organ = workspace_.currentOrgan())
-                                  parts_.poses.setLocked(organ->id, !organ->volumeLocked);
-                                actions.sync(); // Where it was refused, the mark goes again.
-                              });
-  lock->setCheckable(true);
   actions.add("volume.restore",
               {tr("Restore &rest volume"),
                "reset",
@@ -75,14 +63,9 @@ void DeformMode::makeVolumeActions(Actions& actions) {
                 if (const auto organ = workspace_.currentOrgan())
                   parts_.poses.setVolume(organ->id, organ->restVolumeMm3 / kMm3PerMl);
               });
-  actions.enableWhile({"volume.lock"}, [this] { return workspace_.currentOrgan() != nullptr; });
   actions.enableWhile({"volume.restore"}, [this] {
     const auto organ = workspace_.currentOrgan();
     return organ && organ->closed() && !document::atRest(workspace_.state());
-  });
-  actions.whenSynced([this, lock] {
-    const auto organ = workspace_.currentOrgan();
-    lock->setChecked(organ && organ->volumeLocked);
   });
 }
 

@@ -23,6 +23,7 @@ public:
   /// While it is on, how long binding took is said over the view.
   void enter() override;
   void leave() override { disconnect(bound_); }
+  bool takesClicks() const override { return true; }
   /// Adds a handle a little off the surface.
   void click(const ClickedPlace* place) override;
 

@@ -100,6 +100,8 @@ public:
   virtual void leave() {}
   /// Takes back what the user is at; false when there is nothing.
   virtual bool escape() { return false; }
+  /// Whether each click on the view counts on its own now, so that two quick ones are no double click.
+  virtual bool takesClicks() const { return false; }
   /// A click at a place of the view: true when the mode has used it, because it looks deeper than to the
   /// organs' surfaces. Else `click` follows.
   virtual bool press(const QPointF&) { return false; }

@@ -7,6 +7,7 @@ namespace viscera::app {
 ModeController::ModeController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
   connect(&parts.playback, &Playback::playModeWanted, this, [this] { choose("play"); });
   connect(&parts.view, &ViewWidget::clicked, this, &ModeController::onClick);
+  parts.view.addClickTaker([this] { return parts_.handles.underMouse() || modes_[present_]->takesClicks(); });
 }
 
 void ModeController::take(std::unique_ptr<Mode> mode) {

@@ -36,6 +36,7 @@ public:
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;
+  bool takesClicks() const override { return true; }
   bool press(const QPointF& place) override {
     cut_.probeAt(place);
     return true;

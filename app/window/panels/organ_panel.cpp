@@ -3,7 +3,6 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QMenu>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
+#include "window/organ_looks.h"
 #include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
@@ -67,7 +67,8 @@ QTreeWidget* makeList(QWidget* parent) {
 OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent)
     : QWidget(parent), workspace_(workspace), poses_(poses), list_(makeList(this)),
       empty_(makeRemark({}, this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)),
-      search_(new QLineEdit(this)) {
+      search_(new QLineEdit(this)), menu_(new OrganMenu(
+                                        workspace, poses, [this] { return chosen(); }, this)) {
   setObjectName(QStringLiteral("panel"));
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(
@@ -98,7 +99,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   });
   connect(search_, &QLineEdit::textChanged, this, &OrganPanel::filter);
   connect(opacity_, &ValueSlider::valueChanged, this, [this](double percent) {
-    changeLooks(tr("Change opacity"), chosen(),
+    changeLooks(workspace_, tr("Change opacity"), chosen(),
                 [percent](document::OrganLook& look) { look.opacity = percent / 100; });
   });
   connect(opacity_, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
@@ -117,20 +118,20 @@ void OrganPanel::addTo(Actions& actions) {
                "eye",
                {QKeySequence(QStringLiteral("Ctrl+I"))},
                tr("Show the chosen organs with their cavities and hide all others")},
-              [this] { showOnlyChosen(); });
+              [this] { showOnly(workspace_, chosen()); });
   actions.add(
       "organ.hide",
       {tr("&Hide this"), "eye_off", {QKeySequence(QStringLiteral("Ctrl+H"))}, tr("Hide the chosen organs")},
       [this] {
         const auto organs = chosen();
-        show(tr("Hide"), [&organs](const document::Organ& organ) {
+        showWhere(workspace_, tr("Hide"), [&organs](const document::Organ& organ) {
           return organ.look.visible && std::find(organs.begin(), organs.end(), organ.id) == organs.end();
         });
       });
   actions.add(
       "organ.showAll",
       {tr("Show &all"), "eye", {QKeySequence(QStringLiteral("Ctrl+Shift+H"))}, tr("Show every organ")},
-      [this] { show(tr("Show all"), [](const document::Organ&) { return true; }); });
+      [this] { showWhere(workspace_, tr("Show all"), [](const document::Organ&) { return true; }); });
   actions.add("organ.find",
               {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Type a part of its name")}, [this] {
                 search_->show();
@@ -145,10 +146,12 @@ void OrganPanel::addTo(Actions& actions) {
   actions.enableWhile(
       {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
       [this] { return !workspace_.document().organs().empty(); });
-  remove_ = actions["organ.remove"];
-  menu_ = new QMenu(this);
-  for (const char* id : {"organ.showOnly", "organ.hide", "organ.showAll", "view.focus", "organ.rename"})
-    menu_->addAction(actions[id]);
+  menu_->addTo(actions);
+  // What can be done depends on all rows that are chosen.
+  connect(list_, &QTreeWidget::itemSelectionChanged, &actions, [this, &actions] {
+    if (!updating_)
+      actions.sync();
+  });
 }
 
 /// Handles without an organ are of no use: they go with the last one.
@@ -177,7 +180,11 @@ document::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
 std::vector<document::OrganId> OrganPanel::chosen() const {
   std::vector<document::OrganId> organs;
   for (const auto& organ : workspace_.document().organs()) {
-    const QTreeWidgetItem* item = items_.at(organ->id);
+    const auto found = items_.find(organ->id);
+    // What the search hides is not meant; a new organ may have no row yet.
+    if (found == items_.end() || found->second->isHidden())
+      continue;
+    const QTreeWidgetItem* item = found->second;
     const bool bySystem =
         !systems_.empty() && item->parent() && item->parent()->isSelected() && !organOf(item->parent());
     if (item->isSelected() || bySystem)
@@ -413,15 +420,17 @@ void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
     return;
   if (column == kOrganLock) {
     if (const auto present = workspace_.document().organ(organ))
-      poses_.setLocked(organ, !present->volumeLocked);
+      poses_.setLocked({organ}, !present->volumeLocked);
     return;
   }
   const QRect row = list_->visualItemRect(item);
-  const int left = list_->visualRect(list_->model()->index(0, kOrganName)).left() +
-                   (item->parent() ? list_->indentation() : 0);
+  int left = list_->visualRect(list_->model()->index(0, kOrganName)).left();
+  for (const QTreeWidgetItem* around = item->parent(); around; around = around->parent())
+    left += list_->indentation();
   const QPoint place = list_->viewport()->mapFromGlobal(QCursor::pos());
-  if (column == kOrganName && place.x() < left + kSwatchWidth && row.contains(place))
-    chooseColorOf(organ, list_->viewport()->mapToGlobal(QPoint(left, row.bottom())));
+  const bool onSquare = place.x() >= left && place.x() < left + kSwatchWidth && row.contains(place);
+  if (column == kOrganName && onSquare)
+    menu_->chooseColorOf({organ}, list_->viewport()->mapToGlobal(QPoint(left, row.bottom())));
 }
 
 void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
@@ -447,43 +456,6 @@ void OrganPanel::changeLook(document::OrganId organ, const LookChange& change) {
   workspace_.perform(document::setOrganLook(organ, look));
 }
 
-void OrganPanel::changeLooks(const QString& name, const std::vector<document::OrganId>& organs,
-                             const LookChange& change) {
-  std::vector<document::Command> commands;
-  std::string key = name.toStdString();
-  for (const document::OrganId id : organs)
-    if (const auto organ = workspace_.document().organ(id)) {
-      document::OrganLook look = organ->look;
-      change(look);
-      commands.push_back(document::setOrganLook(id, look));
-      key += "/" + std::to_string(id.value);
-    }
-  if (commands.empty())
-    return;
-  document::Command all = document::combined(name.toStdString(), std::move(commands));
-  all.mergeKey = key;
-  workspace_.perform(all);
-}
-
-void OrganPanel::show(const QString& name, const std::function<bool(const document::Organ&)>& visible) {
-  std::vector<document::OrganId> others;
-  for (const auto& organ : workspace_.document().organs())
-    if (visible(*organ) != organ->look.visible)
-      others.push_back(organ->id);
-  changeLooks(name, others, [](document::OrganLook& look) { look.visible = !look.visible; });
-  workspace_.undo().seal();
-}
-
-void OrganPanel::showOnlyChosen() {
-  std::vector<document::OrganId> organs = chosen();
-  const auto isChosen = [&organs](document::OrganId id) {
-    return id && std::find(organs.begin(), organs.end(), id) != organs.end();
-  };
-  show(tr("Show only this"), [&isChosen](const document::Organ& organ) {
-    return isChosen(organ.id) || isChosen(organ.parent); // What is inside of it belongs to it.
-  });
-}
-
 void OrganPanel::toggleSystem(const QTreeWidgetItem* row) {
   std::vector<document::OrganId> organs;
   bool anySeen = false;
@@ -492,24 +464,9 @@ void OrganPanel::toggleSystem(const QTreeWidgetItem* row) {
     const auto organ = workspace_.document().organ(organs.back());
     anySeen = anySeen || (organ && organ->look.visible);
   }
-  changeLooks(anySeen ? tr("Hide") : tr("Show"), organs,
+  changeLooks(workspace_, anySeen ? tr("Hide") : tr("Show"), organs,
               [anySeen](document::OrganLook& look) { look.visible = !anySeen; });
   workspace_.undo().seal();
-}
-
-void OrganPanel::chooseColorOf(document::OrganId organ, const QPoint& globalPlace) {
-  const auto present = workspace_.document().organ(organ);
-  if (!present)
-    return;
-  chooseColor(
-      this, globalPlace, asColor(present->look.color),
-      [this, organ](const QColor& color) {
-        changeLook(organ, [&](document::OrganLook& look) {
-          look.color = asVec3(color);
-          look.vertexColors = false;
-        });
-      },
-      [this] { workspace_.undo().seal(); });
 }
 
 void OrganPanel::changeEvent(QEvent* event) {
@@ -527,30 +484,9 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   QTreeWidgetItem* item = list_->itemAt(list_->viewport()->mapFromGlobal(event->globalPos()));
   if (!item)
     return;
-  const document::OrganId organ = organOf(item);
-  if (!organ)
-    return menu_->popup(event->globalPos());
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (QAction* action : menu_->actions())
-    menu->addAction(action);
-  menu->addSeparator();
-  connect(menu->addAction(icon("influence"), tr("Colour...")), &QAction::triggered, this,
-          [this, organ, place = event->globalPos()] { chooseColorOf(organ, place); });
-  const auto present = workspace_.document().organ(organ);
-  if (present && present->mesh->colors.rows() > 0 && !present->look.vertexColors)
-    connect(menu->addAction(tr("The organ's own colours")), &QAction::triggered, this, [this, organ] {
-      changeLook(organ, [](document::OrganLook& look) { look.vertexColors = true; });
-      workspace_.undo().seal();
-    });
-  if (present)
-    connect(menu->addAction(icon(present->volumeLocked ? "unlock" : "lock"),
-                            present->volumeLocked ? tr("Unlock volume") : tr("Lock volume")),
-            &QAction::triggered, this,
-            [this, organ, lock = !present->volumeLocked] { poses_.setLocked(organ, lock); });
-  menu->addSeparator();
-  menu->addAction(remove_);
-  menu->popup(event->globalPos());
+  if (!item->isSelected())
+    list_->setCurrentItem(item);
+  menu_->popup(event->globalPos());
 }
 
 } // namespace viscera::app

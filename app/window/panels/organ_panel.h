@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "window/panels/organ_menu.h"
 #include "window/pose_editor.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/workspace.h"
 
-class QAction;
 class QLabel;
 class QLineEdit;
-class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -32,12 +31,13 @@ public:
   OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent = nullptr);
 
   /// Adds the actions on the chosen organs: "organ.showOnly", "organ.hide", "organ.showAll", "organ.find",
-  /// "organ.rename" and "organ.remove".
+  /// "organ.rename", "organ.remove" and "volume.lock".
   void addTo(Actions& actions);
-  /// The organs whose rows are chosen, those of chosen systems included; else the current one; may be none.
+  /// The organs whose rows are chosen, those of chosen systems included, as far as the search shows them;
+  /// else the current one; may be none.
   std::vector<document::OrganId> chosen() const;
   /// What can be done to the chosen organs; there after `addTo`.
-  QMenu* menu() const { return menu_; }
+  OrganMenu* menu() const { return menu_; }
   /// Opens the name of the selected organ for editing.
   void editName();
 
@@ -65,13 +65,7 @@ private:
   void onChanged(QTreeWidgetItem* item, int column);
   using LookChange = std::function<void(document::OrganLook&)>;
   void changeLook(document::OrganId organ, const LookChange& change);
-  /// In one step, which the next change of the same name and organs joins.
-  void changeLooks(const QString& name, const std::vector<document::OrganId>& organs,
-                   const LookChange& change);
-  void show(const QString& name, const std::function<bool(const document::Organ&)>& visible);
-  void showOnlyChosen();
   void toggleSystem(const QTreeWidgetItem* row);
-  void chooseColorOf(document::OrganId organ, const QPoint& globalPlace);
   document::OrganId organOf(const QTreeWidgetItem* item) const;
 
   Workspace& workspace_;
@@ -82,8 +76,7 @@ private:
   QLineEdit* search_;
   std::map<document::OrganId, QTreeWidgetItem*> items_;
   std::map<std::string, QTreeWidgetItem*> systems_; ///< Empty while the organs are few.
-  QMenu* menu_ = nullptr;                           ///< What can be done to the chosen organs,
-  QAction* remove_ = nullptr;                       ///< and at its end.
+  OrganMenu* menu_;                                 ///< What can be done to the chosen organs.
   bool updating_ = false;
   std::vector<Subscription> subscriptions_;
 };

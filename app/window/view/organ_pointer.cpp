@@ -13,7 +13,7 @@ constexpr int kRestMilliseconds = 120;
 constexpr QPoint kBeside{14, 12};
 } // namespace
 
-OrganPointer::OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu& menu,
+OrganPointer::OrganPointer(Workspace& workspace, const Picture& picture, ViewWidget& view, QMenu* menu,
                            QObject* parent)
     : QObject(parent), workspace_(workspace), picture_(picture), view_(view), menu_(menu),
       name_(new QLabel(&view)) {
@@ -24,6 +24,8 @@ OrganPointer::OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& v
   rested_.setInterval(kRestMilliseconds);
   connect(&rested_, &QTimer::timeout, this, &OrganPointer::showName);
   connect(&view, &ViewWidget::hovered, this, &OrganPointer::hover);
+  if (!menu)
+    return;
   connect(&view, &ViewWidget::doubleClicked, this, &OrganPointer::isolate);
   connect(&view, &ViewWidget::menuWanted, this, &OrganPointer::openMenu);
 }
@@ -70,7 +72,7 @@ void OrganPointer::isolate(const QPointF& place) {
 void OrganPointer::openMenu(const QPointF& place) {
   if (const auto organ = organAt(place))
     workspace_.selection().setOrgan(organ->id);
-  menu_.popup(view_.mapToGlobal(place.toPoint()));
+  menu_->popup(view_.mapToGlobal(place.toPoint()));
 }
 
 } // namespace viscera::app

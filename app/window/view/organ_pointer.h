@@ -13,15 +13,15 @@ class QMenu;
 
 namespace viscera::app {
 
-/// Handles the mouse for organs in the view, in every mode: the name of the organ under the cursor stands
-/// beside it, a double click shows that organ alone and another one all of them, and the right button opens
-/// the menu of what can be done to it.
+/// Handles the mouse for organs in a view: the name of the organ under the cursor stands beside it, a double
+/// click shows that organ alone and another one all of them, and the right button opens the menu of what can
+/// be done to it. A view that only shows has the names alone.
 class OrganPointer final : public QObject {
   Q_OBJECT
 
 public:
-  /// All must live longer. `menu` acts on the current organ.
-  OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu& menu,
+  /// All must live longer. `menu` acts on the current organ; null: names alone, nothing can be done.
+  OrganPointer(Workspace& workspace, const Picture& picture, ViewWidget& view, QMenu* menu,
                QObject* parent = nullptr);
 
   /// The name that is shown; empty when there is none.
@@ -40,9 +40,9 @@ private:
   void openMenu(const QPointF& place);
 
   Workspace& workspace_;
-  Picture& picture_;
+  const Picture& picture_;
   ViewWidget& view_;
-  QMenu& menu_;
+  QMenu* menu_;
   QLabel* name_;
   QTimer rested_; ///< Ends when the mouse has rested: a name does not follow a fast one.
   QPointF place_;

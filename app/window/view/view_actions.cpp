@@ -4,7 +4,10 @@
 #include <QDateTime>
 
 #include "viscera/document/organ_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/scene/picture.h"
+#include "window/language.h"
+#include "window/organ_looks.h"
 
 namespace viscera::app {
 namespace {
@@ -108,6 +111,26 @@ void ViewActions::focus() {
   const auto selected = organ ? parts_.picture.actorOf(organ->id) : nullptr;
   view.frame(selected ? selected->bounds() : view.bounds());
   parts_.area.view()->scheduleRender();
+  if (organ)
+    offerAlone(*organ);
+}
+
+void ViewActions::offerAlone(const document::Organ& organ) {
+  const auto actor = parts_.picture.actorOf(organ.id);
+  const scene::OrganActor* cover = actor ? parts_.picture.view().coverOf(*actor) : nullptr;
+  const auto other = parts_.workspace.document().organ(parts_.picture.organOf(cover));
+  if (!other)
+    return;
+  constexpr int kSeconds = 15;
+  Message message;
+  message.text = tr("%1 is hidden behind %2.")
+                     .arg(inWords(presentation::labelOf(organ)), inWords(presentation::labelOf(*other)));
+  message.offers.push_back({tr("Show only this"), [this, id = organ.id] {
+                              if (parts_.workspace.document().organ(id))
+                                showOnly(parts_.workspace, {id});
+                            }});
+  message.seconds = kSeconds;
+  parts_.workspace.say(message);
 }
 
 void ViewActions::saveScreenshot() {

@@ -31,7 +31,8 @@ public:
   ViewActions(const Parts& parts, Actions& actions, QObject* parent = nullptr);
 
   void lookFrom(scene::StandardView from);
-  /// Brings the selected organ into the picture, or all.
+  /// Brings the selected organ into the picture, or all. Where another one hides it, says so and offers to
+  /// show it alone.
   void focus();
 
 private:
@@ -39,6 +40,7 @@ private:
   void makeSwitches(Actions& actions);
   void makeShading(Actions& actions);
   void saveScreenshot();
+  void offerAlone(const document::Organ& organ);
 
   Parts parts_;
   std::unique_ptr<scene::DepthShading> shading_; ///< Of the first view.

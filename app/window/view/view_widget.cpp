@@ -1,11 +1,13 @@
 #include "window/view/view_widget.h"
 
+#include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QElapsedTimer>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -185,12 +187,21 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT menuWanted(event->localPos());
 }
 
+bool ViewWidget::clicksAreTaken() const {
+  return std::any_of(clickTakers_.begin(), clickTakers_.end(), [](const auto& takes) { return takes(); });
+}
+
+/// On the cube, where the camera has moved after the first one, and for whoever takes clicks, it is a second
+/// press like any other; the filters of this widget see it as one, too.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (pressCube(*event)) // Two clicks: the camera has moved after the first one.
-    return;
-  QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
-  if (event->button() == Qt::LeftButton)
+  if (event->button() == Qt::LeftButton && !orientationSideAt(event->localPos()) && !clicksAreTaken()) {
+    QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
     Q_EMIT doubleClicked(event->localPos());
+    return;
+  }
+  QMouseEvent press(QEvent::MouseButtonPress, event->localPos(), event->windowPos(), event->screenPos(),
+                    event->button(), event->buttons(), event->modifiers(), event->source());
+  QCoreApplication::sendEvent(this, &press);
 }
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {

@@ -4,8 +4,10 @@
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
@@ -32,6 +34,12 @@ public:
   /// The surface under a place in the widget, or the nearest one within a few pixels.
   std::optional<scene::SurfacePick> pickNear(const QPointF& place) const;
 
+  /// Adds somebody who is asked at a double click whether each click counts on its own now, as a point or an
+  /// answer; two quick ones are two clicks then. Has to be there as long as the view is used.
+  void addClickTaker(std::function<bool()> takesClicks) { clickTakers_.push_back(std::move(takesClicks)); }
+  /// Whether one of them says so.
+  bool clicksAreTaken() const;
+
   /// How long the last frame took to draw, s.
   double frameSeconds() const { return frameSeconds_; }
   /// Whether what is seen will stay: nothing waits to be drawn, and the last frame was a whole one.
@@ -46,7 +54,7 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// The left button was pressed and released at one place.
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
-  /// The left button was pressed twice at one place.
+  /// The left button was pressed twice at one place, where nobody takes clicks (`addClickTaker`).
   void doubleClicked(const QPointF& place);
   /// The right button was pressed and released at one place.
   void menuWanted(const QPointF& place);
@@ -76,6 +84,7 @@ private:
   void draw(bool quick);
 
   std::unique_ptr<scene::OrganView> view_;
+  std::vector<std::function<bool()>> clickTakers_;
   QPointF pressed_;
   Qt::MouseButton pressing_ = Qt::NoButton;        ///< Until it is released, or has moved away.
   std::optional<scene::StandardView> pressedSide_; ///< Of the orientation cube.

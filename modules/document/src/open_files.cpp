@@ -61,6 +61,9 @@ std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesyst
 void requireKnown(const std::filesystem::path& file) {
   const auto& extensions = medical_io::surfaceExtensions();
   const std::string name = lowerName(file);
+  if (endsWith(name, kSessionEnding))
+    throw UsageError("A session is opened alone", file.string(),
+                     "open it by itself, and the other files after it");
   if (isHandleFile(file) || medical_io::isLabelMap(file) ||
       std::any_of(extensions.begin(), extensions.end(),
                   [&](const std::string& e) { return endsWith(name, e); }))
@@ -70,7 +73,7 @@ void requireKnown(const std::filesystem::path& file) {
         "It is a scan and no organ", file.string(),
         "open it beside the organs (File > Open a scan), or make a label map of it first, with 3D "
         "Slicer or TotalSegmentator");
-  std::string known = ".mrk.json, .fcsv";
+  std::string known = std::string(kSessionEnding) + ", .mrk.json, .fcsv";
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
@@ -249,6 +252,8 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
              const ArrivalListener& arrives) {
   requireKnown(file);
   if (isHandleFile(file)) {
+    if (opened.rig)
+      throw UsageError("Two handle files cannot be opened at a time", file.string(), "choose one of them");
     const medical_io::HandleFile handles = medical_io::readHandles(file);
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
@@ -274,13 +279,6 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   if (named.empty())
     throw UsageError("There is no file to open");
   const std::vector<std::filesystem::path> files = withoutHalves(named);
-  if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
-    throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
-  const auto session = std::find_if(files.begin(), files.end(), [](const std::filesystem::path& file) {
-    return file.extension() == kSessionEnding;
-  });
-  if (session != files.end())
-    throw UsageError("A session is opened alone", session->string(), "open the other files after it");
   OpenedFiles opened;
   std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {

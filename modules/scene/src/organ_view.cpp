@@ -501,4 +501,27 @@ std::optional<SurfacePick> OrganView::pick(double x, double y) const {
   return pickSurface(rayThrough(parts_->renderer, x, y), organs);
 }
 
+const OrganActor* OrganView::coverOf(const OrganActor& organ) const {
+  constexpr Eigen::Index kMostPlaces = 24;
+  if (!organ.visible())
+    return nullptr;
+  std::vector<OrganActor*> solid;
+  for (const auto& other : parts_->organs)
+    if (other.get() == &organ || other->opacity() >= 1)
+      solid.push_back(other.get());
+  const ViewGeometry geometry = viewGeometry(parts_->renderer);
+  const OrganActor* cover = nullptr;
+  const Eigen::Index vertices = organ.points().rows();
+  const Eigen::Index places = std::min(kMostPlaces, vertices);
+  for (Eigen::Index place = 0; place < places; ++place) {
+    const DisplayPoint at = geometry.project(organ.points().row(place * vertices / places).transpose());
+    const auto hit = pickSurface(geometry.ray(at.x, at.y), solid);
+    if (hit && hit->organ == &organ)
+      return nullptr;
+    if (hit && !cover)
+      cover = hit->organ;
+  }
+  return cover;
+}
+
 } // namespace viscera::scene

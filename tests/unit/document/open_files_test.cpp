@@ -108,10 +108,34 @@ TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {
   std::ofstream(folder_ / "empty.stl").close();
   EXPECT_THAT(refusal<DataError>({folder_ / "empty.stl", folder_ / "missing.stl"}), HasSubstr("empty.stl"));
   EXPECT_THAT(refusal<NoInputError>({folder_ / "missing.stl"}), HasSubstr("missing.stl"));
-  EXPECT_THAT(refusal<UsageError>({folder_ / "notes.docx"}), HasSubstr(".mrk.json"));
+  EXPECT_THAT(refusal<UsageError>({folder_ / "notes.docx"}),
+              AllOf(HasSubstr(".viscera"), HasSubstr(".mrk.json")));
+  EXPECT_THAT(refusal<UsageError>({folder_ / "case.viscera"}), HasSubstr("alone"));
   refusal<UsageError>({});
-  const fs::path rig = handles("a.mrk.json", corners());
-  refusal<UsageError>({rig, rig});
+}
+
+TEST_F(OpenFiles, LeaveOutASessionAndASecondHandleFileAmongOthers) {
+  Progress progress;
+  const OpenedFiles opened =
+      openFiles({folder_ / "case.viscera", handles("a.mrk.json", corners()), surface("liver.vtp", 30),
+                 handles("b.mrk.json", {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}})},
+                progress);
+  ASSERT_EQ(opened.organs.size(), 1u);
+  ASSERT_TRUE(opened.rig);
+  EXPECT_EQ(opened.rig->handles.size(), corners().size()) << "those of the first file";
+  ASSERT_EQ(opened.failures.size(), 2u);
+  EXPECT_THAT(opened.failures[0].what(), AllOf(HasSubstr("case.viscera"), HasSubstr("alone")));
+  EXPECT_THAT(opened.failures[1].what(), AllOf(HasSubstr("b.mrk.json"), HasSubstr("Two handle files")));
+}
+
+TEST_F(OpenFiles, TakeTheSecondHandleFileWhereTheFirstCannotBeRead) {
+  std::ofstream(folder_ / "empty.mrk.json").close();
+  Progress progress;
+  const OpenedFiles opened =
+      openFiles({folder_ / "empty.mrk.json", handles("b.mrk.json", corners())}, progress);
+  ASSERT_TRUE(opened.rig);
+  ASSERT_EQ(opened.failures.size(), 1u);
+  EXPECT_THAT(opened.failures[0].what(), HasSubstr("empty.mrk.json"));
 }
 
 TEST_F(OpenFiles, RefuseHandlesThatNothingCanBeBoundTo) {

@@ -40,6 +40,56 @@ TEST(OrganSystem, KnowsTheNamesOfSegmentersAndAtlases) {
     EXPECT_EQ(organSystem(name), system) << name;
 }
 
+/// As TotalSegmentator (brain_structures), FreeSurfer and the atlases of 3D Slicer name them.
+TEST(OrganSystem, TellsTheBrainFromHipAndHeart) {
+  for (const char* name : {"hippocampus",
+                           "Left-Hippocampus",
+                           "right amygdala",
+                           "brainstem",
+                           "subarachnoid_space",
+                           "septum_pellucidum",
+                           "cerebellum",
+                           "caudate_nucleus",
+                           "Left-Caudate",
+                           "lentiform_nucleus",
+                           "insular_cortex",
+                           "internal_capsule",
+                           "ventricle",
+                           "central_sulcus",
+                           "frontal_lobe",
+                           "temporal_lobe",
+                           "thalamus",
+                           "left lateral ventricle",
+                           "Left-Lateral-Ventricle",
+                           "Left-Inf-Lat-Vent",
+                           "3rd-Ventricle",
+                           "4th-Ventricle",
+                           "third ventricle",
+                           "LateralVentricle",
+                           "CSF",
+                           "Left-Cerebral-White-Matter",
+                           "Left-VentralDC",
+                           "corpus callosum",
+                           "pons",
+                           "optic nerve",
+                           "sympathetic trunk"})
+    EXPECT_EQ(organSystem(name), "Nervous system") << name;
+  const std::map<std::string, std::string> others = {{"hip_left", "Bones and joints"},
+                                                     {"left hip bone", "Bones and joints"},
+                                                     {"Hips", "Bones and joints"},
+                                                     {"temporal bone", "Bones and joints"},
+                                                     {"left ventricle", "Heart"},
+                                                     {"heart_ventricle_right", "Heart"},
+                                                     {"interventricular septum", "Heart"},
+                                                     {"ventricular septum", "Heart"},
+                                                     {"caudate lobe", "Digestive system"},
+                                                     {"lung_lower_lobe_left", "Respiratory system"},
+                                                     {"middle cerebral artery", "Arteries"},
+                                                     {"venous_sinuses", "Veins"}};
+  for (const auto& [name, system] : others)
+    EXPECT_EQ(organSystem(name), system) << name;
+}
+
 TEST(OrganSystem, OfANameThatSaysNothingIsTheLastOne) {
   for (const char* name : {"", "label 699", "Mesh1", "Attribute", "distribution", "\xC3\xA4\xC3\xB6"})
     EXPECT_EQ(organSystem(name), organSystems().back()) << name;

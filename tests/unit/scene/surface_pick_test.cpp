@@ -69,6 +69,26 @@ TEST(SurfacePick, SeesThePosedSurface) {
   EXPECT_NEAR(pickSurface({Vec3(0.1, -200, 0.1), Vec3::UnitY()}, {&organ})->position.y(), -25, 0.1);
 }
 
+TEST(SurfacePick, TellsWhichOrganHidesAnother) {
+  tests::ViewInWindow window(300, 200);
+  const auto inside = window.addOrgan(tests::sphere(3, 20));
+  const auto wall = window.addOrgan(tests::sphere(3, 40));
+  window.view.lookFrom(StandardView::anterior);
+  EXPECT_EQ(window.view.coverOf(*inside), wall.get());
+  EXPECT_EQ(window.view.coverOf(*wall), nullptr);
+  wall->setOpacity(0.5);
+  EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "one looks through it";
+  wall->setOpacity(1);
+  wall->setClipPlane(Vec3::Zero(), Vec3::UnitY());
+  EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "its front is cut away";
+  wall->clearClipPlane();
+  inside->setVisible(false);
+  EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "it is hidden by nobody";
+  inside->setVisible(true);
+  wall->setPoints(std::make_shared<Points>(wall->mesh().points.rowwise() + Vec3(25, -60, 0).transpose()));
+  EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "a part of it looks out from behind";
+}
+
 TEST(SurfacePick, HitsExactlyWhatIsDrawnUnderThePixel) {
   tests::ViewInWindow window(300, 200);
   window.addOrgan(tests::sphere(4, 50));

@@ -59,11 +59,11 @@ using ArrivalListener = std::function<void(ArrivingOrgan)>;
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
-/// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
-/// handle file. One that cannot be read is left out and told in `failures`; when nothing is left, throws what
-/// the first of them throws (`NoInputError`, `DataError`, `UsageError` for an ending that nothing is known
-/// about). Throws `UsageError` for two handle files, a session or no file at all, `Cancelled`. Who is told by
-/// `arrives` gets a copy of each surface.
+/// Reads all files: surfaces, label maps and folders of masks (an organ for each label), and the first handle
+/// file. One that cannot be read is left out and told in `failures`, and so are further handle files and
+/// sessions; when nothing is left, throws what the first of them throws (`NoInputError`, `DataError`,
+/// `UsageError` for a session or an ending that nothing is known about). Throws `UsageError` for no file at
+/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivalListener& arrives = {});
 

@@ -114,6 +114,10 @@ public:
 
   /// What is under a display position (device pixels from the lower left corner).
   std::optional<SurfacePick> pick(double x, double y) const;
+  /// The opaque organ behind or inside of which one of the view's organs is hidden as the camera stands; null
+  /// while a part of it can be seen, and for one that is not shown. Looks at two dozen of its vertices, each
+  /// as dear as a pick.
+  const OrganActor* coverOf(const OrganActor& organ) const;
 
 private:
   struct Parts;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+#include "window/workspace.h"
+
+/// Changes how several organs look. Each change is one undo step; nothing happens where nothing would change.
+namespace viscera::app {
+
+/// The next change of the same name and organs joins the step until `UndoStack::seal`.
+void changeLooks(Workspace& workspace, const QString& name, const std::vector<document::OrganId>& organs,
+                 const std::function<void(document::OrganLook&)>& change);
+
+/// Shows the organs of which `visible` says so, and hides all others.
+void showWhere(Workspace& workspace, const QString& name,
+               const std::function<bool(const document::Organ&)>& visible);
+
+/// Shows these organs with their cavities, and hides all others.
+void showOnly(Workspace& workspace, const std::vector<document::OrganId>& organs);
+
+} // namespace viscera::app

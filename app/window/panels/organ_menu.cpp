@@ -1,0 +1,97 @@
+#include "window/panels/organ_menu.h"
+
+#include <algorithm>
+
+#include "window/actions.h"
+#include "window/organ_looks.h"
+#include "window/panels/color_palette.h"
+#include "window/style/icon.h"
+
+namespace viscera::app {
+
+OrganMenu::OrganMenu(Workspace& workspace, PoseEditor& poses, Chosen chosen, QWidget* parent)
+    : QMenu(parent), workspace_(workspace), poses_(poses), chosen_(std::move(chosen)) {
+  setObjectName(QStringLiteral("organMenu"));
+}
+
+void OrganMenu::addTo(Actions& actions) {
+  QAction* lock = actions.add("volume.lock",
+                              {tr("&Lock volume"),
+                               "lock",
+                               {Qt::Key_K},
+                               tr("Keep the organ's volume constant in Deform mode; for an organ with "
+                                  "cavities, the volume within its outer surface")},
+                              [this, &actions] {
+                                poses_.setLocked(chosen_(), !allLocked());
+                                actions.sync(); // Where it was refused, the mark goes again.
+                              });
+  lock->setCheckable(true);
+  actions.enableWhile({"volume.lock"}, [this] { return workspace_.currentOrgan() != nullptr; });
+  actions.whenSynced([this, lock] { lock->setChecked(allLocked()); });
+  fill(actions);
+}
+
+void OrganMenu::fill(Actions& actions) {
+  for (const char* id : {"organ.showOnly", "organ.hide", "organ.showAll", "view.focus", "organ.rename"})
+    addAction(actions[id]);
+  addSeparator();
+  QAction* color = addAction(app::icon("influence"), tr("Colour..."));
+  color->setObjectName(QStringLiteral("organColor"));
+  connect(color, &QAction::triggered, this, [this] { chooseColorOf(chosen_(), pos()); });
+  QAction* own = addAction(tr("The organ's own colours"));
+  own->setObjectName(QStringLiteral("organOwnColors"));
+  connect(own, &QAction::triggered, this, [this] {
+    changeLooks(workspace_, tr("Change colour"), withHiddenColors(),
+                [](document::OrganLook& look) { look.vertexColors = true; });
+    workspace_.undo().seal();
+  });
+  addAction(actions["volume.lock"]);
+  addSeparator();
+  addAction(actions["organ.remove"]);
+  connect(this, &QMenu::aboutToShow, this, [this, color, own, &actions] {
+    actions.sync();
+    color->setEnabled(!chosen_().empty());
+    own->setVisible(!withHiddenColors().empty());
+  });
+}
+
+void OrganMenu::chooseColorOf(const std::vector<document::OrganId>& organs, const QPoint& globalPlace) {
+  const auto first = organs.empty() ? nullptr : workspace_.document().organ(organs.front());
+  if (!first)
+    return;
+  chooseColor(
+      parentWidget(), globalPlace, asColor(first->look.color),
+      [this, organs](const QColor& color) {
+        changeLooks(workspace_, tr("Change colour"), organs, [&color](document::OrganLook& look) {
+          look.color = asVec3(color);
+          look.vertexColors = false;
+        });
+      },
+      [this] { workspace_.undo().seal(); });
+}
+
+/// The chosen ones whose file gives each vertex a colour, which is not shown.
+std::vector<document::OrganId> OrganMenu::withHiddenColors() const {
+  std::vector<document::OrganId> organs = chosen_();
+  std::erase_if(organs, [this](document::OrganId id) {
+    const auto organ = workspace_.document().organ(id);
+    return !organ || organ->mesh->colors.rows() == 0 || organ->look.vertexColors;
+  });
+  return organs;
+}
+
+/// Of the chosen ones that have a volume.
+bool OrganMenu::allLocked() const {
+  bool any = false;
+  for (const document::OrganId id : chosen_()) {
+    const auto organ = workspace_.document().organ(id);
+    if (!organ || !organ->closed())
+      continue;
+    any = true;
+    if (!organ->volumeLocked)
+      return false;
+  }
+  return any;
+}
+
+} // namespace viscera::app
