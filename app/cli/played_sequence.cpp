@@ -4,12 +4,15 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "cli/inputs.h"
+#include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/circulating_heart.h"
@@ -17,6 +20,7 @@
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/textbook_motion.h"
+#include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -295,6 +299,59 @@ PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
   return played;
 }
 
+/// Throws for options that a session answers itself.
+void requireOnlySession(const PlayRequest& request) {
+  const std::pair<bool, const char*> given[] = {{!request.organ.empty(), "--organ"},
+                                                {!request.landmarks.empty(), "--landmarks"},
+                                                {!request.landmark.empty(), "--landmark"},
+                                                {!request.scenario.empty(), "--scenario"},
+                                                {request.ejectionFraction > 0, "--ejection-fraction"}};
+  for (const auto& [isGiven, option] : given)
+    if (isGiven)
+      throw UsageError("A session is played as it is", option, std::string("leave ") + option + " out");
+}
+
+/// A name for each organ's column, all different.
+std::vector<std::string> columnNames(const document::OrganList& organs) {
+  std::vector<std::string> names;
+  for (const auto& organ : organs) {
+    std::string name = organ->name;
+    for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
+      name = organ->name + '-' + std::to_string(number);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+/// What a session plays, with all that the window would keep to.
+PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) {
+  requireOnlySession(request);
+  const document::OpenedSession opened =
+      document::readSession(request.sequence, context.samples, context.progress);
+  const document::DocumentState& state = opened.contents.state;
+  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
+  PlayedSequence played;
+  played.ofSession = true;
+  played.warnings = opened.warnings;
+  played.sequence = sequenceOf(state, view, context);
+  if (!played.sequence || state.organs->empty())
+    throw UsageError("It moves no organ", request.sequence, "choose a motion in the window and save it");
+  document::requireFits(*state.rig, *played.sequence);
+  if (view.playing && view.playing->ratePerMinute > 0)
+    played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),
+                                      played.sequence->highestRatePerMinute());
+  played.document = std::make_unique<BoundDocument>(state, context);
+  const std::vector<std::string> names = columnNames(*state.organs);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const document::OrganId organ = (*state.organs)[i]->id;
+    played.surfaces.push_back({names[i], organ});
+    const live::BindingStatus status = played.document->organs().status(organ);
+    if (status.state != live::BindingStatus::State::bound)
+      played.warnings.push_back(names[i] + " stays at rest: " + status.message);
+  }
+  return played;
+}
+
 /// Whether a shipped sequence is to be fitted: landmarks are given, or the organ is no surface of its own
 /// one.
 bool isOther(const PlayRequest& request) {
@@ -303,6 +360,22 @@ bool isOther(const PlayRequest& request) {
   const std::string own = ownOrgan(request.sequence);
   return !own.empty() && !request.organ.empty() &&
          !(isSample(request.organ) && sampleReference(request.organ).organ == own);
+}
+
+/// A sequence that is named, or in a file of its own.
+PlayedSequence namedSequence(const PlayRequest& request, CommandContext& context) {
+  const bool isFile = motion::isSequenceFile(request.sequence);
+  if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
+    throw UsageError("It is played on the handles that it holds", request.sequence,
+                     "leave the landmarks out");
+  if (!request.scenario.empty() && (request.sequence != "heartbeat" || isOther(request)))
+    throw UsageError("Only the sample heart follows a circulation", "--scenario " + request.scenario,
+                     "play heartbeat without --organ and landmarks");
+  if (isFile || !isOther(request))
+    requireNoEjectionFraction(request);
+  return isFile             ? fromFile(request, context)
+         : isOther(request) ? onOtherOrgan(request, context)
+                            : onOwnOrgan(request, context);
 }
 
 } // namespace
@@ -325,18 +398,8 @@ int PlayedSequence::find(const std::string& name) const {
 }
 
 PlayedSequence playedSequence(const PlayRequest& request, CommandContext& context) {
-  const bool isFile = motion::isSequenceFile(request.sequence);
-  if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
-    throw UsageError("It is played on the handles that it holds", request.sequence,
-                     "leave the landmarks out");
-  if (!request.scenario.empty() && (request.sequence != "heartbeat" || isOther(request)))
-    throw UsageError("Only the sample heart follows a circulation", "--scenario " + request.scenario,
-                     "play heartbeat without --organ and landmarks");
-  if (isFile || !isOther(request))
-    requireNoEjectionFraction(request);
-  PlayedSequence played = isFile             ? fromFile(request, context)
-                          : isOther(request) ? onOtherOrgan(request, context)
-                                             : onOwnOrgan(request, context);
+  PlayedSequence played = document::isSessionFile(request.sequence) ? fromSession(request, context)
+                                                                    : namedSequence(request, context);
   if (!request.handles.empty())
     requireOwnHandles(request.handles, *played.sequence, played.warnings);
   return played;

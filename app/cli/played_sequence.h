@@ -15,7 +15,7 @@ namespace viscera::app::cli {
 
 /// The sequence, organ, rate and further options of a command that plays a sequence.
 struct PlayRequest {
-  std::string sequence;              ///< "heartbeat", or a `.sequence.json` file.
+  std::string sequence;              ///< "heartbeat", a `.sequence.json` file, or a session.
   std::string organ;                 ///< ORGAN; empty: the one that the sequence is made for.
   std::string handles;               ///< A handle file that has to hold the sequence's handles; or empty.
   std::string landmarks;             ///< A handle file with landmarks of the organ; or empty.
@@ -51,13 +51,17 @@ private:
 /// A sequence with the organs that it moves, already bound to their handles.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
-  document::NewRig rig;                    ///< The handles with their labels and groups.
+  document::NewRig rig;                    ///< The handles with their labels and groups; none of a session.
   std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
   std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
   std::vector<std::string> warnings;       ///< About the files that were read.
   /// Of the sample heart: whether two further organs come last, hidden, only to be measured: its chambers
   /// from outside, without vessels, and the left ventricle from outside.
   bool hasWalls = false;
+  /// Whether a session is played: with its locks, at its rate, and where a volume cannot be kept the organs
+  /// stay as they were, as in the window.
+  bool ofSession = false;
+  double ratePerMinute = 0; ///< That the session plays at; 0: the sequence's standard rate.
   /// What was computed when the organ is not the sequence's own.
   std::optional<motion::RetargetedSequence> retargeted;
 
@@ -71,10 +75,11 @@ struct PlayedSequence {
 
 /// Makes a sequence with the organ it is made for, or fits it to the organ that is asked for: by landmarks
 /// that are given or computed. A heart with its chambers (of a label map or a session) beats with them, by
-/// handles in them and around it. A sequence file moves any organ that lies within its handles. Throws
-/// `UsageError` that lists the sequences for an unknown name, and for a file that holds no organ, without
-/// `--organ`; what reading,
-/// fitting and binding throw.
+/// handles in them and around it. A sequence file moves any organ that lies within its handles. A session
+/// moves its organs by its handles, coordinates, locks and circulation, as the window does. Throws
+/// `UsageError` that lists the sequences for an unknown name, for a file that holds no organ, without
+/// `--organ`, and for a session without a motion, or with what it has itself; what reading, fitting and
+/// binding throw.
 PlayedSequence playedSequence(const PlayRequest& request, CommandContext& context);
 
 } // namespace viscera::app::cli

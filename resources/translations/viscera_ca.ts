@@ -841,6 +841,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>The same organ in the present pose, kept</source>
         <translation>El mateix òrgan en la postura actual, fixada</translation>
     </message>
+    <message>
+        <source>The errors of both coordinate systems</source>
+        <translation>Els errors de tots dos sistemes de coordenades</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -1161,6 +1165,53 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Moviment de %1 de %2 mm: el volum bloquejat no en permet més en aquesta direcció.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ErrorTable</name>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en repòs</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
+    </message>
+    <message>
+        <source>Unity error</source>
+        <translation>Error de la suma</translation>
+    </message>
+    <message>
+        <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
+        <translation>La distància màxima entre 1 i la suma dels pesos d’un vèrtex</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Pes mínim</translation>
+    </message>
+    <message>
+        <source>Negative where the system is not positive</source>
+        <translation>Negatiu on el sistema no és positiu</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>Fallades</translation>
+    </message>
+    <message>
+        <source>Vertices for which the system has no coordinates; they do not move</source>
+        <translation>Vèrtexs per als quals el sistema no té coordenades; no es mouen</translation>
+    </message>
+    <message>
+        <source>Binding time</source>
+        <translation>Temps de vinculació</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
@@ -1911,6 +1962,20 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Use %1</source>
         <translation>Fes servir %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <translation>
+            <numerusform>L’agrupació automàtica ha afegit %n tirador de cantó al grup.</numerusform>
+            <numerusform>L’agrupació automàtica ha afegit %n tiradors de cantó al grup.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <translation>
+            <numerusform>L’agrupació automàtica ha afegit %n tirador de cantó a %1 de %2 grups.</numerusform>
+            <numerusform>L’agrupació automàtica ha afegit %n tiradors de cantó a %1 de %2 grups.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

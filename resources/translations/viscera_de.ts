@@ -841,6 +841,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>The same organ in the present pose, kept</source>
         <translation>Dasselbe Organ in der jetzigen Pose, festgehalten</translation>
     </message>
+    <message>
+        <source>The errors of both coordinate systems</source>
+        <translation>Die Fehler beider Koordinatensysteme</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -1161,6 +1165,53 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Um %1 von %2 mm bewegt: Mehr lässt das gesperrte Volumen in dieser Richtung nicht zu.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ErrorTable</name>
+    <message>
+        <source>Rest error</source>
+        <translation>Ruhefehler</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>Der größte Abstand des gebundenen Organs in Ruhe vom Original</translation>
+    </message>
+    <message>
+        <source>Unity error</source>
+        <translation>Summenfehler</translation>
+    </message>
+    <message>
+        <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
+        <translation>Der größte Abstand der Summe der Gewichte eines Eckpunkts von 1</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Kleinstes Gewicht</translation>
+    </message>
+    <message>
+        <source>Negative where the system is not positive</source>
+        <translation>Negativ, wo das System nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>Ausfälle</translation>
+    </message>
+    <message>
+        <source>Vertices for which the system has no coordinates; they do not move</source>
+        <translation>Eckpunkte, für die das System keine Koordinaten hat; sie bewegen sich nicht</translation>
+    </message>
+    <message>
+        <source>Binding time</source>
+        <translation>Bindezeit</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
@@ -1911,6 +1962,20 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Use %1</source>
         <translation>%1 verwenden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <translation>
+            <numerusform>Das automatische Gruppieren hat der Gruppe %n Eckgriff hinzugefügt.</numerusform>
+            <numerusform>Das automatische Gruppieren hat der Gruppe %n Eckgriffe hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <translation>
+            <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriff hinzugefügt.</numerusform>
+            <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriffe hinzugefügt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -841,6 +841,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>The same organ in the present pose, kept</source>
         <translation>El mismo órgano en la pose actual, conservada</translation>
     </message>
+    <message>
+        <source>The errors of both coordinate systems</source>
+        <translation>Los errores de ambos sistemas de coordenadas</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -1161,6 +1165,53 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Movido %1 de %2 mm: el volumen bloqueado no permite más en esta dirección.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ErrorTable</name>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en reposo</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
+    </message>
+    <message>
+        <source>Unity error</source>
+        <translation>Error de la suma</translation>
+    </message>
+    <message>
+        <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
+        <translation>La mayor distancia entre 1 y la suma de los pesos de un vértice</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Peso mínimo</translation>
+    </message>
+    <message>
+        <source>Negative where the system is not positive</source>
+        <translation>Negativo donde el sistema no es positivo</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>Fallos</translation>
+    </message>
+    <message>
+        <source>Vertices for which the system has no coordinates; they do not move</source>
+        <translation>Vértices para los que el sistema no tiene coordenadas; no se mueven</translation>
+    </message>
+    <message>
+        <source>Binding time</source>
+        <translation>Tiempo de vinculación</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
@@ -1911,6 +1962,20 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Use %1</source>
         <translation>Usar %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <translation>
+            <numerusform>La agrupación automática ha añadido %n tirador de esquina al grupo.</numerusform>
+            <numerusform>La agrupación automática ha añadido %n tiradores de esquina al grupo.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <translation>
+            <numerusform>La agrupación automática ha añadido %n tirador de esquina a %1 de %2 grupos.</numerusform>
+            <numerusform>La agrupación automática ha añadido %n tiradores de esquina a %1 de %2 grupos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -841,6 +841,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>The same organ in the present pose, kept</source>
         <translation>Le même organe dans la pose actuelle, gardée</translation>
     </message>
+    <message>
+        <source>The errors of both coordinate systems</source>
+        <translation>Les erreurs des deux systèmes de coordonnées</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -1161,6 +1165,53 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Déplacé de %1 sur %2 mm&#x202f;: le volume verrouillé ne permet pas plus dans cette direction.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ErrorTable</name>
+    <message>
+        <source>Rest error</source>
+        <translation>Erreur au repos</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
+    </message>
+    <message>
+        <source>Unity error</source>
+        <translation>Erreur de la somme</translation>
+    </message>
+    <message>
+        <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
+        <translation>Le plus grand écart entre 1 et la somme des poids d’un sommet</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Plus petit poids</translation>
+    </message>
+    <message>
+        <source>Negative where the system is not positive</source>
+        <translation>Négatif là où le système n’est pas positif</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>Échecs</translation>
+    </message>
+    <message>
+        <source>Vertices for which the system has no coordinates; they do not move</source>
+        <translation>Sommets pour lesquels le système n’a pas de coordonnées ; ils ne bougent pas</translation>
+    </message>
+    <message>
+        <source>Binding time</source>
+        <translation>Temps de liaison</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
@@ -1911,6 +1962,20 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Use %1</source>
         <translation>Utiliser %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <translation>
+            <numerusform>Le groupement automatique a ajouté %n poignée de coin au groupe.</numerusform>
+            <numerusform>Le groupement automatique a ajouté %n poignées de coin au groupe.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <translation>
+            <numerusform>Le groupement automatique a ajouté %n poignée de coin à %1 des %2 groupes.</numerusform>
+            <numerusform>Le groupement automatique a ajouté %n poignées de coin à %1 des %2 groupes.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,6 @@
 #include <QComboBox>
+#include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -11,6 +13,7 @@
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/compare/difference_map.h"
+#include "window/language.h"
 #include "window/modes/play_mode.h"
 #include "window/view/picture.h"
 #include "window/widgets/system_combo.h"
@@ -143,6 +146,39 @@ TEST_F(TwoSystems, TheDistanceBetweenThemColoursTheSecondView) {
   button->click();
   settle();
   EXPECT_FALSE(colored());
+}
+
+TEST_F(TwoSystems, HaveTheirErrorsInOneTableBesideTheDifferences) {
+  auto* button = window().findChild<QToolButton*>(QStringLiteral("systemErrors"));
+  ASSERT_NE(button, nullptr);
+  ASSERT_EQ(button->menu()->actions().size(), 1);
+  const auto cell = [&](int column, const char* row) {
+    const auto* label =
+        button->findChild<QLabel*>(QStringLiteral("errors/%1/%2").arg(column).arg(QLatin1String(row)));
+    return label ? label->text() : QStringLiteral("no such cell");
+  };
+  const auto expectReportIn = [&](int column, app::Workspace& workspace) {
+    const live::BindingStatus status = workspace.live().status(organ_);
+    ASSERT_EQ(status.state, live::BindingStatus::State::bound);
+    const coordinates::BindingReport& report = status.report;
+    EXPECT_EQ(cell(column, "title"),
+              app::inWords(workspace.registry().find(workspace.document().system().id)->name()));
+    EXPECT_EQ(cell(column, "0"), app::formatDigits(report.identityError, 2) + QStringLiteral(" mm"));
+    EXPECT_EQ(cell(column, "1"), app::formatDigits(report.unityError, 2));
+    EXPECT_EQ(cell(column, "2"), app::formatDigits(report.minWeight, 2));
+    EXPECT_EQ(cell(column, "3"), QString::number(report.failures.size()));
+    EXPECT_EQ(cell(column, "4"), app::formatNumber(1000 * report.seconds, 1) + QStringLiteral(" ms"));
+  };
+  expectReportIn(0, window().workspace());
+  expectReportIn(1, second());
+  comparison().comparedSystem()->choose("mean-value");
+  ASSERT_TRUE(bound());
+  settle();
+  expectReportIn(0, window().workspace());
+  expectReportIn(1, second());
+  EXPECT_NE(cell(0, "title"), cell(1, "title"));
+  key(Qt::Key_2, Qt::ControlModifier); // Two rates: there is nothing to compare of one system.
+  EXPECT_EQ(window().findChild<QToolButton*>(QStringLiteral("systemErrors")), nullptr);
 }
 
 TEST_F(TwoSystems, HaveTheSameCageAndWhatDoesNotFitItIsMendedInTheFirst) {

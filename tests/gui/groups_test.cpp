@@ -1,5 +1,7 @@
 #include "window_test.h"
 
+#include <algorithm>
+
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -129,6 +131,31 @@ TEST_F(Groups, AreMadeChangedAndRemovedOneUndoStepEach) {
     undo();
   EXPECT_EQ(steps(), before);
   EXPECT_EQ(rig().groups.size(), groups);
+}
+
+TEST_F(Groups, SayInOneSentenceWhatAutomaticGroupingHasAdded) {
+  const auto said = [this] {
+    QStringList sentences;
+    for (const auto* label : window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().startsWith(QStringLiteral("Automatic grouping has added")))
+        sentences.push_back(label->text());
+    return sentences.join(QLatin1Char('|')).toStdString();
+  };
+  EXPECT_EQ(said(), "");
+  groupAutomatically(4);
+  std::size_t added = 0, groups = 0;
+  const auto isAdded = [this](document::HandleId id) {
+    return rig().handles[std::size_t(rig().indexOf(id))].description == document::kAddedByGrouping;
+  };
+  for (const document::Handle& handle : rig().handles)
+    added += isAdded(handle.id);
+  for (const document::Group& group : rig().groups)
+    groups += std::any_of(group.handles.begin(), group.handles.end(), isAdded);
+  ASSERT_GT(added, 1u);
+  EXPECT_EQ(said(), "Automatic grouping has added " + std::to_string(added) + " corner handles to " +
+                        std::to_string(groups) + " of 4 groups.");
+  undo();
+  EXPECT_EQ(said(), "");
 }
 
 TEST_F(Groups, AHullTakesTheColourThatItsGroupIsGiven) {

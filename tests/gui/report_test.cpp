@@ -4,11 +4,16 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "play_fixture.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/stress_files.h"
+#include "viscera/scene/tissue_actor.h"
+#include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
 #include "window/modes/stress_mode.h"
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
@@ -122,15 +127,45 @@ TEST_F(Report, GoesToTheMaximumOfTheMapAndCutsThere) {
   key(Qt::Key_4);
   ASSERT_TRUE(waitUntil([&] { return model.shown().ready(); }));
   settle();
-  window().actions()["stress.maximum"]->trigger();
-  settle();
-  const auto values = model.live().map().rotationalStress.head(model.live().mesh()->witnesses);
-  ASSERT_GE(model.probe(), 0);
-  EXPECT_EQ(values[model.probe()], values.maxCoeff());
+  const auto go = [&] {
+    window().actions()["stress.maximum"]->trigger();
+    settle();
+    const auto values = model.live().map().rotationalStress.head(model.live().mesh()->witnesses);
+    ASSERT_GE(model.probe(), 0);
+    EXPECT_EQ(values[model.probe()], values.maxCoeff());
+    EXPECT_TRUE(model.look().cut);
+    EXPECT_LE(std::abs(model.look().offset), 1);
+    EXPECT_NEAR(model.look().normal.norm(), 1, 1e-12);
+  };
   const presentation::Presenter& drawn = window().picture().presenter();
-  const Vec3 at = model.live().mesh()->points.row(model.probe()).transpose();
-  const double offset = (at - drawn.stressMiddle()).dot(model.look().normal) / drawn.stressRadius();
-  EXPECT_NEAR(model.look().offset, std::min(1.0, std::max(-1.0, offset)), 1e-9);
+  const auto fromThePlane = [&](const Points& points) {
+    const scene::CutPlane plane = drawn.cutPlane()->GetPlane();
+    return std::abs((Vec3(points.row(model.probe()).transpose()) - plane.origin).dot(plane.normal));
+  };
+  go();
+  EXPECT_NEAR(fromThePlane(model.live().points()), 0, 1e-9);
+
+  // One side far out: the tissue is cut where the pose has brought it, not where it was.
+  const Vec3 normal = model.look().normal;
+  Points pulled = document().rig().restPositions();
+  for (Eigen::Index row = 0; row < pulled.rows(); ++row)
+    pulled.row(row) += std::max(0.0, 0.8 * pulled.row(row).dot(normal.transpose())) * normal.transpose() +
+                       0.3 * std::abs(pulled(row, 2)) * Vec3::UnitX().transpose();
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pulled)));
+  settle();
+  go();
+  EXPECT_NEAR(fromThePlane(model.live().points()), 0, 1e-9);
+  EXPECT_GT(fromThePlane(model.live().mesh()->points), 3) << "the pose moves the point through the plane";
+  EXPECT_GT(drawn.tissue()->cutTriangles(), 0);
+
+  // All of it beyond where the plane can be pushed along its normal.
+  Points away = document().rig().restPositions();
+  away.rowwise() += 150 * model.look().normal.transpose();
+  away.row(0) += Eigen::RowVector3d(20, -30, 10);
+  ASSERT_TRUE(window().workspace().perform(document::setPose(away)));
+  settle();
+  go();
+  EXPECT_NEAR(fromThePlane(model.live().points()), 0, 1e-9);
 }
 
 } // namespace viscera::tests

@@ -154,12 +154,22 @@ void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, dou
 /// The surface whose ejection fraction is the heart's: the left ventricle, else the first cavity, else the
 /// only surface of a recorded sequence. -1 for none.
 int ventricleOf(const PlayedSequence& played) {
+  const document::OrganList& organs = *played.document->state().organs;
+  for (std::size_t i = 0; i < played.surfaces.size(); ++i) // The sample's, whatever the session calls it.
+    if (played.ofSession && organs[i]->origin.surface == "lv")
+      return static_cast<int>(i);
   for (const char* name : {"lv", "LV", "heart_ventricle_left", "left ventricle"})
     if (const int found = played.find(name); found >= 0)
       return found;
   if (dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get()) == nullptr)
     return -1;
-  return played.surfaces.size() > 1 ? 1 : 0;
+  if (played.surfaces.size() == 1)
+    return 0;
+  if (!played.ofSession)
+    return 1;
+  const auto cavity = std::find_if(organs.begin(), organs.end(),
+                                   [](const auto& organ) { return static_cast<bool>(organ->parent); });
+  return cavity == organs.end() ? -1 : static_cast<int>(cavity - organs.begin());
 }
 
 /// What was found out about an organ that the sequence was fitted to.
@@ -186,7 +196,11 @@ public:
   std::string summary() const override { return "Play a sequence, measure it and record it"; }
 
   void addOptions(CLI::App& options) override {
-    options.add_option("SEQUENCE", request_.sequence, sequenceNames() + ", or a .sequence.json file")
+    options
+        .add_option("SEQUENCE", request_.sequence,
+                    sequenceNames() +
+                        ", a .sequence.json file, or a session (.viscera), which is played as " +
+                        "in the window: its organs, motion, locked volumes and circulation")
         ->required();
     options
         .add_option("--organ", request_.organ,
@@ -227,7 +241,7 @@ public:
             "Of the left ventricle of a heart with its chambers that --organ names; 0.58 when not said")
         ->type_name("PART")
         ->check(CLI::PositiveNumber);
-    options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
+    options.add_option("--rate", rate_, "Cycles a minute; the sequence's or session's own when not said")
         ->type_name("PER_MINUTE")
         ->check(CLI::PositiveNumber);
     options.add_option("--cycles", cycles_, "How many cycles")
@@ -258,13 +272,15 @@ public:
     request_.ratePerMinute = rate_;
     PlayedSequence played = playedSequence(request_, context);
     writeRig(played);
-    const double rate = rateOf(*played.sequence);
+    const double rate = rateOf(played);
     const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
     const Measured measured = play(played, rate, frames, context);
     if (!csv_.empty())
       motion::writeVolumeTable(csv_, measured.volumes);
     Outcome outcome = report(played, measured, rate);
     outcome.warnings = std::move(played.warnings);
+    if (!measured.obstacle.empty())
+      outcome.warnings.push_back(measured.obstacle);
     outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return outcome;
   }
@@ -276,6 +292,8 @@ private:
     motion::VolumeRecord atKeys;  ///< Of a recorded sequence: at its keys, which frames may miss.
     motion::CycleCurves cycle;    ///< The whole cycle, so that no extreme depends on the frames.
     std::optional<Walls> walls;   ///< Of the sample heart.
+    /// Of a session: where its locked volumes could not be kept first, in words; else empty.
+    std::string obstacle = {};
 
     /// All volumes of a surface, ml: at least one.
     std::vector<double> of(std::size_t surface) const {
@@ -287,7 +305,10 @@ private:
   };
 
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
-  double rateOf(const sequences::Sequence& sequence) const {
+  double rateOf(const PlayedSequence& played) const {
+    const sequences::Sequence& sequence = *played.sequence;
+    if (rate_ == 0 && played.ratePerMinute > 0)
+      return played.ratePerMinute;
     if (rate_ == 0 || !request_.scenario.empty())
       return sequence.standardRatePerMinute();
     if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
@@ -301,7 +322,9 @@ private:
   /// Writes the handles and landmarks that are asked for.
   void writeRig(const PlayedSequence& played) const {
     if (!handlesOut_.empty())
-      medical_io::writeHandles(handlesOut_, document::handleFile(played.rig));
+      medical_io::writeHandles(handlesOut_, played.ofSession
+                                                ? document::handleFile(*played.document->state().rig)
+                                                : document::handleFile(played.rig));
     if (landmarksOut_.empty())
       return;
     if (!played.retargeted)
@@ -351,6 +374,18 @@ private:
     walls.muscle.ml.push_back(muscleMl(played, row));
   }
 
+  /// A volume that cannot be met ends a play with a curve; locked ones leave the organs as they were.
+  void noteObstacle(const motion::MotionRunner& runner, double seconds, Measured& measured) const {
+    if (runner.obstacle().empty())
+      return;
+    const std::string place = " at " + fixed(seconds, 3) + " s: " + runner.obstacle();
+    if (!volumeCurve_.empty())
+      throw DataError("the volume cannot be met" + place, volumeCurve_,
+                      "ask for a volume nearer to that at rest");
+    if (measured.obstacle.empty())
+      measured.obstacle = "the locked volumes cannot be kept, and the organs stay as they were," + place;
+  }
+
   /// Plays every frame, and records those that are asked for.
   Measured play(PlayedSequence& played, double rate, int frames, CommandContext& context) const {
     std::vector<std::string> names;
@@ -378,9 +413,7 @@ private:
       context.progress.throwIfCancelled();
       const double seconds = frame / framesPerSecond_;
       std::vector<double> row = runner.show(seconds);
-      if (!runner.obstacle().empty())
-        throw DataError("the volume cannot be met at " + fixed(seconds, 3) + " s: " + runner.obstacle(),
-                        volumeCurve_, "ask for a volume nearer to that at rest");
+      noteObstacle(runner, seconds, measured);
       if (played.hasWalls)
         measureWalls(played, row, *measured.walls);
       row.resize(played.surfaces.size());

@@ -8,12 +8,14 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWidgetAction>
 
 #include <cmath>
 
 #include "window/compare/compared_stress.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/difference_map.h"
+#include "window/compare/error_table.h"
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
 #include "window/language.h"
@@ -175,6 +177,7 @@ void Comparison::showOtherCoordinates() {
       std::make_unique<DifferenceMap>(first_.workspace, second_->workspace, *second_->picture);
   secondHeader_->addControl(second_->system->makeChooser());
   secondHeader_->addControl(makeDifferenceButton());
+  secondHeader_->addControl(makeErrorsButton());
   connect(second_->system.get(), &ComparedSystem::chosen, this, [this] {
     second_->differences->restart();
     mirror();
@@ -196,6 +199,19 @@ QToolButton* Comparison::makeDifferenceButton() {
   return button;
 }
 
+/// Opens the table of the errors of both systems.
+QToolButton* Comparison::makeErrorsButton() {
+  auto* button = makeIconButton("info", tr("The errors of both coordinate systems"), nullptr);
+  button->setObjectName(QStringLiteral("systemErrors"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  auto* action = new QWidgetAction(menu);
+  action->setDefaultWidget(new ErrorTable(first_.workspace, second_->workspace));
+  menu->addAction(action);
+  button->setMenu(menu);
+  return button;
+}
+
 DifferenceMap* Comparison::differences() const {
   return on() ? second_->differences.get() : nullptr;
 }
@@ -207,7 +223,8 @@ void Comparison::dropSystem() {
   second_->differences.reset();
   second_->system.reset();
   delete secondHeader_->findChild<QComboBox*>(QStringLiteral("secondSystem"));
-  delete secondHeader_->findChild<QToolButton*>(QStringLiteral("differences"));
+  for (const char* button : {"differences", "systemErrors"})
+    delete secondHeader_->findChild<QToolButton*>(QLatin1String(button));
 }
 
 void Comparison::showSameOrgan() {
@@ -281,6 +298,8 @@ void Comparison::end() {
   second_->subscriptions.clear();
   const std::unique_ptr<Second> second = std::move(second_);
   same_ = false;
+  if (secondHeader_) // Its table reads the second document, which goes with `second`.
+    delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
   // The picture lets go of the view's renderer before the view goes.
   second->differences.reset();
   second->system.reset();

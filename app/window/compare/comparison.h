@@ -85,6 +85,7 @@ private:
   void fillHeader(SideHeader& header);
   void mirror();
   QToolButton* makeDifferenceButton();
+  QToolButton* makeErrorsButton();
   void dropSystem();
   void takeRate();
   void linkCameras();

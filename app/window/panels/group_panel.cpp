@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <set>
 
 #include "viscera/document/group_commands.h"
 #include "viscera/document/system_commands.h"
@@ -46,9 +47,9 @@ std::shared_ptr<const coordinates::CoordinateSystem> groupedSystem(const plugin:
 
 GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent), workspace_(workspace), list_(new QTreeWidget(this)), empty_(new QLabel(this)),
-      unused_(new QLabel(this)), use_(new QPushButton(this)) {
+      unused_(new QLabel(this)), added_(new QLabel(this)), use_(new QPushButton(this)) {
   auto* column = makeLayout<QVBoxLayout>(this, 8);
-  for (QLabel* label : {empty_, unused_}) {
+  for (QLabel* label : {empty_, unused_, added_}) {
     label->setObjectName(QStringLiteral("muted"));
     label->setWordWrap(true);
   }
@@ -70,6 +71,7 @@ GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
   column->addWidget(list_);
   column->addWidget(makeButtons());
   column->addWidget(makeAutomatic());
+  column->addWidget(added_);
   connect(use_, &QPushButton::clicked, this, &GroupPanel::useGroups);
   connect(list_, &QTreeWidget::itemChanged, this, &GroupPanel::rename);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
@@ -187,6 +189,26 @@ void GroupPanel::makeAutomatically() {
   workspace_.perform(document::groupAutomatically(choice));
 }
 
+QString GroupPanel::added() const {
+  const document::Rig& rig = workspace_.document().rig();
+  std::set<document::HandleId> corners;
+  for (const document::Handle& handle : rig.handles)
+    if (handle.description == document::kAddedByGrouping)
+      corners.insert(handle.id);
+  const auto where = std::count_if(rig.groups.begin(), rig.groups.end(), [&](const document::Group& group) {
+    return std::any_of(group.handles.begin(), group.handles.end(),
+                       [&](document::HandleId id) { return corners.count(id) > 0; });
+  });
+  const int count = static_cast<int>(corners.size());
+  if (count == 0 || where == 0)
+    return {};
+  if (rig.groups.size() == 1)
+    return tr("Automatic grouping has added %n corner {handle|handles} to the group.", nullptr, count);
+  return tr("Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.", nullptr, count)
+      .arg(where)
+      .arg(rig.groups.size());
+}
+
 void GroupPanel::useGroups() {
   const auto system = groupedSystem(workspace_.registry());
   if (!system)
@@ -266,6 +288,10 @@ void GroupPanel::sync() {
   automatic_->setEnabled(!workspace_.document().organs().empty() &&
                          !workspace_.document().rig().handles.empty());
   count_->setEnabled(static_cast<By>(by_->currentData().toInt()) != By::organ);
+
+  const QString added = this->added();
+  added_->setText(added);
+  added_->setVisible(!added.isEmpty());
 
   const auto grouped = groupedSystem(workspace_.registry());
   const std::string& id = workspace_.document().system().id;

@@ -34,11 +34,14 @@ private:
   void useGroups();
   const document::Group* current() const;
   std::string freeName() const;
+  /// How many handles automatic grouping has added to how many groups, in a sentence; empty: none.
+  QString added() const;
 
   Workspace& workspace_;
   QTreeWidget* list_;
   QLabel* empty_;
   QLabel* unused_;   ///< Said when the coordinates do not look at groups.
+  QLabel* added_;    ///< What automatic grouping has added.
   QPushButton* use_; ///< Offers coordinates that do.
   QPushButton* create_ = nullptr;
   QPushButton* add_ = nullptr;

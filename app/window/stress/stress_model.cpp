@@ -1,6 +1,7 @@
 #include "window/stress/stress_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "viscera/document/stress_mark_commands.h"
@@ -13,6 +14,13 @@ constexpr int kStressUpdateMilliseconds = 100;
 /// Before every value that a quantity can have.
 constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
+
+/// The unit vector across `direction` that is nearest to `wish`; both are unit vectors.
+Vec3 perpendicularTo(const Vec3& direction, const Vec3& wish) {
+  constexpr double kParallel = 1e-6;
+  const Vec3 across = wish - wish.dot(direction) * direction;
+  return across.norm() > kParallel ? across.normalized() : direction.unitOrthogonal();
+}
 
 } // namespace
 
@@ -143,7 +151,8 @@ void StressModel::goToMaximum() {
   const deformation::StressMap& map = shownMap();
   const auto mesh = live_.mesh();
   const auto organ = workspace_.document().organ(live_.organ());
-  if (!active() || !mesh || !organ || map.volumeRatio.size() < mesh->witnesses)
+  if (!active() || !mesh || !organ || map.volumeRatio.size() < mesh->witnesses ||
+      live_.points().rows() < mesh->witnesses)
     return;
   const bool smallest = look().quantity == live::StressQuantity::stretchMin;
   int most = -1;
@@ -158,13 +167,19 @@ void StressModel::goToMaximum() {
     }
   }
   const presentation::Presenter& drawn = picture_.presenter();
-  const Vec3 from = Vec3(mesh->points.row(most).transpose()) - drawn.stressMiddle();
+  // The tissue is drawn, and cut, in its pose.
+  const Vec3 from = Vec3(live_.points().row(most).transpose()) - drawn.stressMiddle();
   change([&](StressLook& look) {
     look.probe = most;
     if (!(drawn.stressRadius() > 0))
       return;
     look.cut = true; // The largest value may lie deep inside.
-    look.offset = std::clamp(from.dot(look.normal) / drawn.stressRadius(), -1.0, 1.0);
+    look.offset = from.dot(look.normal) / drawn.stressRadius();
+    if (std::abs(look.offset) <= 1)
+      return;
+    // Moved farther than the plane can be pushed: it is turned, to go through the middle and the point.
+    look.normal = perpendicularTo(from.normalized(), look.normal);
+    look.offset = 0;
   });
 }
 

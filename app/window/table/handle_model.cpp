@@ -44,20 +44,13 @@ void HandleModel::showVertex(std::optional<ShownVertex> vertex) {
   measure();
 }
 
-/// Of every handle the whole column is there; one number of each is wanted. O(vertices x handles).
 void HandleModel::measure() {
   weights_.resize(0);
   const auto organ = vertex_ ? workspace_.document().organ(vertex_->organ) : nullptr;
   if (!organ || vertex_->vertex < 0 || vertex_->vertex >= organ->mesh->points.rows()) {
     vertex_.reset();
   } else if (workspace_.live().status(organ->id).state == live::BindingStatus::State::bound) {
-    Values weights(rows_);
-    for (int row = 0; row < rows_; ++row) {
-      const Values column = workspace_.live().influence(
-          organ->id, workspace_.document().rig().handles[static_cast<std::size_t>(row)].id);
-      weights[row] = column.size() > vertex_->vertex ? column[vertex_->vertex] : 0;
-    }
-    weights_ = std::move(weights);
+    weights_ = workspace_.live().weightsAt(organ->id, vertex_->vertex);
   }
   if (rows_ > 0)
     Q_EMIT dataChanged(index(0, weight), index(rows_ - 1, weight));

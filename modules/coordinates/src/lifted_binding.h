@@ -27,6 +27,7 @@ public:
   void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                 Threads threads) const override;
   Values influence(int handle) const override { return rows_.influence(handle); }
+  double weight(Eigen::Index point, int handle) const override { return rows_.weight(point, handle); }
 
 private:
   std::shared_ptr<const PoseLift> lift_;

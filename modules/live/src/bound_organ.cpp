@@ -226,6 +226,23 @@ Values BoundOrgan::influence(document::HandleId handle) const {
   return found == ids.end() ? Values{} : deformer->binding().influence(static_cast<int>(found - ids.begin()));
 }
 
+Values BoundOrgan::weightsAt(Eigen::Index vertex, const std::vector<document::Handle>& handles) const {
+  if (!deformer || vertex >= deformer->binding().pointCount())
+    return {};
+  const coordinates::Binding& binding = deformer->binding();
+  const auto& ids = boundTo->ids;
+  Values weights = Values::Zero(static_cast<Eigen::Index>(handles.size()));
+  for (std::size_t row = 0; row < handles.size(); ++row) {
+    // As a rule the organ is bound to the handles in the order that they have.
+    const auto at = row < ids.size() && ids[row] == handles[row].id
+                        ? ids.begin() + static_cast<std::ptrdiff_t>(row)
+                        : std::find(ids.begin(), ids.end(), handles[row].id);
+    if (at != ids.end())
+      weights[static_cast<Eigen::Index>(row)] = binding.weight(vertex, static_cast<int>(at - ids.begin()));
+  }
+  return weights;
+}
+
 const deformation::Deformer* BoundOrgan::bound() const {
   if (status.state == State::binding || status.state == State::stale)
     throw DataError("its volume can be kept only after it is bound to the present handles", organ->name,

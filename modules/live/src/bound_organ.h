@@ -78,6 +78,8 @@ public:
   const Points& points() const { return deformer ? deformer->points() : organ->mesh->points; }
   OrganVolume volume() const;
   Values influence(document::HandleId handle) const;
+  /// As `LiveBinding::weightsAt`, for handles of the document.
+  Values weightsAt(Eigen::Index vertex, const std::vector<document::Handle>& handles) const;
   /// As `PosedOrgans::bound`.
   const deformation::Deformer* bound() const;
 

@@ -305,6 +305,10 @@ Values LiveBinding::influence(document::OrganId organ, document::HandleId handle
   return impl_->require(organ).influence(handle);
 }
 
+Values LiveBinding::weightsAt(document::OrganId organ, Eigen::Index vertex) const {
+  return impl_->require(organ).weightsAt(vertex, impl_->document.rig().handles);
+}
+
 const deformation::Deformer* LiveBinding::bound(document::OrganId organ) const {
   return impl_->require(organ).bound();
 }

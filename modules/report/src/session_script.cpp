@@ -141,6 +141,8 @@ private:
   void writeMotion();
   void writeChosen(const presentation::MotionChoice& motion);
   void writeKeySequence();
+  std::string onlyInSession(bool driven) const;
+  bool playSession(const std::string& reason, const std::string& table, bool driven);
   void writePicture();
   void writeLeftOut();
   std::string landmarksText(const ordered_json& recipe) const;
@@ -406,15 +408,39 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
     words.insert(words.end(), {"--rate", numberText(playing->ratePerMinute)});
   words.insert(words.end(), {"--csv", stemOf(sequence) + ".csv"});
   paragraph("The sequence, over one cycle.");
-  if (driven && circulation.parameters != circulation::scenarioParameters(circulation.scenario))
-    say("The window's heart follows a circulation with other parameters than the scenario's, which viscera "
-        "play does not take.");
-  for (const auto& locked : *state_.organs)
-    if (locked->volumeLocked)
-      say("The window keeps the volume of " + locked->name + " while it plays; viscera play does not.");
+  if (playSession(onlyInSession(driven), stemOf(sequence) + ".csv", driven))
+    return;
   if (!landmarks.empty())
     file(kLandmarks, landmarks);
   command(words);
+}
+
+/// What only the session tells `viscera play` of its motion; empty: its other arguments tell all.
+std::string Writer::onlyInSession(bool driven) const {
+  const document::CirculationChoice& circulation = *state_.circulation;
+  if (driven && circulation.parameters != circulation::scenarioParameters(circulation.scenario))
+    return "The heart follows a circulation with parameters of its own";
+  for (const auto& locked : *state_.organs)
+    if (locked->volumeLocked)
+      return "The volume of " + locked->name + " is kept while it plays";
+  return state_.rig->cage.empty() ? "" : "The organs hang on a cage";
+}
+
+/// Plays the session itself where there is a reason to; false: there is none, or it is not saved.
+bool Writer::playSession(const std::string& reason, const std::string& table, bool driven) {
+  if (reason.empty())
+    return false;
+  if (source_.session.empty()) {
+    say(reason + ", which viscera play takes from a session only: save it and copy its commands again.");
+    return false;
+  }
+  say(reason + ": the session itself is played.");
+  std::vector<std::string> words = {"play", std::filesystem::absolute(source_.session).string()};
+  if (!driven && source_.view.playing && source_.view.playing->ratePerMinute > 0)
+    words.insert(words.end(), {"--rate", numberText(source_.view.playing->ratePerMinute)});
+  words.insert(words.end(), {"--csv", table});
+  command(words);
+  return true;
 }
 
 void Writer::writeKeySequence() {
@@ -422,14 +448,12 @@ void Writer::writeKeySequence() {
     return;
   paragraph("The recorded sequence, over one cycle.");
   file(kSequence, motion::textOf(motion::sequenceFile(state_)));
-  if (!state_.rig->cage.empty())
-    return say("Its organs hang on a cage, which viscera play does not take.");
+  if (playSession(onlyInSession(false), "recorded.csv", false) || !state_.rig->cage.empty())
+    return;
   for (const auto& organ : *state_.organs) {
     const auto name = nameOf(*organ);
     if (!name)
       continue;
-    if (organ->volumeLocked)
-      say("The window keeps the volume of " + organ->name + " while it plays; viscera play does not.");
     std::vector<std::string> words = {"play", kSequence, "--organ", *name};
     if (source_.view.playing && source_.view.playing->ratePerMinute > 0)
       words.insert(words.end(), {"--rate", numberText(source_.view.playing->ratePerMinute)});

@@ -1,8 +1,22 @@
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "beating_labels.h"
+#include "build_paths.h"
 #include "cli_test.h"
+#include "viscera/document/circulation_commands.h"
+#include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/document/session_file.h"
+#include "viscera/document/system_commands.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/live/live_binding.h"
+#include "viscera/motion/circulating_heart.h"
+#include "viscera/motion/motion_copy.h"
+#include "viscera/motion/motion_recipe.h"
+#include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
 
@@ -252,6 +266,109 @@ TEST_F(CliPlay, OutputsThatCannotBeWrittenAreSaidFirst) {
                 kCannotCreate, "m.ogv");
   expectFailure({"play", "heartbeat", "--organ", "sample:heart@low", "--movie", path("m.avi")}, kUsage,
                 ".ogv");
+}
+
+/// Sessions that `viscera play` takes whole.
+class CliPlaySession : public CliPlay {
+protected:
+  /// The volumes of the session's organs over the cycle that the window computes, compared with the table.
+  void expectTheCycleOfTheWindow(const document::DocumentState& state,
+                                 const std::shared_ptr<const sequences::Sequence>& sequence,
+                                 const std::vector<std::vector<double>>& rows) {
+    const plugin::Registry registry = plugin::builtInRegistry();
+    document::Document document;
+    document::UndoStack undo(document);
+    JobQueue jobs([](const std::function<void()>& work) { work(); });
+    live::LiveBinding live(document, registry, jobs, {std::numeric_limits<double>::infinity(), {}});
+    undo.reset(state);
+    motion::MotionRunner runner(document.state(), live);
+    runner.setSequence(sequence);
+    const live::PosedCycle cycle = motion::posedCycle(runner, live.copy());
+    ASSERT_GT(rows.size(), 3u);
+    for (const std::vector<double>& row : rows) {
+      live.showPose(cycle.poseAt(row[0] / cycle.periodSeconds));
+      ASSERT_EQ(row.size(), document.organs().size() + 1);
+      for (std::size_t i = 0; i < document.organs().size(); ++i)
+        EXPECT_NEAR(row[i + 1], live.volume(document.organs()[i]->id).nowMl, 1e-9) << "at " << row[0] << " s";
+    }
+  }
+  void write(const std::string& name, const document::DocumentState& state,
+             const presentation::ViewState& view) {
+    document::SessionContents contents;
+    contents.state = state;
+    contents.view = presentation::toJson(view);
+    contents.embedSurfaces = true;
+    Progress progress;
+    document::writeSession(path(name), contents, progress);
+  }
+};
+
+TEST_F(CliPlaySession, KeepsItsLockedVolumesAsTheWindowDoes) {
+  const std::string session = VISCERA_SOURCE_DIR "/tests/gui/sessions/play_recorded_locked.viscera";
+  Progress progress;
+  document::DocumentState state =
+      document::readSession(session, sample_organs::standardLibrary(), progress).contents.state;
+  ASSERT_TRUE(state.organs->front()->volumeLocked);
+  const auto sequence = document::sequenceOf(*state.keySequence, *state.rig);
+  const std::string rate = std::to_string(sequence->standardRatePerMinute());
+  runJson({"play", session, "--rate", rate, "--csv", path("locked.csv")});
+  std::string heading;
+  const auto locked = rowsOf(contents(path("locked.csv")), heading);
+  expectTheCycleOfTheWindow(state, sequence, locked);
+  for (const std::vector<double>& row : locked)
+    EXPECT_NEAR(row[1], locked[0][1], 1e-6) << "the lock holds";
+
+  auto free = std::make_shared<document::Organ>(*state.organs->front());
+  free->volumeLocked = false;
+  auto organs = std::make_shared<document::OrganList>(*state.organs);
+  organs->front() = free;
+  state.organs = organs;
+  write("free.viscera", state, {});
+  runJson({"play", path("free.viscera"), "--rate", rate, "--csv", path("free.csv")});
+  const auto unlocked = rowsOf(contents(path("free.csv")), heading);
+  expectTheCycleOfTheWindow(state, sequence, unlocked);
+  double largest = 0;
+  for (const std::vector<double>& row : unlocked)
+    largest = std::max(largest, std::abs(row[1] - unlocked[0][1]));
+  EXPECT_GT(largest, 1) << "the lock had something to do";
+}
+
+TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
+  Progress progress;
+  const auto low = sample_organs::Resolution::low;
+  const motion::SequenceSetup setup =
+      motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat", low, progress);
+  document::Document document;
+  document::UndoStack undo(document);
+  std::vector<document::NewOrgan> organs;
+  for (const sample_organs::SampleSurface& surface : setup.organ.surfaces)
+    organs.push_back({document::makeOrgan(surface.name, surface.mesh), -1});
+  undo.perform(document::addOrgans(organs));
+  undo.perform(document::replaceRig(setup.rig));
+  undo.perform(document::setSystem(setup.system));
+  undo.perform(document::chooseScenario("rest"));
+  undo.perform(document::setCirculationParameter("lvEes", 1.5));
+  presentation::ViewState view;
+  view.motions = {{document.organs().front()->id, motion::sampleRecipe("heartbeat", low)}};
+  view.playing = presentation::Playing{0, 0, 0, 1, true, true};
+  write("weak.viscera", document.state(), view);
+  const json played = runJson({"play", path("weak.viscera"), "--csv", path("weak.csv")});
+  const auto heart = motion::circulatingHeart(sample_organs::standardLibrary(),
+                                              document::nameOf(*document.state().circulation),
+                                              document.state().circulation->parameters, low, progress);
+  std::string heading;
+  expectTheCycleOfTheWindow(document.state(), heart.sequence, rowsOf(contents(path("weak.csv")), heading));
+  const json rest = runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--scenario", "rest"});
+  EXPECT_LT(played["ejectionFraction"].get<double>(), rest["ejectionFraction"].get<double>() - 0.05);
+}
+
+TEST_F(CliPlaySession, SaysWhatItDoesNotTake) {
+  const std::string session = VISCERA_SOURCE_DIR "/tests/gui/sessions/play_recorded_locked.viscera";
+  expectFailure({"play", session, "--organ", "sample:heart"}, kUsage, "--organ");
+  expectFailure({"play", session, "--scenario", "rest"}, kUsage, "--scenario");
+  expectFailure({"play", path("none.viscera")}, kNoInput, "none.viscera");
+  write("empty.viscera", {}, {});
+  expectFailure({"play", path("empty.viscera")}, kUsage, "It moves no organ");
 }
 
 } // namespace viscera::app::cli

@@ -169,6 +169,8 @@ TEST_P(CoordinateContract, OnASimplexIsBarycentric) {
   ASSERT_TRUE(binding->report().failures.empty());
   const Eigen::MatrixXd coordinates = influences(*binding);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    for (int handle = 0; handle < 4; ++handle)
+      EXPECT_EQ(binding->weight(i, handle), coordinates(i, handle));
     const Eigen::RowVector4d expected =
         Eigen::RowVector4d(points(i, 0), points(i, 1), points(i, 2), 1) * corners.inverse();
     EXPECT_LT((coordinates.row(i) - expected).cwiseAbs().maxCoeff(), 1e-9);

@@ -86,6 +86,42 @@ TEST(WeightsBinding, KeepsFailedPointsAtRest) {
   EXPECT_EQ(binding.influence(1)[16], 0);
 }
 
+/// A plugin's binding, which knows only what every binding has to.
+class ColumnsOnly final : public Binding {
+public:
+  explicit ColumnsOnly(WeightsBinding binding) : binding_(std::move(binding)) {}
+  Eigen::Index handleCount() const override { return binding_.handleCount(); }
+  Eigen::Index pointCount() const override { return binding_.pointCount(); }
+  const BindingReport& report() const override { return binding_.report(); }
+  void deform(const Points& pose, Points& points, Threads threads) const override {
+    binding_.deform(pose, points, threads);
+  }
+  void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
+                  Threads threads) const override {
+    binding_.moveHandle(pose, handle, delta, points, threads);
+  }
+  void pullBack(const Points& pose, const Points& gradient, Points& out, Threads threads) const override {
+    binding_.pullBack(pose, gradient, out, threads);
+  }
+  Values influence(int handle) const override { return binding_.influence(handle); }
+
+private:
+  WeightsBinding binding_;
+};
+
+TEST(WeightsBinding, HasEachNumberOfAColumnAlone) {
+  const Tetrahedron tetrahedron;
+  const WeightsBinding binding = tetrahedron.bind({0, 16, 19});
+  const ColumnsOnly plain(tetrahedron.bind({0, 16, 19}));
+  for (int handle = 0; handle < 4; ++handle) {
+    const Values column = binding.influence(handle);
+    for (Eigen::Index point = 0; point < 20; ++point) {
+      EXPECT_EQ(binding.weight(point, handle), column[point]);
+      EXPECT_EQ(plain.weight(point, handle), column[point]);
+    }
+  }
+}
+
 TEST(WeightsBinding, LeavesFailedPointsOutOfGradients) {
   const Tetrahedron tetrahedron;
   Points gradient = Points::Zero(20, 3), pulled;

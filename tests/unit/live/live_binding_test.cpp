@@ -440,6 +440,11 @@ TEST(LiveBinding, TellsTheInfluenceOfAHandle) {
   Eigen::Index most = 0;
   influence.maxCoeff(&most);
   EXPECT_NEAR(rest(most, 2), 30, 1e-9) << "the vertex next to the handle";
+  const Values weights = l.live.weightsAt(l.organ(), 7);
+  ASSERT_EQ(weights.size(), static_cast<Eigen::Index>(l.document.rig().handles.size()));
+  for (std::size_t row = 0; row < l.document.rig().handles.size(); ++row)
+    EXPECT_EQ(weights[static_cast<Eigen::Index>(row)], l.live.influence(l.organ(), l.handle(row))[7]) << row;
+  EXPECT_EQ(l.live.weightsAt(l.organ(), rest.rows()).size(), 0) << "no such vertex";
   EXPECT_EQ(l.live.influence(l.organ(), document::HandleId{999}).size(), 0);
 }
 

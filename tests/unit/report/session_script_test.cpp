@@ -6,8 +6,11 @@
 
 #include "report_scene.h"
 #include "temporary_folder.h"
+#include "viscera/document/circulation_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/stress_mark_commands.h"
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/report/session_script.h"
 
 namespace viscera::tests {
@@ -75,6 +78,42 @@ TEST(SessionScript, HasTheProbesAndProfilesOfTheOrganUnderStress) {
   view.shown.stress = true;
   const auto script = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
   EXPECT_THAT(script.text, HasSubstr("--probe -1.5,2,3 --probe 4,5,6 --profile 4,5,6:-1.5,2,3"));
+}
+
+TEST(SessionScript, PlaysTheSessionItselfWhereOnlyThatKeepsALockOrACage) {
+  for (const bool locked : {true, false}) {
+    ReportedSession session;
+    session.record();
+    if (locked)
+      session.undo.perform(document::setVolumeLocked(session.organ(), true));
+    else
+      session.undo.perform(document::takeCage({"cube.off", cubeCage()}));
+    presentation::ViewState view;
+    view.playing = presentation::Playing{-1, 0.3, 30, 1, true, false};
+    const auto script = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
+    EXPECT_THAT(script.commands,
+                testing::Contains("viscera play /tmp/a.viscera --rate 30.0 --csv recorded.csv"));
+    EXPECT_THAT(script.text, HasSubstr(locked ? "# The volume of Ball is kept while it plays: the session"
+                                              : "# The organs hang on a cage: the session"));
+    EXPECT_THAT(script.text, testing::Not(HasSubstr("does not")));
+    const auto unsaved = report::sessionScript({session.document.state(), view, {}});
+    EXPECT_THAT(unsaved.text, HasSubstr("which viscera play takes from a session only"));
+    EXPECT_THAT(unsaved.text, testing::Not(HasSubstr("viscera play /")));
+  }
+}
+
+TEST(SessionScript, PlaysTheSessionItselfForACirculationWithParametersOfItsOwn) {
+  ReportedSession session;
+  session.undo.perform(document::chooseScenario("exercise"));
+  presentation::ViewState view;
+  view.motions = {{session.organ(), motion::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
+  view.playing = presentation::Playing{0, 0.3, 130, 1, true, false};
+  const auto plain = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
+  EXPECT_THAT(plain.text, HasSubstr("viscera play heartbeat --scenario exercise --csv heartbeat.csv"));
+  session.undo.perform(document::setCirculationParameter("lvEes", 1.5));
+  const auto changed = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
+  EXPECT_THAT(changed.commands, testing::Contains("viscera play /tmp/a.viscera --csv heartbeat.csv"));
+  EXPECT_THAT(changed.text, testing::Not(HasSubstr("--scenario")));
 }
 
 TEST(SessionScript, SaysWhatNoCommandCanDo) {

@@ -49,6 +49,10 @@ public:
 
   /// The influence of one handle on every point: `pointCount` numbers, its coordinate.
   virtual Values influence(int handle) const = 0;
+
+  /// The influence of one handle on one point: `influence(handle)[point]`. O(pointCount) unless a binding
+  /// knows better; those of weights take O(1).
+  virtual double weight(Eigen::Index point, int handle) const { return influence(handle)[point]; }
 };
 
 } // namespace viscera::coordinates

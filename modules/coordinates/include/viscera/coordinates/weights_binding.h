@@ -24,6 +24,7 @@ public:
   void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                 Threads threads) const override;
   Values influence(int handle) const override;
+  double weight(Eigen::Index point, int handle) const override { return weights_(point, handle); }
 
   const TiledWeights& weights() const { return weights_; }
 

@@ -92,6 +92,9 @@ public:
   OrganVolume volume(document::OrganId organ) override;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   Values influence(document::OrganId organ, document::HandleId handle) const override;
+  /// The influence of every handle of the document, in its order, on one vertex: 0 of a handle that the
+  /// organ is not bound to; empty when there is no binding, or no such vertex in it. O(handles) for weights.
+  Values weightsAt(document::OrganId organ, Eigen::Index vertex) const;
   const deformation::Deformer* bound(document::OrganId organ) const override;
 
   /// The organs as they are now, with their bindings, for whoever poses them on another thread. O(points).
