@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "viscera/core/phrase.h"
 #include "viscera/plugin/plugin_loader.h"
 
 namespace viscera::app {
@@ -32,7 +33,7 @@ AvailableSystems availableSystems(const std::vector<std::string>& pluginPath) {
   for (const plugin::PluginReport& report :
        plugin::loadPlugins(plugin::pluginSearchPath(given, ownPlugins()), systems.registry))
     if (!report.problem.empty())
-      systems.problems.push_back("plugin " + report.file.string() + ": " + report.problem);
+      systems.problems.push_back(phrase("plugin %1: %2", report.file.string(), report.problem));
   return systems;
 }
 

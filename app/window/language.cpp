@@ -1,11 +1,15 @@
 #include "window/language.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QTranslator>
 
 #include <algorithm>
+#include <set>
 
+#include "viscera/plugin/registry.h"
 #include "window/phrase_translator.h"
 
 namespace viscera::app {
@@ -40,7 +44,7 @@ QString languageFor(const QString& chosen, const QLocale& system) {
   return known(chosen) ? chosen : known(ofSystem) ? ofSystem : QString::fromLatin1(kEnglish);
 }
 
-InstalledLanguage::InstalledLanguage(const QString& code) {
+InstalledLanguage::InstalledLanguage(const QString& code) : code_(code) {
   QLocale::setDefault(localeOf(code));
   const auto install = [this](std::unique_ptr<QTranslator> translator, const QString& file,
                               const QString& folder) {
@@ -54,8 +58,24 @@ InstalledLanguage::InstalledLanguage(const QString& code) {
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   const QString folder = QStringLiteral(":/viscera/translations");
   auto ours = std::make_unique<PhraseTranslator>();
+  names_ = ours.get();
   ours->readPatterns(folder + QStringLiteral("/names_%1.ts").arg(code));
   install(std::move(ours), QStringLiteral("viscera_") + code, folder);
+  if (translators_.empty() || translators_.back().get() != names_)
+    names_ = nullptr; // It could not be loaded.
+}
+
+void InstalledLanguage::addTextsOf(const plugin::Registry& systems) {
+  std::set<QString> files;
+  for (const plugin::Registry::Entry& entry : systems.list())
+    if (entry.source != plugin::Registry::kBuiltIn) {
+      const QFileInfo library(QString::fromStdString(entry.source));
+      files.insert(library.dir().filePath(library.completeBaseName() + QLatin1Char('_') + code_ +
+                                          QStringLiteral(".qm")));
+    }
+  for (const QString& file : files)
+    if (names_ && QFileInfo::exists(file)) // QTranslator would look for files with shorter names, too.
+      names_->addPlugin(file);
 }
 
 InstalledLanguage::~InstalledLanguage() {

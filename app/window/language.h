@@ -10,7 +10,13 @@
 
 class QTranslator;
 
+namespace viscera::plugin {
+class Registry;
+} // namespace viscera::plugin
+
 namespace viscera::app {
+
+class PhraseTranslator;
 
 /// A language of the window.
 struct Language {
@@ -41,8 +47,14 @@ public:
   InstalledLanguage(const InstalledLanguage&) = delete;
   InstalledLanguage& operator=(const InstalledLanguage&) = delete;
 
+  /// Adds the texts that plugins bring: of each file in the registry, `example.so`, those of `example_de.qm`
+  /// beside it, where that is there (docs/coordinate_plugin.md). Made before the window, too.
+  void addTextsOf(const plugin::Registry& systems);
+
 private:
+  QString code_;
   QLocale before_;
+  PhraseTranslator* names_ = nullptr; ///< One of `translators_`; null in English.
   std::vector<std::unique_ptr<QTranslator>> translators_;
 };
 

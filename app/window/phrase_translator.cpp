@@ -122,13 +122,28 @@ QString PhraseTranslator::made(const Form& form, const QStringList& parts) const
   return text + pattern.midRef(from);
 }
 
+bool PhraseTranslator::addPlugin(const QString& file) {
+  auto plugin = std::make_unique<QTranslator>();
+  if (!plugin->load(file))
+    return false;
+  plugins_.push_back(std::move(plugin));
+  return true;
+}
+
+QString PhraseTranslator::exactly(const char* text, int n) const {
+  QString found = QTranslator::translate(kContext, text, nullptr, n);
+  for (std::size_t i = 0; found.isEmpty() && i < plugins_.size(); ++i)
+    found = plugins_[i]->translate(kContext, text, nullptr, n);
+  return found;
+}
+
 QString PhraseTranslator::translateWhole(const QString& text) const {
   // An error begins with a capital letter, whoever says it (viscera/core/error.h).
   QString small = text;
   small[0] = small[0].toLower();
-  if (const QString exact = QTranslator::translate(kContext, text.toUtf8().constData()); !exact.isEmpty())
+  if (const QString exact = exactly(text.toUtf8().constData()); !exact.isEmpty())
     return exact;
-  if (const QString exact = QTranslator::translate(kContext, small.toUtf8().constData()); !exact.isEmpty())
+  if (const QString exact = exactly(small.toUtf8().constData()); !exact.isEmpty())
     return capitalised(exact);
   for (const bool joined : {false, true})
     for (const Form& form : forms_) {
@@ -155,6 +170,8 @@ QString PhraseTranslator::inWords(const QString& text) const {
 
 QString PhraseTranslator::translate(const char* context, const char* source, const char* disambiguation,
                                     int n) const {
+  if (context && source && qstrcmp(context, kContext) == 0)
+    return exactly(source, n);
   const QString exact = QTranslator::translate(context, source, disambiguation, n);
   if (!exact.isEmpty() || !context || !source || qstrcmp(context, kMessages) != 0)
     return exact;

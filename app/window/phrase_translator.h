@@ -2,6 +2,7 @@
 
 #include <QTranslator>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ public:
   /// Takes the texts with places in them out of a file of translations. One that cannot be read has none.
   void readPatterns(const QString& file);
 
+  /// Takes the names and messages of a plugin out of a compiled file of translations. What the program itself
+  /// has comes first, so that a plugin cannot rename it. Returns whether the file could be read.
+  bool addPlugin(const QString& file);
+
   /// A text of the context of `messageInWords` that is no literal of the sources is taken for one that was
   /// put together. Null when no pattern gives it.
   QString translate(const char* context, const char* source, const char* disambiguation = nullptr,
@@ -45,10 +50,13 @@ private:
   /// By the exact text, else by the most particular pattern that gives it, with a capital letter or without;
   /// those that only join their parts come last.
   QString translateWhole(const QString& text) const;
+  /// The translation of exactly this text, here or of a plugin; null when there is none.
+  QString exactly(const char* text, int n = -1) const;
   /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
   /// and what stands in quotes as it is, with the marks of the language.
   QString inWords(const QString& text) const;
 
+  std::vector<std::unique_ptr<QTranslator>> plugins_;
   std::vector<Form> forms_; ///< Those with more letters of their own come first.
 };
 

@@ -72,10 +72,12 @@ void load(MainWindow& window, const WindowOptions& options, bool play) {
 /// Shows the window without the user's settings, lets it load what the options say, plays two and a half
 /// seconds of its motion on a clock of its own (the same on every machine), writes the picture of the whole
 /// window and returns the exit code.
-int takePicture(const WindowOptions& options) {
+int takePicture(const WindowOptions& options, InstalledLanguage& language) {
   Settings settings{QString()};
   double now = 0;
-  MainWindow window(settings, availableSystems(options.pluginPath).registry, [&now] { return now; });
+  AvailableSystems systems = availableSystems(options.pluginPath);
+  language.addTextsOf(systems.registry);
+  MainWindow window(settings, std::move(systems.registry), [&now] { return now; });
   window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   window.resize(options.width > 0 ? options.width : kScreenshotWidth,
                 options.height > 0 ? options.height : kScreenshotHeight);
@@ -159,16 +161,17 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   setUpApplication(application);
   const QString language = QString::fromStdString(options.language);
   if (!options.screenshot.empty()) {
-    const InstalledLanguage installed(languageFor(language, QLocale::c()));
-    return takePicture(options);
+    InstalledLanguage installed(languageFor(language, QLocale::c()));
+    return takePicture(options, installed);
   }
 
   Settings settings(options.freshSettings ? QString() : Settings::standardFile());
-  const InstalledLanguage installed(languageFor(
+  InstalledLanguage installed(languageFor(
       language.isEmpty() ? settings.value("window/language").toString() : language, QLocale::system()));
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
+  installed.addTextsOf(systems.registry);
   MainWindow window(settings, std::move(systems.registry), motion::Transport::steadyClock());
   application.setGuard(
       [&window](const std::function<void()>& work) { return window.workspace().guarded(work); });

@@ -6555,5 +6555,1428 @@
         <source>writing the movie</source>
         <translation>escriptura de la pel·lícula</translation>
     </message>
+    <message>
+        <source>breathing needs at least four handles</source>
+        <translation>la respiració necessita almenys quatre tiradors</translation>
+    </message>
+    <message>
+        <source>the organ has no extent</source>
+        <translation>l’òrgan no té extensió</translation>
+    </message>
+    <message>
+        <source>the liver cannot be pressed that far</source>
+        <translation>el fetge no es pot comprimir tant</translation>
+    </message>
+    <message>
+        <source>use shares between 0 and 0.5</source>
+        <translation>feu servir proporcions entre 0 i 0,5</translation>
+    </message>
+    <message>
+        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
+        <translation>un ventricle ha de contenir menys al final de la sístole que al final de la diàstole</translation>
+    </message>
+    <message>
+        <source>cardiac cycle</source>
+        <translation>cicle cardíac</translation>
+    </message>
+    <message>
+        <source>The volume of a cavity is not a number</source>
+        <translation>El volum d’una cavitat no és un nombre</translation>
+    </message>
+    <message>
+        <source>check the cavities' surfaces</source>
+        <translation>comproveu les superfícies de les cavitats</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right</source>
+        <translation>cor amb %1 ml a l’esquerra i %2 ml a la dreta</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right, atria with %3 ml left and %4 ml right</source>
+        <translation>cor amb %1 ml a l’esquerra i %2 ml a la dreta, aurícules amb %3 ml a l’esquerra i %4 ml a la dreta</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; atria: left off by %3 ml, right by %4 ml</source>
+        <translation>Els ventricles no poden assolir els seus volums: a l’esquerre li falten %1 ml, al dret %2 ml; aurícules: a l’esquerra %3 ml, a la dreta %4 ml</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml</source>
+        <translation>Els ventricles no poden assolir els seus volums: a l’esquerre li falten %1 ml, al dret %2 ml</translation>
+    </message>
+    <message>
+        <source>check that the cavities lie inside the handles of their walls</source>
+        <translation>comproveu que les cavitats són dins dels tiradors de les seves parets</translation>
+    </message>
+    <message>
+        <source>a centreline needs at least two points</source>
+        <translation>una línia central necessita almenys dos punts</translation>
+    </message>
+    <message>
+        <source>centreline point %1</source>
+        <translation>punt %1 de la línia central</translation>
+    </message>
+    <message>
+        <source>the point is not finite</source>
+        <translation>el punt no és finit</translation>
+    </message>
+    <message>
+        <source>the point is where the one before it is</source>
+        <translation>el punt és on és l’anterior</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>elimineu-lo</translation>
+    </message>
+    <message>
+        <source>the course does not cover a beat</source>
+        <translation>el curs no abasta un batec</translation>
+    </message>
+    <message>
+        <source>the course tells of its valves at other instants than of its volumes</source>
+        <translation>el curs dona les seves vàlvules en instants diferents dels dels seus volums</translation>
+    </message>
+    <message>
+        <source>calibrating the heartbeat</source>
+        <translation>calibratge del batec</translation>
+    </message>
+    <message numerus="yes">
+        <source>a curve needs at least %n {key|keys}</source>
+        <translation>
+            <numerusform>una corba necessita almenys %n clau</numerusform>
+            <numerusform>una corba necessita almenys %n claus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the key is not a finite number</source>
+        <translation>la clau no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>curve key %1</source>
+        <translation>clau %1 de la corba</translation>
+    </message>
+    <message>
+        <source>the key does not lie after the one before it</source>
+        <translation>la clau no és després de l’anterior</translation>
+    </message>
+    <message>
+        <source>sort the keys and remove doubles</source>
+        <translation>ordeneu les claus i elimineu les repetides</translation>
+    </message>
+    <message>
+        <source>the keys do not fit into one period</source>
+        <translation>les claus no caben en un període</translation>
+    </message>
+    <message>
+        <source>give keys of one period only</source>
+        <translation>indiqueu només claus d’un període</translation>
+    </message>
+    <message>
+        <source>the pylorus does not lie beyond the middle of the body</source>
+        <translation>el pílor no és més enllà de la meitat del cos</translation>
+    </message>
+    <message>
+        <source>gastric waves</source>
+        <translation>ones gàstriques</translation>
+    </message>
+    <message>
+        <source>choose the landmarks from the fundus downwards</source>
+        <translation>trieu els punts de referència del fundus cap avall</translation>
+    </message>
+    <message>
+        <source>waves without depth</source>
+        <translation>ones sense profunditat</translation>
+    </message>
+    <message>
+        <source>give a depth above 0</source>
+        <translation>indiqueu una profunditat superior a 0</translation>
+    </message>
+    <message>
+        <source>the surface has no inside</source>
+        <translation>la superfície no té interior</translation>
+    </message>
+    <message>
+        <source>heart landmarks</source>
+        <translation>punts de referència del cor</translation>
+    </message>
+    <message>
+        <source>give apex and base yourself</source>
+        <translation>indiqueu vosaltres l’àpex i la base</translation>
+    </message>
+    <message>
+        <source>the base does not lie inside the heart</source>
+        <translation>la base no és dins del cor</translation>
+    </message>
+    <message>
+        <source>put it on the middle of the mitral valve</source>
+        <translation>poseu-la al centre de la vàlvula mitral</translation>
+    </message>
+    <message>
+        <source>the directions to the right ventricle and to the apex do not span a frame</source>
+        <translation>les direccions al ventricle dret i a l’àpex no formen un sistema d’eixos</translation>
+    </message>
+    <message>
+        <source>heart frame</source>
+        <translation>eixos del cor</translation>
+    </message>
+    <message>
+        <source>choose landmarks that do not lie on one line</source>
+        <translation>trieu punts de referència que no siguin en una recta</translation>
+    </message>
+    <message numerus="yes">
+        <source>a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall</source>
+        <translation>
+            <numerusform>un ventricle no és on indiquen els seus eixos: només %n tirador en toca la paret</numerusform>
+            <numerusform>un ventricle no és on indiquen els seus eixos: només %n tiradors en toquen la paret</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>heart rig</source>
+        <translation>tiradors del cor</translation>
+    </message>
+    <message>
+        <source>check the landmarks of base, apex and right ventricle</source>
+        <translation>comproveu els punts de referència de la base, l’àpex i el ventricle dret</translation>
+    </message>
+    <message>
+        <source>a surface needs three points at least to carry the ring of a valve</source>
+        <translation>una superfície necessita almenys tres punts per portar l’anell d’una vàlvula</translation>
+    </message>
+    <message>
+        <source>its time is not a finite number</source>
+        <translation>el seu temps no és un nombre finit</translation>
+    </message>
+    <message numerus="yes">
+        <source>its pose has %n {handle|handles} instead of %2</source>
+        <translation>
+            <numerusform>la seva posa té %n tirador en lloc de %2</numerusform>
+            <numerusform>la seva posa té %n tiradors en lloc de %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a handle's position is not a finite number</source>
+        <translation>la posició d’un tirador no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>its time, %1, is outside the period of %2</source>
+        <translation>el seu temps, %1, és fora del període de %2</translation>
+    </message>
+    <message>
+        <source>move it, or lengthen the period</source>
+        <translation>moveu-la o allargueu el període</translation>
+    </message>
+    <message>
+        <source>its time, %1, is not after that of the key before it</source>
+        <translation>el seu temps, %1, no és posterior al de la clau anterior</translation>
+    </message>
+    <message>
+        <source>sort the keys by time and leave a millisecond at least between two</source>
+        <translation>ordeneu les claus per temps i deixeu almenys un mil·lisegon entre dues</translation>
+    </message>
+    <message>
+        <source>there is no key</source>
+        <translation>no hi ha cap clau</translation>
+    </message>
+    <message>
+        <source>a handle's rest position is not a finite number</source>
+        <translation>la posició en repòs d’un tirador no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>a heart cannot lose that part of its volume in systole</source>
+        <translation>un cor no pot perdre aquesta part del seu volum a la sístole</translation>
+    </message>
+    <message>
+        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
+        <translation>trieu de 0 a 0,4; les persones tenen de 0,048 a 0,106</translation>
+    </message>
+    <message>
+        <source>the heart cannot be brought to the volume that it has to hold</source>
+        <translation>el cor no pot assolir el volum que ha de tenir</translation>
+    </message>
+    <message>
+        <source>heartbeat at %1 s</source>
+        <translation>batec a %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks of apex and base</source>
+        <translation>comproveu els punts de referència de l’àpex i la base</translation>
+    </message>
+    <message>
+        <source>the upper stomach cannot take in what the waves press out</source>
+        <translation>l’estómac superior no pot acollir el que les ones desplacen</translation>
+    </message>
+    <message>
+        <source>peristalsis after %1 s</source>
+        <translation>peristaltisme després de %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks</source>
+        <translation>comproveu els punts de referència</translation>
+    </message>
+    <message>
+        <source>the coordinates of the handles are not a finite square matrix</source>
+        <translation>les coordenades dels tiradors no són una matriu quadrada finita</translation>
+    </message>
+    <message>
+        <source>pose compensation</source>
+        <translation>compensació de la posa</translation>
+    </message>
+    <message>
+        <source>the coordinates do not sum to 1</source>
+        <translation>les coordenades no sumen 1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
+        <translation>
+            <numerusform>la compensació és per a %n tirador, l’òrgan (%2) en té %3</numerusform>
+            <numerusform>la compensació és per a %n tiradors, l’òrgan (%2) en té %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the size of the organ is not a positive number</source>
+        <translation>la mida de l’òrgan no és un nombre positiu</translation>
+    </message>
+    <message>
+        <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
+        <translation>la línia central surt de l’estómac %1 mm per sota del cim del fundus</translation>
+    </message>
+    <message>
+        <source>stomach rig</source>
+        <translation>tiradors de l’estómac</translation>
+    </message>
+    <message>
+        <source>move its points into the stomach</source>
+        <translation>moveu els seus punts dins de l’estómac</translation>
+    </message>
+    <message>
+        <source>the centreline ends before the pylorus</source>
+        <translation>la línia central acaba abans del pílor</translation>
+    </message>
+    <message>
+        <source>lead it into the duodenum</source>
+        <translation>allargueu-la fins al duodè</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n {vertex|vertices} of the surface {lies|lie} there</source>
+        <translation>
+            <numerusform>Només hi ha %n vèrtex de la superfície</numerusform>
+            <numerusform>Només hi ha %n vèrtexs de la superfície</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>take a finer surface</source>
+        <translation>feu servir una superfície més fina</translation>
+    </message>
+    <message>
+        <source>base of the left ventricle</source>
+        <translation>base del ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>apex of the left ventricle</source>
+        <translation>àpex del ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>base of the right ventricle</source>
+        <translation>base del ventricle dret</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, inside</source>
+        <translation>paret lliure del ventricle esquerre, per dins</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, outside</source>
+        <translation>paret lliure del ventricle esquerre, per fora</translation>
+    </message>
+    <message>
+        <source>The surfaces are not those that were measured at rest</source>
+        <translation>Les superfícies no són les que es van mesurar en repòs</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus towards the apex</source>
+        <translation>excursió de l’anell mitral cap a l’àpex</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus at the free wall</source>
+        <translation>excursió de l’anell tricúspide a la paret lliure</translation>
+    </message>
+    <message>
+        <source>turn of the apex against the base</source>
+        <translation>gir de l’àpex respecte a la base</translation>
+    </message>
+    <message>
+        <source>of the left ventricle's free wall in systole</source>
+        <translation>de la paret lliure del ventricle esquerre a la sístole</translation>
+    </message>
+    <message>
+        <source>20 % around the healthy adult at rest</source>
+        <translation>20 % al voltant de l’adult sa en repòs</translation>
+    </message>
+    <message>
+        <source>sinus rhythm at rest</source>
+        <translation>ritme sinusal en repòs</translation>
+    </message>
+    <message>
+        <source>800 to 1600 dyn s cm^-5, customary at the bedside</source>
+        <translation>800 a 1600 dyn s cm^-5, habitual a la clínica</translation>
+    </message>
+    <message>
+        <source>up to 2 Wood units</source>
+        <translation>fins a 2 unitats Wood</translation>
+    </message>
+    <message>
+        <source>as much lubricates a healthy heart</source>
+        <translation>és el que lubrica un cor sa</translation>
+    </message>
+    <message>
+        <source>the circulation has no parameter of that name</source>
+        <translation>la circulació no té cap paràmetre amb aquest nom</translation>
+    </message>
+    <message>
+        <source>the nearest is %1; docs/circulation.md lists all</source>
+        <translation>el més semblant és %1; docs/circulation.md els enumera tots</translation>
+    </message>
+    <message>
+        <source>%1 is out of its range</source>
+        <translation>%1 és fora del seu interval</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 %3</source>
+        <translation>de %1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>the valve leaks through a larger area than it opens to</source>
+        <translation>la vàlvula té una fuita per una àrea més gran que la seva obertura</translation>
+    </message>
+    <message>
+        <source>choose a %1 below its %2</source>
+        <translation>trieu %1 més petit que %2</translation>
+    </message>
+    <message>
+        <source>%1 lies between %2 and %3</source>
+        <translation>%1 és entre %2 i %3</translation>
+    </message>
+    <message>
+        <source>An end-diastolic volume in ml</source>
+        <translation>Un volum telediastòlic en ml</translation>
+    </message>
+    <message>
+        <source>give the largest volume of the left ventricle</source>
+        <translation>indiqueu el volum més gran del ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>An ejection fraction</source>
+        <translation>Una fracció d’ejecció</translation>
+    </message>
+    <message>
+        <source>give 55 % as 0.55</source>
+        <translation>indiqueu 55 % com a 0,55</translation>
+    </message>
+    <message>
+        <source>A mean aortic pressure in mmHg</source>
+        <translation>Una pressió aòrtica mitjana en mmHg</translation>
+    </message>
+    <message>
+        <source>about a third of the way from the diastolic to the systolic one</source>
+        <translation>al voltant d’un terç del camí de la diastòlica a la sistòlica</translation>
+    </message>
+    <message>
+        <source>fitting the circulation</source>
+        <translation>ajust de la circulació</translation>
+    </message>
+    <message>
+        <source>the circulation of that heart</source>
+        <translation>la circulació d’aquest cor</translation>
+    </message>
+    <message>
+        <source>The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>La circulació té el ventricle mesurat: %1 ml, fracció d’ejecció %2, pressió aòrtica mitjana %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>Cap circulació té exactament aquest ventricle; la més propera: %1 ml, fracció d’ejecció %2, pressió aòrtica mitjana %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg; at the limit of its range: %4</source>
+        <translation>Cap circulació té exactament aquest ventricle; la més propera: %1 ml, fracció d’ejecció %2, pressió aòrtica mitjana %3 mmHg; al límit del seu interval: %4</translation>
+    </message>
+    <message>
+        <source>the circulation to start with</source>
+        <translation>la circulació de partida</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
+        <translation>
+            <numerusform>Després de %n batec els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum tensat més gran</numerusform>
+            <numerusform>Després de %n batecs els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum tensat més gran</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the circulation breaks down: its pressures grow without bounds</source>
+        <translation>la circulació s’ensorra: les seves pressions creixen sense límit</translation>
+    </message>
+    <message>
+        <source>beat %1</source>
+        <translation>batec %1</translation>
+    </message>
+    <message>
+        <source>bring the parameters nearer to those at rest, a few at a time</source>
+        <translation>acosteu els paràmetres als de repòs, uns quants cada vegada</translation>
+    </message>
+    <message>
+        <source>there is no such scenario</source>
+        <translation>no existeix aquest escenari</translation>
+    </message>
+    <message>
+        <source>choose one of %1</source>
+        <translation>trieu-ne un de %1</translation>
+    </message>
+    <message>
+        <source>fitting phase %1</source>
+        <translation>ajust de la fase %1</translation>
+    </message>
+    <message>
+        <source>smoothing phase %1</source>
+        <translation>suavitzat de la fase %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away on average</source>
+        <translation>%1 és a %2 mm de mitjana</translation>
+    </message>
+    <message>
+        <source>a twentieth of %1 is more than %2 mm away</source>
+        <translation>una vintena part de %1 és a més de %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 had to be changed by %2 % to get its volume</source>
+        <translation>%1 s’ha hagut de canviar un %2 % per tenir el seu volum</translation>
+    </message>
+    <message>
+        <source>%1 agrees with its voxels by a Dice of %2 only</source>
+        <translation>%1 coincideix amb els seus vòxels només amb un Dice de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} of %2 {is|are} turned over</source>
+        <translation>
+            <numerusform>%n triangle de %2 està girat</numerusform>
+            <numerusform>%n triangles de %2 estan girats</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the tissue is folded at %n {place|places}</source>
+        <translation>
+            <numerusform>el teixit està plegat en %n lloc</numerusform>
+            <numerusform>el teixit està plegat en %n llocs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the measured volumes cannot be met</source>
+        <translation>els volums mesurats no es poden assolir</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 handles are too few for %n {surface|surfaces}</source>
+        <translation>
+            <numerusform>%2 tiradors són pocs per a %n superfície</numerusform>
+            <numerusform>%2 tiradors són pocs per a %n superfícies</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ask for %1 at least</source>
+        <translation>demaneu-ne almenys %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer</source>
+        <translation>demaneu-ne menys</translation>
+    </message>
+    <message>
+        <source>keeping volumes</source>
+        <translation>conservació dels volums</translation>
+    </message>
+    <message>
+        <source>It has no phase</source>
+        <translation>No té cap fase</translation>
+    </message>
+    <message>
+        <source>name one surface for each phase</source>
+        <translation>indiqueu una superfície per a cada fase</translation>
+    </message>
+    <message>
+        <source>Phase %1 has %2 points and the first has %3</source>
+        <translation>La fase %1 té %2 punts i la primera en té %3</translation>
+    </message>
+    <message>
+        <source>export all phases with the same triangles</source>
+        <translation>exporteu totes les fases amb els mateixos triangles</translation>
+    </message>
+    <message>
+        <source>%1, phase %2</source>
+        <translation>%1, fase %2</translation>
+    </message>
+    <message>
+        <source>It has no triangle with three different corners</source>
+        <translation>No té cap triangle amb tres vèrtexs diferents</translation>
+    </message>
+    <message>
+        <source>It is not a closed surface, even with its holes filled: %1</source>
+        <translation>No és una superfície tancada, ni amb els forats tapats: %1</translation>
+    </message>
+    <message>
+        <source>repair the surfaces in the program that made them</source>
+        <translation>repareu les superfícies al programa que les va fer</translation>
+    </message>
+    <message>
+        <source>There is no surface</source>
+        <translation>No hi ha cap superfície</translation>
+    </message>
+    <message>
+        <source>name one at least</source>
+        <translation>indiqueu-ne almenys una</translation>
+    </message>
+    <message>
+        <source>the volume cannot be kept throughout the cycle: %1</source>
+        <translation>el volum no es pot conservar durant tot el cicle: %1</translation>
+    </message>
+    <message>
+        <source>unlock it, or prescribe a volume nearer to that at rest</source>
+        <translation>desbloquegeu-lo o prescriviu un volum més proper al de repòs</translation>
+    </message>
+    <message>
+        <source>It is not a rate at which the sequence can be played</source>
+        <translation>La seqüència no es pot reproduir a aquesta freqüència</translation>
+    </message>
+    <message>
+        <source>rates of the lesson</source>
+        <translation>freqüències de la lliçó</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 a minute</source>
+        <translation>de %1 a %2 per minut</translation>
+    </message>
+    <message>
+        <source>There is no such phase</source>
+        <translation>No existeix aquesta fase</translation>
+    </message>
+    <message>
+        <source>viscera play names the phases of a sequence</source>
+        <translation>viscera play enumera les fases d’una seqüència</translation>
+    </message>
+    <message>
+        <source>There is no such organ to hide</source>
+        <translation>No existeix aquest òrgan per amagar</translation>
+    </message>
+    <message>
+        <source>name one that is shown</source>
+        <translation>indiqueu-ne un que es mostri</translation>
+    </message>
+    <message>
+        <source>It is not a language of the page</source>
+        <translation>No és una llengua de la pàgina</translation>
+    </message>
+    <message>
+        <source>No organ is shown</source>
+        <translation>No es mostra cap òrgan</translation>
+    </message>
+    <message>
+        <source>the lesson</source>
+        <translation>la lliçó</translation>
+    </message>
+    <message>
+        <source>show those that the lesson is about</source>
+        <translation>mostreu aquells de què tracta la lliçó</translation>
+    </message>
+    <message>
+        <source>a number does not fit into a lesson: %1</source>
+        <translation>un nombre no cap en una lliçó: %1</translation>
+    </message>
+    <message>
+        <source>check the size of the organ, and its motion</source>
+        <translation>comproveu la mida de l’òrgan i el seu moviment</translation>
+    </message>
+    <message>
+        <source>an array of the lesson ends behind its bytes</source>
+        <translation>una matriu de la lliçó acaba més enllà dels seus bytes</translation>
+    </message>
+    <message>
+        <source>the arrays of the lesson cannot be unpacked</source>
+        <translation>les matrius de la lliçó no es poden descomprimir</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; returned no binding of the right size</source>
+        <translation>el sistema «%1» no ha tornat cap enllaç de la mida correcta</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed: %2</source>
+        <translation>el sistema «%1» ha fallat: %2</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed</source>
+        <translation>el sistema «%1» ha fallat</translation>
+    </message>
+    <message>
+        <source>choose another system</source>
+        <translation>trieu un altre sistema</translation>
+    </message>
+    <message>
+        <source>it is not a Viscera plugin, or it is damaged</source>
+        <translation>no és un connector de Viscera, o està malmès</translation>
+    </message>
+    <message>
+        <source>it is a plugin for another program (%1)</source>
+        <translation>és un connector per a un altre programa (%1)</translation>
+    </message>
+    <message>
+        <source>it was made for version %1 of the plugin interface, this program has %2</source>
+        <translation>es va fer per a la versió %1 de la interfície de connectors, aquest programa té la %2</translation>
+    </message>
+    <message>
+        <source>its manifest lacks id, name or version</source>
+        <translation>al seu manifest li falta id, name o version</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded: %1</source>
+        <translation>no es pot carregar: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading: %1</source>
+        <translation>ha fallat en carregar-se: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading</source>
+        <translation>ha fallat en carregar-se</translation>
+    </message>
+    <message>
+        <source>plugin %1: %2</source>
+        <translation>connector %1: %2</translation>
+    </message>
+    <message>
+        <source>The coordinate system has a parameter without a name</source>
+        <translation>El sistema de coordenades té un paràmetre sense nom</translation>
+    </message>
+    <message>
+        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
+        <translation>El sistema de coordenades ofereix dues vegades el paràmetre «%1»</translation>
+    </message>
+    <message>
+        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
+        <translation>El valor estàndard del paràmetre «%1» és fora del seu interval</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system to add</source>
+        <translation>No hi ha cap sistema de coordenades per afegir</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
+        <translation>«%1» no pot ser l’identificador d’un sistema de coordenades</translation>
+    </message>
+    <message>
+        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
+        <translation>feu servir minúscules, xifres i guions solts, com a «s-celestial»</translation>
+    </message>
+    <message>
+        <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
+        <translation>Ja hi ha un sistema de coordenades «%1» (%2)</translation>
+    </message>
+    <message>
+        <source>remove one of the two, or give one another id</source>
+        <translation>elimineu-ne un dels dos o doneu a un un altre identificador</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system &quot;%1&quot;</source>
+        <translation>No existeix el sistema de coordenades «%1»</translation>
+    </message>
+    <message>
+        <source>none is loaded</source>
+        <translation>no n’hi ha cap de carregat</translation>
+    </message>
+    <message>
+        <source>There is no such slice</source>
+        <translation>No existeix aquest tall</translation>
+    </message>
+    <message>
+        <source>take axial, coronal or sagittal</source>
+        <translation>feu servir axial, coronal o sagittal</translation>
+    </message>
+    <message>
+        <source>none: the organs are as in their files</source>
+        <translation>cap: els òrgans són com als seus fitxers</translation>
+    </message>
+    <message>
+        <source>in %1 groups</source>
+        <translation>en %1 grups</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en repòs</translation>
+    </message>
+    <message>
+        <source>%1 of them moved</source>
+        <translation>%1 d’ells moguts</translation>
+    </message>
+    <message>
+        <source>%1 of them shown</source>
+        <translation>%1 d’ells visibles</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fitxer</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Òrgans</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Instant</source>
+        <translation>Instant</translation>
+    </message>
+    <message>
+        <source>%1, at %2 of its cycle</source>
+        <translation>%1, al %2 del seu cicle</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(amagat)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>obert</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloquejat</translation>
+    </message>
+    <message>
+        <source>Reference shape (ml)</source>
+        <translation>Forma de referència (ml)</translation>
+    </message>
+    <message>
+        <source>Now (ml)</source>
+        <translation>Ara (ml)</translation>
+    </message>
+    <message>
+        <source>Change (ml)</source>
+        <translation>Canvi (ml)</translation>
+    </message>
+    <message>
+        <source>Change (%)</source>
+        <translation>Canvi (%)</translation>
+    </message>
+    <message>
+        <source>Surface (cm²)</source>
+        <translation>Superfície (cm²)</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volums</translation>
+    </message>
+    <message>
+        <source>Open: the surface has holes and holds no volume.</source>
+        <translation>Obert: la superfície té forats i no tanca cap volum.</translation>
+    </message>
+    <message>
+        <source>mean in a rectangle</source>
+        <translation>mitjana en un rectangle</translation>
+    </message>
+    <message>
+        <source>mean in a sphere</source>
+        <translation>mitjana en una esfera</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Què</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sobre</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referència</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ara</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Canvi</translation>
+    </message>
+    <message>
+        <source>the scan</source>
+        <translation>l’exploració</translation>
+    </message>
+    <message>
+        <source>sample organ &quot;%1&quot;, %2 resolution</source>
+        <translation>òrgan de mostra «%1», resolució %2</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>baixa</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mitjana</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>alta</translation>
+    </message>
+    <message>
+        <source>made in the program</source>
+        <translation>fet al programa</translation>
+    </message>
+    <message>
+        <source>nothing: it is as it was read</source>
+        <translation>res: és com s’ha llegit</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>What was found and done</source>
+        <translation>Què s’ha trobat i s’ha fet</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vèrtexs</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Files and what was done to them</source>
+        <translation>Fitxers i què se n’ha fet</translation>
+    </message>
+    <message>
+        <source>All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes LPS (to the left, to the back, to the head). Viscera is a program for teaching and research, not a medical device.</source>
+        <translation>Totes les longituds són en mil·límetres, tots els volums en mil·lilitres; les posicions són en els eixos LPS del pacient (a l’esquerra, enrere, cap al cap). Viscera és un programa per a la docència i la recerca, no un producte sanitari.</translation>
+    </message>
+    <message>
+        <source>There is no organ to report on</source>
+        <translation>No hi ha cap òrgan sobre el qual informar</translation>
+    </message>
+    <message>
+        <source>Made by Viscera %1 on %2</source>
+        <translation>Fet per Viscera %1 el %2</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dibuix</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>mesura</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fet</translation>
+    </message>
+    <message>
+        <source>going through the cycle</source>
+        <translation>recorregut del cicle</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>Volum (ml)</translation>
+    </message>
+    <message>
+        <source>Volumes over one cycle, each instant computed</source>
+        <translation>Volums durant un cicle, cada instant calculat</translation>
+    </message>
+    <message>
+        <source>the first %1 of %2 organs</source>
+        <translation>els primers %1 de %2 òrgans</translation>
+    </message>
+    <message>
+        <source>Smallest (ml)</source>
+        <translation>Mínim (ml)</translation>
+    </message>
+    <message>
+        <source>Largest (ml)</source>
+        <translation>Màxim (ml)</translation>
+    </message>
+    <message>
+        <source>Ventricle</source>
+        <translation>Ventricle</translation>
+    </message>
+    <message>
+        <source>EDV (ml)</source>
+        <translation>VTD (ml)</translation>
+    </message>
+    <message>
+        <source>ESV (ml)</source>
+        <translation>VTS (ml)</translation>
+    </message>
+    <message>
+        <source>Stroke volume (ml)</source>
+        <translation>Volum sistòlic (ml)</translation>
+    </message>
+    <message>
+        <source>EF (%)</source>
+        <translation>FE (%)</translation>
+    </message>
+    <message>
+        <source>EF of healthy people</source>
+        <translation>FE de persones sanes</translation>
+    </message>
+    <message>
+        <source>Output (l/min)</source>
+        <translation>Cabal (l/min)</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Moviment</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Seqüència</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Freqüència</translation>
+    </message>
+    <message>
+        <source>%1 a minute, one cycle takes %2 s</source>
+        <translation>%1 per minut, un cicle dura %2 s</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Fases</translation>
+    </message>
+    <message>
+        <source>Prescribed</source>
+        <translation>Prescrit</translation>
+    </message>
+    <message>
+        <source>the volume of %1</source>
+        <translation>el volum de %1</translation>
+    </message>
+    <message>
+        <source>A volume could not be kept: %1</source>
+        <translation>No s’ha pogut conservar un volum: %1</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De cara</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Des de l’esquerra</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Des de dalt</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Des de darrere</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Des de la dreta</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Des de sota</translation>
+    </message>
+    <message>
+        <source>The map as the session shows it</source>
+        <translation>El mapa tal com el mostra la sessió</translation>
+    </message>
+    <message>
+        <source>There is no font to write with</source>
+        <translation>No hi ha cap tipus de lletra per escriure</translation>
+    </message>
+    <message>
+        <source>install one, such as the package fonts-dejavu-core</source>
+        <translation>instal·leu-ne un, com el paquet fonts-dejavu-core</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Pàgina %1 de %2</translation>
+    </message>
+    <message>
+        <source>A report cannot be written to this kind of file</source>
+        <translation>No es pot escriure un informe en aquest tipus de fitxer</translation>
+    </message>
+    <message>
+        <source>let it end in .pdf or .html</source>
+        <translation>feu que acabi en .pdf o .html</translation>
+    </message>
+    <message>
+        <source>by TetGen</source>
+        <translation>per TetGen</translation>
+    </message>
+    <message>
+        <source>by TetGen, from a repaired copy of the surface</source>
+        <translation>per TetGen, d’una còpia reparada de la superfície</translation>
+    </message>
+    <message>
+        <source>by a regular grid</source>
+        <translation>per una quadrícula regular</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Magnitud</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Mínim</translation>
+    </message>
+    <message>
+        <source>5th percentile</source>
+        <translation>Percentil 5</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>Percentil 95</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Màxim</translation>
+    </message>
+    <message>
+        <source>%1, the worst of a cycle</source>
+        <translation>%1, el pitjor d’un cicle</translation>
+    </message>
+    <message>
+        <source>Points (%)</source>
+        <translation>Punts (%)</translation>
+    </message>
+    <message>
+        <source>%1 over the witness points</source>
+        <translation>%1 als punts testimoni</translation>
+    </message>
+    <message>
+        <source>Rotational stress (deg)</source>
+        <translation>Tensió rotacional (graus)</translation>
+    </message>
+    <message>
+        <source>Over one cycle of the sequence</source>
+        <translation>Durant un cicle de la seqüència</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonda</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lloc (mm)</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>sense teixit</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegat</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distància en repòs (mm)</translation>
+    </message>
+    <message>
+        <source>Along the straight lines at rest between probes</source>
+        <translation>Al llarg de les rectes en repòs entre sondes</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress)</source>
+        <translation>Distorsió del teixit (tensió rotacional)</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Punts testimoni</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 en %2 tetràedres</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Derivades</translation>
+    </message>
+    <message>
+        <source>in closed form (analytic)</source>
+        <translation>en forma tancada (analítica)</translation>
+    </message>
+    <message>
+        <source>by central differences</source>
+        <translation>per diferències centrals</translation>
+    </message>
+    <message>
+        <source>no point: the tissue is turned inside out nowhere</source>
+        <translation>cap punt: el teixit no està invertit enlloc</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are turned inside out</source>
+        <translation>%1 de %2 punts estan invertits</translation>
+    </message>
+    <message>
+        <source>Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. It measures distortion and is not a pressure.</source>
+        <translation>La tensió rotacional és l’angle més gran que gira una direcció quan el teixit s’estira. Mesura la distorsió i no és una pressió.</translation>
+    </message>
+    <message>
+        <source>± %1, %2 to %3, %4, %5 voxels</source>
+        <translation>± %1, de %2 a %3, %4, %5 vòxels</translation>
+    </message>
+    <message>
+        <source>Not all of what the window showed can be brought back</source>
+        <translation>No es pot recuperar tot el que mostrava la finestra</translation>
+    </message>
+    <message>
+        <source>the session's view</source>
+        <translation>la vista de la sessió</translation>
+    </message>
+    <message>
+        <source>the organs and the handles are complete; save the session anew</source>
+        <translation>els òrgans i els tiradors són complets; deseu de nou la sessió</translation>
+    </message>
+    <message>
+        <source>There is no such normal range</source>
+        <translation>No existeix aquest interval normal</translation>
+    </message>
+    <message>
+        <source>viscera reference names them all</source>
+        <translation>viscera reference els enumera tots</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>dones</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>homes</translation>
+    </message>
+    <message>
+        <source>women and men</source>
+        <translation>dones i homes</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations</source>
+        <translation>%1, mitjana ± 2 desviacions típiques</translation>
+    </message>
+    <message>
+        <source>%1, on average</source>
+        <translation>%1, de mitjana</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations, for %2 m2 of body surface</source>
+        <translation>%1, mitjana ± 2 desviacions típiques, per a %2 m² de superfície corporal</translation>
+    </message>
+    <message>
+        <source>%1, on average, for %2 m2 of body surface</source>
+        <translation>%1, de mitjana, per a %2 m² de superfície corporal</translation>
+    </message>
+    <message>
+        <source>800 healthy people of 45 to 74 years, by magnetic resonance, papillary muscles counted as cavity</source>
+        <translation>800 persones sanes de 45 a 74 anys, per ressonància magnètica, músculs papil·lars comptats com a cavitat</translation>
+    </message>
+    <message>
+        <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
+        <translation>1815 persones sense malaltia renal, per ressonància magnètica; la desviació és la dels quartils</translation>
+    </message>
+    <message>
+        <source>customary at the bedside</source>
+        <translation>habitual a la clínica</translation>
+    </message>
+    <message>
+        <source>mass of the muscle</source>
+        <translation>massa del múscul</translation>
+    </message>
+    <message>
+        <source>1969 healthy people at rest, by tissue Doppler</source>
+        <translation>1969 persones sanes en repòs, per Doppler tissular</translation>
+    </message>
+    <message>
+        <source>ejection time</source>
+        <translation>temps d’ejecció</translation>
+    </message>
+    <message>
+        <source>healthy adults, by magnetic resonance and ultrasound</source>
+        <translation>adults sans, per ressonància magnètica i ecografia</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus (MAPSE)</source>
+        <translation>excursió de l’anell mitral (MAPSE)</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus (TAPSE)</source>
+        <translation>excursió de l’anell tricúspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>twist of the apex against the base</source>
+        <translation>torsió de l’àpex respecte a la base</translation>
+    </message>
+    <message>
+        <source>thickening of the free wall</source>
+        <translation>engruiximent de la paret lliure</translation>
+    </message>
+    <message>
+        <source>healthy adults at rest</source>
+        <translation>adults sans en repòs</translation>
+    </message>
+    <message>
+        <source>systolic pressure</source>
+        <translation>pressió sistòlica</translation>
+    </message>
+    <message>
+        <source>diastolic pressure</source>
+        <translation>pressió diastòlica</translation>
+    </message>
+    <message>
+        <source>mean pressure</source>
+        <translation>pressió mitjana</translation>
+    </message>
+    <message>
+        <source>end-diastolic pressure</source>
+        <translation>pressió telediastòlica</translation>
+    </message>
+    <message>
+        <source>fastest rise of pressure</source>
+        <translation>ascens més ràpid de la pressió</translation>
+    </message>
+    <message>
+        <source>coupling Ea/Ees</source>
+        <translation>acoblament Ea/Ees</translation>
+    </message>
+    <message>
+        <source>mean gradient</source>
+        <translation>gradient mitjà</translation>
+    </message>
+    <message>
+        <source>regurgitant fraction</source>
+        <translation>fracció de regurgitació</translation>
+    </message>
+    <message>
+        <source>reference woman and man; no spread is given</source>
+        <translation>dona i home de referència; no s’indica la dispersió</translation>
+    </message>
+    <message>
+        <source>1248 people without liver disease, by magnetic resonance</source>
+        <translation>1248 persones sense malaltia hepàtica, per ressonància magnètica</translation>
+    </message>
+    <message>
+        <source>212 adults, by CT</source>
+        <translation>212 adults, per TC</translation>
+    </message>
+    <message>
+        <source>adults of 20 to 60 years, by CT</source>
+        <translation>adults de 20 a 60 anys, per TC</translation>
+    </message>
+    <message>
+        <source>contents after a meal</source>
+        <translation>contingut després de menjar</translation>
+    </message>
+    <message>
+        <source>443 people after a meal, by single-photon tomography</source>
+        <translation>443 persones després de menjar, per tomografia de fotó únic</translation>
+    </message>
+    <message>
+        <source>contents of 443 people after a meal, by single-photon tomography, and 138 ml of wall (ICRP publication 89)</source>
+        <translation>contingut de 443 persones després de menjar, per tomografia de fotó únic, i 138 ml de paret (publicació 89 de la ICRP)</translation>
+    </message>
+    <message>
+        <source>adults, by electrogastrography</source>
+        <translation>adults, per electrogastrografia</translation>
+    </message>
+    <message>
+        <source>speed of the waves</source>
+        <translation>velocitat de les ones</translation>
+    </message>
+    <message>
+        <source>occlusion of the antrum by a wave</source>
+        <translation>oclusió de l’antre per una ona</translation>
+    </message>
+    <message>
+        <source>28 healthy people, by magnetic resonance</source>
+        <translation>28 persones sanes, per ressonància magnètica</translation>
+    </message>
+    <message>
+        <source>adults at rest</source>
+        <translation>adults en repòs</translation>
+    </message>
+    <message>
+        <source>part that is inspiration</source>
+        <translation>part que és inspiració</translation>
+    </message>
+    <message>
+        <source>adults at rest, from 1 : 2 to 1 : 1</source>
+        <translation>adults en repòs, d’1 : 2 a 1 : 1</translation>
+    </message>
+    <message>
+        <source>way down in quiet breathing</source>
+        <translation>descens en la respiració tranquil·la</translation>
+    </message>
+    <message>
+        <source>what several studies measured</source>
+        <translation>el que van mesurar diversos estudis</translation>
+    </message>
+    <message>
+        <source>there are no handles to save</source>
+        <translation>no hi ha tiradors per desar</translation>
+    </message>
+    <message>
+        <source>It is not a file that a report can be</source>
+        <translation>Un informe no pot ser un fitxer així</translation>
+    </message>
+    <message>
+        <source>There is no scan to export</source>
+        <translation>No hi ha cap exploració per exportar</translation>
+    </message>
+    <message>
+        <source>There are no handles that could bend the scan</source>
+        <translation>No hi ha tiradors que puguin deformar l’exploració</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>S’escriu l’exploració</translation>
+    </message>
+    <message>
+        <source>9 healthy people, by magnetic resonance; 28 people of doi 10.1046/j.1365-2982.2001.00285.x have 1.6 +- 0.2</source>
+        <translation>9 persones sanes, per ressonància magnètica; 28 persones de doi 10.1046/j.1365-2982.2001.00285.x tenen 1,6 ± 0,2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>des de %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>fins a %1</translation>
+    </message>
+    <message>
+        <source>there is no sample organ &quot;%1&quot;</source>
+        <translation>no existeix l’òrgan de mostra «%1»</translation>
+    </message>
+    <message>
+        <source>there is no resolution &quot;%1&quot;</source>
+        <translation>no existeix la resolució «%1»</translation>
+    </message>
+    <message>
+        <source>use low, medium or high</source>
+        <translation>feu servir low, medium o high</translation>
+    </message>
+    <message>
+        <source>the sample organs cannot be listed: %1</source>
+        <translation>no es poden enumerar els òrgans de mostra: %1</translation>
+    </message>
+    <message>
+        <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
+        <translation>poseu a VISCERA_SAMPLE_ORGANS la carpeta de les definicions</translation>
+    </message>
 </context>
 </TS>

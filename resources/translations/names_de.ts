@@ -6555,5 +6555,1428 @@
         <source>writing the movie</source>
         <translation>Schreiben des Films</translation>
     </message>
+    <message>
+        <source>breathing needs at least four handles</source>
+        <translation>die Atmung braucht mindestens vier Griffe</translation>
+    </message>
+    <message>
+        <source>the organ has no extent</source>
+        <translation>das Organ hat keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>the liver cannot be pressed that far</source>
+        <translation>so weit lässt sich die Leber nicht drücken</translation>
+    </message>
+    <message>
+        <source>use shares between 0 and 0.5</source>
+        <translation>verwenden Sie Anteile zwischen 0 und 0,5</translation>
+    </message>
+    <message>
+        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
+        <translation>ein Ventrikel muss am Ende der Systole weniger enthalten als am Ende der Diastole</translation>
+    </message>
+    <message>
+        <source>cardiac cycle</source>
+        <translation>Herzzyklus</translation>
+    </message>
+    <message>
+        <source>The volume of a cavity is not a number</source>
+        <translation>Das Volumen einer Höhle ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>check the cavities' surfaces</source>
+        <translation>prüfen Sie die Oberflächen der Höhlen</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right</source>
+        <translation>Herz mit %1 ml links und %2 ml rechts</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right, atria with %3 ml left and %4 ml right</source>
+        <translation>Herz mit %1 ml links und %2 ml rechts, Vorhöfe mit %3 ml links und %4 ml rechts</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; atria: left off by %3 ml, right by %4 ml</source>
+        <translation>Die Ventrikel lassen sich nicht auf ihre Volumina bringen: links fehlen %1 ml, rechts %2 ml; Vorhöfe: links %3 ml, rechts %4 ml</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml</source>
+        <translation>Die Ventrikel lassen sich nicht auf ihre Volumina bringen: links fehlen %1 ml, rechts %2 ml</translation>
+    </message>
+    <message>
+        <source>check that the cavities lie inside the handles of their walls</source>
+        <translation>prüfen Sie, ob die Höhlen innerhalb der Griffe ihrer Wände liegen</translation>
+    </message>
+    <message>
+        <source>a centreline needs at least two points</source>
+        <translation>eine Mittellinie braucht mindestens zwei Punkte</translation>
+    </message>
+    <message>
+        <source>centreline point %1</source>
+        <translation>Punkt %1 der Mittellinie</translation>
+    </message>
+    <message>
+        <source>the point is not finite</source>
+        <translation>der Punkt ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the point is where the one before it is</source>
+        <translation>der Punkt liegt an der Stelle des vorigen</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>the course does not cover a beat</source>
+        <translation>der Verlauf umfasst keinen ganzen Schlag</translation>
+    </message>
+    <message>
+        <source>the course tells of its valves at other instants than of its volumes</source>
+        <translation>der Verlauf nennt seine Klappen zu anderen Zeitpunkten als seine Volumina</translation>
+    </message>
+    <message>
+        <source>calibrating the heartbeat</source>
+        <translation>Abgleich des Herzschlags</translation>
+    </message>
+    <message numerus="yes">
+        <source>a curve needs at least %n {key|keys}</source>
+        <translation>
+            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
+            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the key is not a finite number</source>
+        <translation>der Schlüssel ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>curve key %1</source>
+        <translation>Schlüssel %1 der Kurve</translation>
+    </message>
+    <message>
+        <source>the key does not lie after the one before it</source>
+        <translation>der Schlüssel liegt nicht nach dem vorigen</translation>
+    </message>
+    <message>
+        <source>sort the keys and remove doubles</source>
+        <translation>sortieren Sie die Schlüssel und entfernen Sie doppelte</translation>
+    </message>
+    <message>
+        <source>the keys do not fit into one period</source>
+        <translation>die Schlüssel passen nicht in eine Periode</translation>
+    </message>
+    <message>
+        <source>give keys of one period only</source>
+        <translation>geben Sie nur Schlüssel einer Periode an</translation>
+    </message>
+    <message>
+        <source>the pylorus does not lie beyond the middle of the body</source>
+        <translation>der Pylorus liegt nicht jenseits der Mitte des Corpus</translation>
+    </message>
+    <message>
+        <source>gastric waves</source>
+        <translation>Magenwellen</translation>
+    </message>
+    <message>
+        <source>choose the landmarks from the fundus downwards</source>
+        <translation>wählen Sie die Landmarken vom Fundus abwärts</translation>
+    </message>
+    <message>
+        <source>waves without depth</source>
+        <translation>Wellen ohne Tiefe</translation>
+    </message>
+    <message>
+        <source>give a depth above 0</source>
+        <translation>geben Sie eine Tiefe über 0 an</translation>
+    </message>
+    <message>
+        <source>the surface has no inside</source>
+        <translation>die Oberfläche hat kein Inneres</translation>
+    </message>
+    <message>
+        <source>heart landmarks</source>
+        <translation>Landmarken des Herzens</translation>
+    </message>
+    <message>
+        <source>give apex and base yourself</source>
+        <translation>geben Sie Spitze und Basis selbst an</translation>
+    </message>
+    <message>
+        <source>the base does not lie inside the heart</source>
+        <translation>die Basis liegt nicht im Herzen</translation>
+    </message>
+    <message>
+        <source>put it on the middle of the mitral valve</source>
+        <translation>setzen Sie sie auf die Mitte der Mitralklappe</translation>
+    </message>
+    <message>
+        <source>the directions to the right ventricle and to the apex do not span a frame</source>
+        <translation>die Richtungen zum rechten Ventrikel und zur Spitze spannen kein Achsenkreuz auf</translation>
+    </message>
+    <message>
+        <source>heart frame</source>
+        <translation>Achsenkreuz des Herzens</translation>
+    </message>
+    <message>
+        <source>choose landmarks that do not lie on one line</source>
+        <translation>wählen Sie Landmarken, die nicht auf einer Geraden liegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall</source>
+        <translation>
+            <numerusform>ein Ventrikel liegt nicht, wo sein Achsenkreuz ihn angibt: nur %n Griff trifft seine Wand</numerusform>
+            <numerusform>ein Ventrikel liegt nicht, wo sein Achsenkreuz ihn angibt: nur %n Griffe treffen seine Wand</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>heart rig</source>
+        <translation>Griffe des Herzens</translation>
+    </message>
+    <message>
+        <source>check the landmarks of base, apex and right ventricle</source>
+        <translation>prüfen Sie die Landmarken von Basis, Spitze und rechtem Ventrikel</translation>
+    </message>
+    <message>
+        <source>a surface needs three points at least to carry the ring of a valve</source>
+        <translation>eine Oberfläche braucht mindestens drei Punkte, um den Ring einer Klappe zu tragen</translation>
+    </message>
+    <message>
+        <source>its time is not a finite number</source>
+        <translation>seine Zeit ist keine endliche Zahl</translation>
+    </message>
+    <message numerus="yes">
+        <source>its pose has %n {handle|handles} instead of %2</source>
+        <translation>
+            <numerusform>seine Pose hat %n Griff statt %2</numerusform>
+            <numerusform>seine Pose hat %n Griffe statt %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a handle's position is not a finite number</source>
+        <translation>die Position eines Griffs ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>its time, %1, is outside the period of %2</source>
+        <translation>seine Zeit, %1, liegt außerhalb der Periode von %2</translation>
+    </message>
+    <message>
+        <source>move it, or lengthen the period</source>
+        <translation>verschieben Sie ihn, oder verlängern Sie die Periode</translation>
+    </message>
+    <message>
+        <source>its time, %1, is not after that of the key before it</source>
+        <translation>seine Zeit, %1, liegt nicht nach der des vorigen Schlüssels</translation>
+    </message>
+    <message>
+        <source>sort the keys by time and leave a millisecond at least between two</source>
+        <translation>sortieren Sie die Schlüssel nach der Zeit, mit mindestens einer Millisekunde Abstand</translation>
+    </message>
+    <message>
+        <source>there is no key</source>
+        <translation>es gibt keinen Schlüssel</translation>
+    </message>
+    <message>
+        <source>a handle's rest position is not a finite number</source>
+        <translation>die Ruheposition eines Griffs ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a heart cannot lose that part of its volume in systole</source>
+        <translation>diesen Teil seines Volumens kann ein Herz in der Systole nicht verlieren</translation>
+    </message>
+    <message>
+        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
+        <translation>wählen Sie 0 bis 0,4; Menschen haben 0,048 bis 0,106</translation>
+    </message>
+    <message>
+        <source>the heart cannot be brought to the volume that it has to hold</source>
+        <translation>das Herz lässt sich nicht auf das Volumen bringen, das es haben muss</translation>
+    </message>
+    <message>
+        <source>heartbeat at %1 s</source>
+        <translation>Herzschlag bei %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks of apex and base</source>
+        <translation>prüfen Sie die Landmarken von Spitze und Basis</translation>
+    </message>
+    <message>
+        <source>the upper stomach cannot take in what the waves press out</source>
+        <translation>der obere Magen kann nicht aufnehmen, was die Wellen verdrängen</translation>
+    </message>
+    <message>
+        <source>peristalsis after %1 s</source>
+        <translation>Peristaltik nach %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks</source>
+        <translation>prüfen Sie die Landmarken</translation>
+    </message>
+    <message>
+        <source>the coordinates of the handles are not a finite square matrix</source>
+        <translation>die Koordinaten der Griffe sind keine endliche quadratische Matrix</translation>
+    </message>
+    <message>
+        <source>pose compensation</source>
+        <translation>Ausgleich der Pose</translation>
+    </message>
+    <message>
+        <source>the coordinates do not sum to 1</source>
+        <translation>die Koordinaten ergeben zusammen nicht 1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
+        <translation>
+            <numerusform>der Ausgleich ist für %n Griff, das Organ (%2) hat %3</numerusform>
+            <numerusform>der Ausgleich ist für %n Griffe, das Organ (%2) hat %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the size of the organ is not a positive number</source>
+        <translation>die Größe des Organs ist keine positive Zahl</translation>
+    </message>
+    <message>
+        <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
+        <translation>die Mittellinie verlässt den Magen %1 mm unter dem Scheitel des Fundus</translation>
+    </message>
+    <message>
+        <source>stomach rig</source>
+        <translation>Griffe des Magens</translation>
+    </message>
+    <message>
+        <source>move its points into the stomach</source>
+        <translation>verschieben Sie ihre Punkte in den Magen</translation>
+    </message>
+    <message>
+        <source>the centreline ends before the pylorus</source>
+        <translation>die Mittellinie endet vor dem Pylorus</translation>
+    </message>
+    <message>
+        <source>lead it into the duodenum</source>
+        <translation>führen Sie sie bis ins Duodenum</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n {vertex|vertices} of the surface {lies|lie} there</source>
+        <translation>
+            <numerusform>Nur %n Eckpunkt der Oberfläche liegt dort</numerusform>
+            <numerusform>Nur %n Eckpunkte der Oberfläche liegen dort</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>take a finer surface</source>
+        <translation>nehmen Sie eine feinere Oberfläche</translation>
+    </message>
+    <message>
+        <source>base of the left ventricle</source>
+        <translation>Basis des linken Ventrikels</translation>
+    </message>
+    <message>
+        <source>apex of the left ventricle</source>
+        <translation>Spitze des linken Ventrikels</translation>
+    </message>
+    <message>
+        <source>base of the right ventricle</source>
+        <translation>Basis des rechten Ventrikels</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, inside</source>
+        <translation>freie Wand des linken Ventrikels, innen</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, outside</source>
+        <translation>freie Wand des linken Ventrikels, außen</translation>
+    </message>
+    <message>
+        <source>The surfaces are not those that were measured at rest</source>
+        <translation>Die Oberflächen sind nicht die, die in Ruhe gemessen wurden</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus towards the apex</source>
+        <translation>Bewegung des Mitralrings zur Spitze</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus at the free wall</source>
+        <translation>Bewegung des Trikuspidalrings an der freien Wand</translation>
+    </message>
+    <message>
+        <source>turn of the apex against the base</source>
+        <translation>Drehung der Spitze gegen die Basis</translation>
+    </message>
+    <message>
+        <source>of the left ventricle's free wall in systole</source>
+        <translation>der freien Wand des linken Ventrikels in der Systole</translation>
+    </message>
+    <message>
+        <source>20 % around the healthy adult at rest</source>
+        <translation>20 % um den gesunden Erwachsenen in Ruhe</translation>
+    </message>
+    <message>
+        <source>sinus rhythm at rest</source>
+        <translation>Sinusrhythmus in Ruhe</translation>
+    </message>
+    <message>
+        <source>800 to 1600 dyn s cm^-5, customary at the bedside</source>
+        <translation>800 bis 1600 dyn s cm^-5, klinisch üblich</translation>
+    </message>
+    <message>
+        <source>up to 2 Wood units</source>
+        <translation>bis 2 Wood-Einheiten</translation>
+    </message>
+    <message>
+        <source>as much lubricates a healthy heart</source>
+        <translation>so viel schmiert ein gesundes Herz</translation>
+    </message>
+    <message>
+        <source>the circulation has no parameter of that name</source>
+        <translation>der Kreislauf hat keinen Parameter dieses Namens</translation>
+    </message>
+    <message>
+        <source>the nearest is %1; docs/circulation.md lists all</source>
+        <translation>der ähnlichste ist %1; docs/circulation.md nennt alle</translation>
+    </message>
+    <message>
+        <source>%1 is out of its range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 %3</source>
+        <translation>von %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>the valve leaks through a larger area than it opens to</source>
+        <translation>die Klappe ist auf einer größeren Fläche undicht, als sie öffnet</translation>
+    </message>
+    <message>
+        <source>choose a %1 below its %2</source>
+        <translation>wählen Sie %1 kleiner als %2</translation>
+    </message>
+    <message>
+        <source>%1 lies between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>An end-diastolic volume in ml</source>
+        <translation>Ein enddiastolisches Volumen in ml</translation>
+    </message>
+    <message>
+        <source>give the largest volume of the left ventricle</source>
+        <translation>geben Sie das größte Volumen des linken Ventrikels an</translation>
+    </message>
+    <message>
+        <source>An ejection fraction</source>
+        <translation>Eine Ejektionsfraktion</translation>
+    </message>
+    <message>
+        <source>give 55 % as 0.55</source>
+        <translation>geben Sie 55 % als 0,55 an</translation>
+    </message>
+    <message>
+        <source>A mean aortic pressure in mmHg</source>
+        <translation>Ein mittlerer Aortendruck in mmHg</translation>
+    </message>
+    <message>
+        <source>about a third of the way from the diastolic to the systolic one</source>
+        <translation>etwa ein Drittel des Weges vom diastolischen zum systolischen</translation>
+    </message>
+    <message>
+        <source>fitting the circulation</source>
+        <translation>Anpassung des Kreislaufs</translation>
+    </message>
+    <message>
+        <source>the circulation of that heart</source>
+        <translation>der Kreislauf dieses Herzens</translation>
+    </message>
+    <message>
+        <source>The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>Der Kreislauf hat den gemessenen Ventrikel: %1 ml, Ejektionsfraktion %2, mittlerer Aortendruck %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>Kein Kreislauf hat genau diesen Ventrikel; der nächste gefundene: %1 ml, Ejektionsfraktion %2, mittlerer Aortendruck %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg; at the limit of its range: %4</source>
+        <translation>Kein Kreislauf hat genau diesen Ventrikel; der nächste gefundene: %1 ml, Ejektionsfraktion %2, mittlerer Aortendruck %3 mmHg; an der Grenze des Bereichs: %4</translation>
+    </message>
+    <message>
+        <source>the circulation to start with</source>
+        <translation>der Kreislauf zu Beginn</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
+        <translation>
+            <numerusform>Nach %n Schlag ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres gespanntes Volumen</numerusform>
+            <numerusform>Nach %n Schlägen ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres gespanntes Volumen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the circulation breaks down: its pressures grow without bounds</source>
+        <translation>der Kreislauf bricht zusammen: seine Drücke wachsen unbegrenzt</translation>
+    </message>
+    <message>
+        <source>beat %1</source>
+        <translation>Schlag %1</translation>
+    </message>
+    <message>
+        <source>bring the parameters nearer to those at rest, a few at a time</source>
+        <translation>bringen Sie die Parameter näher an die in Ruhe, wenige auf einmal</translation>
+    </message>
+    <message>
+        <source>there is no such scenario</source>
+        <translation>dieses Szenario gibt es nicht</translation>
+    </message>
+    <message>
+        <source>choose one of %1</source>
+        <translation>wählen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>fitting phase %1</source>
+        <translation>Anpassung von Phase %1</translation>
+    </message>
+    <message>
+        <source>smoothing phase %1</source>
+        <translation>Glättung von Phase %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away on average</source>
+        <translation>%1 liegt im Mittel %2 mm entfernt</translation>
+    </message>
+    <message>
+        <source>a twentieth of %1 is more than %2 mm away</source>
+        <translation>ein Zwanzigstel von %1 liegt mehr als %2 mm entfernt</translation>
+    </message>
+    <message>
+        <source>%1 had to be changed by %2 % to get its volume</source>
+        <translation>%1 musste um %2 % geändert werden, um sein Volumen zu erhalten</translation>
+    </message>
+    <message>
+        <source>%1 agrees with its voxels by a Dice of %2 only</source>
+        <translation>%1 stimmt mit seinen Voxeln nur zu einem Dice von %2 überein</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} of %2 {is|are} turned over</source>
+        <translation>
+            <numerusform>%n Dreieck von %2 ist umgeklappt</numerusform>
+            <numerusform>%n Dreiecke von %2 sind umgeklappt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the tissue is folded at %n {place|places}</source>
+        <translation>
+            <numerusform>das Gewebe ist an %n Stelle gefaltet</numerusform>
+            <numerusform>das Gewebe ist an %n Stellen gefaltet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the measured volumes cannot be met</source>
+        <translation>die gemessenen Volumina sind nicht erreichbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 handles are too few for %n {surface|surfaces}</source>
+        <translation>
+            <numerusform>%2 Griffe sind zu wenige für %n Oberfläche</numerusform>
+            <numerusform>%2 Griffe sind zu wenige für %n Oberflächen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ask for %1 at least</source>
+        <translation>verlangen Sie mindestens %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer</source>
+        <translation>verlangen Sie weniger</translation>
+    </message>
+    <message>
+        <source>keeping volumes</source>
+        <translation>Volumina werden gehalten</translation>
+    </message>
+    <message>
+        <source>It has no phase</source>
+        <translation>Sie hat keine Phase</translation>
+    </message>
+    <message>
+        <source>name one surface for each phase</source>
+        <translation>nennen Sie eine Oberfläche für jede Phase</translation>
+    </message>
+    <message>
+        <source>Phase %1 has %2 points and the first has %3</source>
+        <translation>Phase %1 hat %2 Punkte und die erste %3</translation>
+    </message>
+    <message>
+        <source>export all phases with the same triangles</source>
+        <translation>exportieren Sie alle Phasen mit denselben Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1, phase %2</source>
+        <translation>%1, Phase %2</translation>
+    </message>
+    <message>
+        <source>It has no triangle with three different corners</source>
+        <translation>Sie hat kein Dreieck mit drei verschiedenen Ecken</translation>
+    </message>
+    <message>
+        <source>It is not a closed surface, even with its holes filled: %1</source>
+        <translation>Die Oberfläche ist auch mit gefüllten Löchern nicht geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>repair the surfaces in the program that made them</source>
+        <translation>reparieren Sie die Oberflächen in dem Programm, das sie erzeugt hat</translation>
+    </message>
+    <message>
+        <source>There is no surface</source>
+        <translation>Es gibt keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>name one at least</source>
+        <translation>nennen Sie mindestens eine</translation>
+    </message>
+    <message>
+        <source>the volume cannot be kept throughout the cycle: %1</source>
+        <translation>das Volumen lässt sich nicht über den ganzen Zyklus halten: %1</translation>
+    </message>
+    <message>
+        <source>unlock it, or prescribe a volume nearer to that at rest</source>
+        <translation>entsperren Sie es, oder geben Sie ein Volumen näher an dem in Ruhe vor</translation>
+    </message>
+    <message>
+        <source>It is not a rate at which the sequence can be played</source>
+        <translation>Mit dieser Frequenz lässt sich die Sequenz nicht abspielen</translation>
+    </message>
+    <message>
+        <source>rates of the lesson</source>
+        <translation>Frequenzen der Lektion</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 a minute</source>
+        <translation>von %1 bis %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>There is no such phase</source>
+        <translation>Diese Phase gibt es nicht</translation>
+    </message>
+    <message>
+        <source>viscera play names the phases of a sequence</source>
+        <translation>viscera play nennt die Phasen einer Sequenz</translation>
+    </message>
+    <message>
+        <source>There is no such organ to hide</source>
+        <translation>Dieses Organ zum Ausblenden gibt es nicht</translation>
+    </message>
+    <message>
+        <source>name one that is shown</source>
+        <translation>nennen Sie eines, das gezeigt wird</translation>
+    </message>
+    <message>
+        <source>It is not a language of the page</source>
+        <translation>Das ist keine Sprache der Seite</translation>
+    </message>
+    <message>
+        <source>No organ is shown</source>
+        <translation>Es wird kein Organ gezeigt</translation>
+    </message>
+    <message>
+        <source>the lesson</source>
+        <translation>die Lektion</translation>
+    </message>
+    <message>
+        <source>show those that the lesson is about</source>
+        <translation>zeigen Sie die, von denen die Lektion handelt</translation>
+    </message>
+    <message>
+        <source>a number does not fit into a lesson: %1</source>
+        <translation>eine Zahl passt nicht in eine Lektion: %1</translation>
+    </message>
+    <message>
+        <source>check the size of the organ, and its motion</source>
+        <translation>prüfen Sie die Größe des Organs und seine Bewegung</translation>
+    </message>
+    <message>
+        <source>an array of the lesson ends behind its bytes</source>
+        <translation>ein Feld der Lektion endet hinter ihren Bytes</translation>
+    </message>
+    <message>
+        <source>the arrays of the lesson cannot be unpacked</source>
+        <translation>die Felder der Lektion lassen sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; returned no binding of the right size</source>
+        <translation>das System „%1“ lieferte keine Bindung der richtigen Größe</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed: %2</source>
+        <translation>das System „%1“ versagte: %2</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed</source>
+        <translation>das System „%1“ versagte</translation>
+    </message>
+    <message>
+        <source>choose another system</source>
+        <translation>wählen Sie ein anderes System</translation>
+    </message>
+    <message>
+        <source>it is not a Viscera plugin, or it is damaged</source>
+        <translation>es ist kein Plugin für Viscera, oder es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is a plugin for another program (%1)</source>
+        <translation>es ist ein Plugin für ein anderes Programm (%1)</translation>
+    </message>
+    <message>
+        <source>it was made for version %1 of the plugin interface, this program has %2</source>
+        <translation>es wurde für Version %1 der Plugin-Schnittstelle gemacht, dieses Programm hat %2</translation>
+    </message>
+    <message>
+        <source>its manifest lacks id, name or version</source>
+        <translation>seinem Manifest fehlt id, name oder version</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded: %1</source>
+        <translation>es kann nicht geladen werden: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading: %1</source>
+        <translation>es versagte beim Laden: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading</source>
+        <translation>es versagte beim Laden</translation>
+    </message>
+    <message>
+        <source>plugin %1: %2</source>
+        <translation>Plugin %1: %2</translation>
+    </message>
+    <message>
+        <source>The coordinate system has a parameter without a name</source>
+        <translation>Das Koordinatensystem hat einen Parameter ohne Namen</translation>
+    </message>
+    <message>
+        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
+        <translation>Das Koordinatensystem hat den Parameter „%1“ zweimal</translation>
+    </message>
+    <message>
+        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
+        <translation>Der Standardwert des Parameters „%1“ liegt außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system to add</source>
+        <translation>Es gibt kein Koordinatensystem hinzuzufügen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
+        <translation>„%1“ kann nicht die ID eines Koordinatensystems sein</translation>
+    </message>
+    <message>
+        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
+        <translation>verwenden Sie Kleinbuchstaben, Ziffern und einzelne Bindestriche wie in „s-celestial“</translation>
+    </message>
+    <message>
+        <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
+        <translation>Es gibt schon ein Koordinatensystem „%1“ (%2)</translation>
+    </message>
+    <message>
+        <source>remove one of the two, or give one another id</source>
+        <translation>entfernen Sie eines der beiden, oder geben Sie einem eine andere ID</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system &quot;%1&quot;</source>
+        <translation>Das Koordinatensystem „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>none is loaded</source>
+        <translation>keines ist geladen</translation>
+    </message>
+    <message>
+        <source>There is no such slice</source>
+        <translation>Diese Schicht gibt es nicht</translation>
+    </message>
+    <message>
+        <source>take axial, coronal or sagittal</source>
+        <translation>nehmen Sie axial, coronal oder sagittal</translation>
+    </message>
+    <message>
+        <source>none: the organs are as in their files</source>
+        <translation>keine: die Organe sind wie in ihren Dateien</translation>
+    </message>
+    <message>
+        <source>in %1 groups</source>
+        <translation>in %1 Gruppen</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 of them moved</source>
+        <translation>davon %1 bewegt</translation>
+    </message>
+    <message>
+        <source>%1 of them shown</source>
+        <translation>davon %1 gezeigt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Instant</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>%1, at %2 of its cycle</source>
+        <translation>%1, bei %2 des Zyklus</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(ausgeblendet)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>Reference shape (ml)</source>
+        <translation>Referenzform (ml)</translation>
+    </message>
+    <message>
+        <source>Now (ml)</source>
+        <translation>Jetzt (ml)</translation>
+    </message>
+    <message>
+        <source>Change (ml)</source>
+        <translation>Änderung (ml)</translation>
+    </message>
+    <message>
+        <source>Change (%)</source>
+        <translation>Änderung (%)</translation>
+    </message>
+    <message>
+        <source>Surface (cm²)</source>
+        <translation>Oberfläche (cm²)</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumina</translation>
+    </message>
+    <message>
+        <source>Open: the surface has holes and holds no volume.</source>
+        <translation>Offen: Die Oberfläche hat Löcher und umschließt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>mean in a rectangle</source>
+        <translation>Mittel in einem Rechteck</translation>
+    </message>
+    <message>
+        <source>mean in a sphere</source>
+        <translation>Mittel in einer Kugel</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Referenzform</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>the scan</source>
+        <translation>dem Scan</translation>
+    </message>
+    <message>
+        <source>sample organ &quot;%1&quot;, %2 resolution</source>
+        <translation>Beispielorgan „%1“, %2 Auflösung</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrige</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittlere</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hohe</translation>
+    </message>
+    <message>
+        <source>made in the program</source>
+        <translation>im Programm erzeugt</translation>
+    </message>
+    <message>
+        <source>nothing: it is as it was read</source>
+        <translation>nichts: es ist, wie es gelesen wurde</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Woher</translation>
+    </message>
+    <message>
+        <source>What was found and done</source>
+        <translation>Was gefunden und getan wurde</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Files and what was done to them</source>
+        <translation>Dateien und was mit ihnen getan wurde</translation>
+    </message>
+    <message>
+        <source>All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes LPS (to the left, to the back, to the head). Viscera is a program for teaching and research, not a medical device.</source>
+        <translation>Alle Längen sind in Millimetern, alle Volumina in Millilitern; Positionen sind in den Achsen LPS des Patienten (nach links, nach hinten, zum Kopf). Viscera ist ein Programm für Lehre und Forschung, kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>There is no organ to report on</source>
+        <translation>Es gibt kein Organ, über das berichtet werden kann</translation>
+    </message>
+    <message>
+        <source>Made by Viscera %1 on %2</source>
+        <translation>Erstellt von Viscera %1 am %2</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>going through the cycle</source>
+        <translation>Durchlauf des Zyklus</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>Volumen (ml)</translation>
+    </message>
+    <message>
+        <source>Volumes over one cycle, each instant computed</source>
+        <translation>Volumina über einen Zyklus, jeder Zeitpunkt berechnet</translation>
+    </message>
+    <message>
+        <source>the first %1 of %2 organs</source>
+        <translation>die ersten %1 von %2 Organen</translation>
+    </message>
+    <message>
+        <source>Smallest (ml)</source>
+        <translation>Kleinstes (ml)</translation>
+    </message>
+    <message>
+        <source>Largest (ml)</source>
+        <translation>Größtes (ml)</translation>
+    </message>
+    <message>
+        <source>Ventricle</source>
+        <translation>Ventrikel</translation>
+    </message>
+    <message>
+        <source>EDV (ml)</source>
+        <translation>EDV (ml)</translation>
+    </message>
+    <message>
+        <source>ESV (ml)</source>
+        <translation>ESV (ml)</translation>
+    </message>
+    <message>
+        <source>Stroke volume (ml)</source>
+        <translation>Schlagvolumen (ml)</translation>
+    </message>
+    <message>
+        <source>EF (%)</source>
+        <translation>EF (%)</translation>
+    </message>
+    <message>
+        <source>EF of healthy people</source>
+        <translation>EF von Gesunden</translation>
+    </message>
+    <message>
+        <source>Output (l/min)</source>
+        <translation>Zeitvolumen (l/min)</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>%1 a minute, one cycle takes %2 s</source>
+        <translation>%1 pro Minute, ein Zyklus dauert %2 s</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>Prescribed</source>
+        <translation>Vorgegeben</translation>
+    </message>
+    <message>
+        <source>the volume of %1</source>
+        <translation>das Volumen von %1</translation>
+    </message>
+    <message>
+        <source>A volume could not be kept: %1</source>
+        <translation>Ein Volumen ließ sich nicht halten: %1</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Von links</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>The map as the session shows it</source>
+        <translation>Die Karte, wie die Sitzung sie zeigt</translation>
+    </message>
+    <message>
+        <source>There is no font to write with</source>
+        <translation>Es gibt keine Schrift zum Schreiben</translation>
+    </message>
+    <message>
+        <source>install one, such as the package fonts-dejavu-core</source>
+        <translation>installieren Sie eine, etwa das Paket fonts-dejavu-core</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>A report cannot be written to this kind of file</source>
+        <translation>In diese Art von Datei lässt sich kein Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>let it end in .pdf or .html</source>
+        <translation>lassen Sie sie auf .pdf oder .html enden</translation>
+    </message>
+    <message>
+        <source>by TetGen</source>
+        <translation>von TetGen</translation>
+    </message>
+    <message>
+        <source>by TetGen, from a repaired copy of the surface</source>
+        <translation>von TetGen, aus einer reparierten Kopie der Oberfläche</translation>
+    </message>
+    <message>
+        <source>by a regular grid</source>
+        <translation>von einem regelmäßigen Gitter</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>5th percentile</source>
+        <translation>5. Perzentil</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>%1, the worst of a cycle</source>
+        <translation>%1, das Schlimmste eines Zyklus</translation>
+    </message>
+    <message>
+        <source>Points (%)</source>
+        <translation>Punkte (%)</translation>
+    </message>
+    <message>
+        <source>%1 over the witness points</source>
+        <translation>%1 über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Rotational stress (deg)</source>
+        <translation>Rotationsstress (Grad)</translation>
+    </message>
+    <message>
+        <source>Over one cycle of the sequence</source>
+        <translation>Über einen Zyklus der Sequenz</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Ort (mm)</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>kein Gewebe</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>gefaltet</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Abstand in Ruhe (mm)</translation>
+    </message>
+    <message>
+        <source>Along the straight lines at rest between probes</source>
+        <translation>Entlang der in Ruhe geraden Linien zwischen Sonden</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress)</source>
+        <translation>Verzerrung des Gewebes (Rotationsstress)</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 in %2 Tetraedern</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Ableitungen</translation>
+    </message>
+    <message>
+        <source>in closed form (analytic)</source>
+        <translation>in geschlossener Form (analytisch)</translation>
+    </message>
+    <message>
+        <source>by central differences</source>
+        <translation>durch zentrale Differenzen</translation>
+    </message>
+    <message>
+        <source>no point: the tissue is turned inside out nowhere</source>
+        <translation>kein Punkt: das Gewebe ist nirgends umgestülpt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are turned inside out</source>
+        <translation>%1 von %2 Punkten sind umgestülpt</translation>
+    </message>
+    <message>
+        <source>Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. It measures distortion and is not a pressure.</source>
+        <translation>Rotationsstress ist der größte Winkel, um den eine Richtung gedreht wird, wenn das Gewebe gedehnt wird. Er misst Verzerrung und ist kein Druck.</translation>
+    </message>
+    <message>
+        <source>± %1, %2 to %3, %4, %5 voxels</source>
+        <translation>± %1, %2 bis %3, %4, %5 Voxel</translation>
+    </message>
+    <message>
+        <source>Not all of what the window showed can be brought back</source>
+        <translation>Nicht alles, was das Fenster zeigte, lässt sich wiederherstellen</translation>
+    </message>
+    <message>
+        <source>the session's view</source>
+        <translation>die Ansicht der Sitzung</translation>
+    </message>
+    <message>
+        <source>the organs and the handles are complete; save the session anew</source>
+        <translation>Organe und Griffe sind vollständig; speichern Sie die Sitzung neu</translation>
+    </message>
+    <message>
+        <source>There is no such normal range</source>
+        <translation>Diesen Normalbereich gibt es nicht</translation>
+    </message>
+    <message>
+        <source>viscera reference names them all</source>
+        <translation>viscera reference nennt sie alle</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>Frauen</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>Männer</translation>
+    </message>
+    <message>
+        <source>women and men</source>
+        <translation>Frauen und Männer</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations</source>
+        <translation>%1, Mittel ± 2 Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>%1, on average</source>
+        <translation>%1, im Mittel</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations, for %2 m2 of body surface</source>
+        <translation>%1, Mittel ± 2 Standardabweichungen, für %2 m² Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>%1, on average, for %2 m2 of body surface</source>
+        <translation>%1, im Mittel, für %2 m² Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>800 healthy people of 45 to 74 years, by magnetic resonance, papillary muscles counted as cavity</source>
+        <translation>800 Gesunde von 45 bis 74 Jahren, mit Magnetresonanz, Papillarmuskeln zur Höhle gezählt</translation>
+    </message>
+    <message>
+        <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
+        <translation>1815 Menschen ohne Nierenkrankheit, mit Magnetresonanz; die Abweichung ist die der Quartile</translation>
+    </message>
+    <message>
+        <source>customary at the bedside</source>
+        <translation>klinisch üblich</translation>
+    </message>
+    <message>
+        <source>mass of the muscle</source>
+        <translation>Masse des Muskels</translation>
+    </message>
+    <message>
+        <source>1969 healthy people at rest, by tissue Doppler</source>
+        <translation>1969 Gesunde in Ruhe, mit Gewebedoppler</translation>
+    </message>
+    <message>
+        <source>ejection time</source>
+        <translation>Austreibungszeit</translation>
+    </message>
+    <message>
+        <source>healthy adults, by magnetic resonance and ultrasound</source>
+        <translation>gesunde Erwachsene, mit Magnetresonanz und Ultraschall</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus (MAPSE)</source>
+        <translation>Bewegung des Mitralrings (MAPSE)</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus (TAPSE)</source>
+        <translation>Bewegung des Trikuspidalrings (TAPSE)</translation>
+    </message>
+    <message>
+        <source>twist of the apex against the base</source>
+        <translation>Drehung der Spitze gegen die Basis</translation>
+    </message>
+    <message>
+        <source>thickening of the free wall</source>
+        <translation>Verdickung der freien Wand</translation>
+    </message>
+    <message>
+        <source>healthy adults at rest</source>
+        <translation>gesunde Erwachsene in Ruhe</translation>
+    </message>
+    <message>
+        <source>systolic pressure</source>
+        <translation>systolischer Druck</translation>
+    </message>
+    <message>
+        <source>diastolic pressure</source>
+        <translation>diastolischer Druck</translation>
+    </message>
+    <message>
+        <source>mean pressure</source>
+        <translation>mittlerer Druck</translation>
+    </message>
+    <message>
+        <source>end-diastolic pressure</source>
+        <translation>enddiastolischer Druck</translation>
+    </message>
+    <message>
+        <source>fastest rise of pressure</source>
+        <translation>schnellster Druckanstieg</translation>
+    </message>
+    <message>
+        <source>coupling Ea/Ees</source>
+        <translation>Kopplung Ea/Ees</translation>
+    </message>
+    <message>
+        <source>mean gradient</source>
+        <translation>mittlerer Gradient</translation>
+    </message>
+    <message>
+        <source>regurgitant fraction</source>
+        <translation>Regurgitationsfraktion</translation>
+    </message>
+    <message>
+        <source>reference woman and man; no spread is given</source>
+        <translation>Referenzfrau und Referenzmann; eine Streuung ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>1248 people without liver disease, by magnetic resonance</source>
+        <translation>1248 Menschen ohne Leberkrankheit, mit Magnetresonanz</translation>
+    </message>
+    <message>
+        <source>212 adults, by CT</source>
+        <translation>212 Erwachsene, mit CT</translation>
+    </message>
+    <message>
+        <source>adults of 20 to 60 years, by CT</source>
+        <translation>Erwachsene von 20 bis 60 Jahren, mit CT</translation>
+    </message>
+    <message>
+        <source>contents after a meal</source>
+        <translation>Inhalt nach einer Mahlzeit</translation>
+    </message>
+    <message>
+        <source>443 people after a meal, by single-photon tomography</source>
+        <translation>443 Menschen nach einer Mahlzeit, mit Einzelphotonentomographie</translation>
+    </message>
+    <message>
+        <source>contents of 443 people after a meal, by single-photon tomography, and 138 ml of wall (ICRP publication 89)</source>
+        <translation>Inhalt bei 443 Menschen nach einer Mahlzeit, mit Einzelphotonentomographie, und 138 ml Wand (ICRP-Publikation 89)</translation>
+    </message>
+    <message>
+        <source>adults, by electrogastrography</source>
+        <translation>Erwachsene, mit Elektrogastrographie</translation>
+    </message>
+    <message>
+        <source>speed of the waves</source>
+        <translation>Geschwindigkeit der Wellen</translation>
+    </message>
+    <message>
+        <source>occlusion of the antrum by a wave</source>
+        <translation>Verschluss des Antrums durch eine Welle</translation>
+    </message>
+    <message>
+        <source>28 healthy people, by magnetic resonance</source>
+        <translation>28 Gesunde, mit Magnetresonanz</translation>
+    </message>
+    <message>
+        <source>adults at rest</source>
+        <translation>Erwachsene in Ruhe</translation>
+    </message>
+    <message>
+        <source>part that is inspiration</source>
+        <translation>Anteil der Inspiration</translation>
+    </message>
+    <message>
+        <source>adults at rest, from 1 : 2 to 1 : 1</source>
+        <translation>Erwachsene in Ruhe, von 1 : 2 bis 1 : 1</translation>
+    </message>
+    <message>
+        <source>way down in quiet breathing</source>
+        <translation>Weg nach unten bei ruhiger Atmung</translation>
+    </message>
+    <message>
+        <source>what several studies measured</source>
+        <translation>was mehrere Studien gemessen haben</translation>
+    </message>
+    <message>
+        <source>there are no handles to save</source>
+        <translation>es gibt keine Griffe zu speichern</translation>
+    </message>
+    <message>
+        <source>It is not a file that a report can be</source>
+        <translation>Ein Bericht kann keine solche Datei sein</translation>
+    </message>
+    <message>
+        <source>There is no scan to export</source>
+        <translation>Es gibt keinen Scan zu exportieren</translation>
+    </message>
+    <message>
+        <source>There are no handles that could bend the scan</source>
+        <translation>Es gibt keine Griffe, die den Scan biegen könnten</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>Scan wird geschrieben</translation>
+    </message>
+    <message>
+        <source>9 healthy people, by magnetic resonance; 28 people of doi 10.1046/j.1365-2982.2001.00285.x have 1.6 +- 0.2</source>
+        <translation>9 Gesunde, mit Magnetresonanz; 28 Menschen in doi 10.1046/j.1365-2982.2001.00285.x haben 1,6 ± 0,2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>there is no sample organ &quot;%1&quot;</source>
+        <translation>es gibt kein Beispielorgan „%1“</translation>
+    </message>
+    <message>
+        <source>there is no resolution &quot;%1&quot;</source>
+        <translation>es gibt keine Auflösung „%1“</translation>
+    </message>
+    <message>
+        <source>use low, medium or high</source>
+        <translation>verwenden Sie low, medium oder high</translation>
+    </message>
+    <message>
+        <source>the sample organs cannot be listed: %1</source>
+        <translation>die Beispielorgane lassen sich nicht auflisten: %1</translation>
+    </message>
+    <message>
+        <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
+        <translation>setzen Sie VISCERA_SAMPLE_ORGANS auf den Ordner der Definitionen</translation>
+    </message>
 </context>
 </TS>

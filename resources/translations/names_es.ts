@@ -6555,5 +6555,1428 @@
         <source>writing the movie</source>
         <translation>escritura de la película</translation>
     </message>
+    <message>
+        <source>breathing needs at least four handles</source>
+        <translation>la respiración necesita al menos cuatro tiradores</translation>
+    </message>
+    <message>
+        <source>the organ has no extent</source>
+        <translation>el órgano no tiene extensión</translation>
+    </message>
+    <message>
+        <source>the liver cannot be pressed that far</source>
+        <translation>el hígado no se puede comprimir tanto</translation>
+    </message>
+    <message>
+        <source>use shares between 0 and 0.5</source>
+        <translation>use proporciones entre 0 y 0,5</translation>
+    </message>
+    <message>
+        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
+        <translation>un ventrículo debe contener menos al final de la sístole que al final de la diástole</translation>
+    </message>
+    <message>
+        <source>cardiac cycle</source>
+        <translation>ciclo cardíaco</translation>
+    </message>
+    <message>
+        <source>The volume of a cavity is not a number</source>
+        <translation>El volumen de una cavidad no es un número</translation>
+    </message>
+    <message>
+        <source>check the cavities' surfaces</source>
+        <translation>compruebe las superficies de las cavidades</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right</source>
+        <translation>corazón con %1 ml a la izquierda y %2 ml a la derecha</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right, atria with %3 ml left and %4 ml right</source>
+        <translation>corazón con %1 ml a la izquierda y %2 ml a la derecha, aurículas con %3 ml a la izquierda y %4 ml a la derecha</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; atria: left off by %3 ml, right by %4 ml</source>
+        <translation>Los ventrículos no pueden alcanzar sus volúmenes: al izquierdo le faltan %1 ml, al derecho %2 ml; aurículas: a la izquierda %3 ml, a la derecha %4 ml</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml</source>
+        <translation>Los ventrículos no pueden alcanzar sus volúmenes: al izquierdo le faltan %1 ml, al derecho %2 ml</translation>
+    </message>
+    <message>
+        <source>check that the cavities lie inside the handles of their walls</source>
+        <translation>compruebe que las cavidades están dentro de los tiradores de sus paredes</translation>
+    </message>
+    <message>
+        <source>a centreline needs at least two points</source>
+        <translation>una línea central necesita al menos dos puntos</translation>
+    </message>
+    <message>
+        <source>centreline point %1</source>
+        <translation>punto %1 de la línea central</translation>
+    </message>
+    <message>
+        <source>the point is not finite</source>
+        <translation>el punto no es finito</translation>
+    </message>
+    <message>
+        <source>the point is where the one before it is</source>
+        <translation>el punto está donde el anterior</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>elimínelo</translation>
+    </message>
+    <message>
+        <source>the course does not cover a beat</source>
+        <translation>el curso no abarca un latido</translation>
+    </message>
+    <message>
+        <source>the course tells of its valves at other instants than of its volumes</source>
+        <translation>el curso da sus válvulas en instantes distintos de los de sus volúmenes</translation>
+    </message>
+    <message>
+        <source>calibrating the heartbeat</source>
+        <translation>calibración del latido</translation>
+    </message>
+    <message numerus="yes">
+        <source>a curve needs at least %n {key|keys}</source>
+        <translation>
+            <numerusform>una curva necesita al menos %n clave</numerusform>
+            <numerusform>una curva necesita al menos %n claves</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the key is not a finite number</source>
+        <translation>la clave no es un número finito</translation>
+    </message>
+    <message>
+        <source>curve key %1</source>
+        <translation>clave %1 de la curva</translation>
+    </message>
+    <message>
+        <source>the key does not lie after the one before it</source>
+        <translation>la clave no está después de la anterior</translation>
+    </message>
+    <message>
+        <source>sort the keys and remove doubles</source>
+        <translation>ordene las claves y elimine las repetidas</translation>
+    </message>
+    <message>
+        <source>the keys do not fit into one period</source>
+        <translation>las claves no caben en un período</translation>
+    </message>
+    <message>
+        <source>give keys of one period only</source>
+        <translation>indique solo claves de un período</translation>
+    </message>
+    <message>
+        <source>the pylorus does not lie beyond the middle of the body</source>
+        <translation>el píloro no está más allá de la mitad del cuerpo</translation>
+    </message>
+    <message>
+        <source>gastric waves</source>
+        <translation>ondas gástricas</translation>
+    </message>
+    <message>
+        <source>choose the landmarks from the fundus downwards</source>
+        <translation>elija los puntos de referencia del fundus hacia abajo</translation>
+    </message>
+    <message>
+        <source>waves without depth</source>
+        <translation>ondas sin profundidad</translation>
+    </message>
+    <message>
+        <source>give a depth above 0</source>
+        <translation>indique una profundidad mayor que 0</translation>
+    </message>
+    <message>
+        <source>the surface has no inside</source>
+        <translation>la superficie no tiene interior</translation>
+    </message>
+    <message>
+        <source>heart landmarks</source>
+        <translation>puntos de referencia del corazón</translation>
+    </message>
+    <message>
+        <source>give apex and base yourself</source>
+        <translation>indique usted el ápex y la base</translation>
+    </message>
+    <message>
+        <source>the base does not lie inside the heart</source>
+        <translation>la base no está dentro del corazón</translation>
+    </message>
+    <message>
+        <source>put it on the middle of the mitral valve</source>
+        <translation>póngala en el centro de la válvula mitral</translation>
+    </message>
+    <message>
+        <source>the directions to the right ventricle and to the apex do not span a frame</source>
+        <translation>las direcciones al ventrículo derecho y al ápex no forman un sistema de ejes</translation>
+    </message>
+    <message>
+        <source>heart frame</source>
+        <translation>ejes del corazón</translation>
+    </message>
+    <message>
+        <source>choose landmarks that do not lie on one line</source>
+        <translation>elija puntos de referencia que no estén en una recta</translation>
+    </message>
+    <message numerus="yes">
+        <source>a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall</source>
+        <translation>
+            <numerusform>un ventrículo no está donde indican sus ejes: solo %n tirador toca su pared</numerusform>
+            <numerusform>un ventrículo no está donde indican sus ejes: solo %n tiradores tocan su pared</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>heart rig</source>
+        <translation>tiradores del corazón</translation>
+    </message>
+    <message>
+        <source>check the landmarks of base, apex and right ventricle</source>
+        <translation>compruebe los puntos de referencia de la base, el ápex y el ventrículo derecho</translation>
+    </message>
+    <message>
+        <source>a surface needs three points at least to carry the ring of a valve</source>
+        <translation>una superficie necesita al menos tres puntos para llevar el anillo de una válvula</translation>
+    </message>
+    <message>
+        <source>its time is not a finite number</source>
+        <translation>su tiempo no es un número finito</translation>
+    </message>
+    <message numerus="yes">
+        <source>its pose has %n {handle|handles} instead of %2</source>
+        <translation>
+            <numerusform>su pose tiene %n tirador en lugar de %2</numerusform>
+            <numerusform>su pose tiene %n tiradores en lugar de %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a handle's position is not a finite number</source>
+        <translation>la posición de un tirador no es un número finito</translation>
+    </message>
+    <message>
+        <source>its time, %1, is outside the period of %2</source>
+        <translation>su tiempo, %1, está fuera del período de %2</translation>
+    </message>
+    <message>
+        <source>move it, or lengthen the period</source>
+        <translation>muévala o alargue el período</translation>
+    </message>
+    <message>
+        <source>its time, %1, is not after that of the key before it</source>
+        <translation>su tiempo, %1, no es posterior al de la clave anterior</translation>
+    </message>
+    <message>
+        <source>sort the keys by time and leave a millisecond at least between two</source>
+        <translation>ordene las claves por tiempo y deje al menos un milisegundo entre dos</translation>
+    </message>
+    <message>
+        <source>there is no key</source>
+        <translation>no hay ninguna clave</translation>
+    </message>
+    <message>
+        <source>a handle's rest position is not a finite number</source>
+        <translation>la posición en reposo de un tirador no es un número finito</translation>
+    </message>
+    <message>
+        <source>a heart cannot lose that part of its volume in systole</source>
+        <translation>un corazón no puede perder esa parte de su volumen en la sístole</translation>
+    </message>
+    <message>
+        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
+        <translation>elija de 0 a 0,4; las personas tienen de 0,048 a 0,106</translation>
+    </message>
+    <message>
+        <source>the heart cannot be brought to the volume that it has to hold</source>
+        <translation>el corazón no puede alcanzar el volumen que debe tener</translation>
+    </message>
+    <message>
+        <source>heartbeat at %1 s</source>
+        <translation>latido en %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks of apex and base</source>
+        <translation>compruebe los puntos de referencia del ápex y la base</translation>
+    </message>
+    <message>
+        <source>the upper stomach cannot take in what the waves press out</source>
+        <translation>el estómago superior no puede acoger lo que las ondas desplazan</translation>
+    </message>
+    <message>
+        <source>peristalsis after %1 s</source>
+        <translation>peristalsis tras %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks</source>
+        <translation>compruebe los puntos de referencia</translation>
+    </message>
+    <message>
+        <source>the coordinates of the handles are not a finite square matrix</source>
+        <translation>las coordenadas de los tiradores no son una matriz cuadrada finita</translation>
+    </message>
+    <message>
+        <source>pose compensation</source>
+        <translation>compensación de la pose</translation>
+    </message>
+    <message>
+        <source>the coordinates do not sum to 1</source>
+        <translation>las coordenadas no suman 1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
+        <translation>
+            <numerusform>la compensación es para %n tirador, el órgano (%2) tiene %3</numerusform>
+            <numerusform>la compensación es para %n tiradores, el órgano (%2) tiene %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the size of the organ is not a positive number</source>
+        <translation>el tamaño del órgano no es un número positivo</translation>
+    </message>
+    <message>
+        <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
+        <translation>la línea central sale del estómago %1 mm por debajo del vértice del fundus</translation>
+    </message>
+    <message>
+        <source>stomach rig</source>
+        <translation>tiradores del estómago</translation>
+    </message>
+    <message>
+        <source>move its points into the stomach</source>
+        <translation>mueva sus puntos al interior del estómago</translation>
+    </message>
+    <message>
+        <source>the centreline ends before the pylorus</source>
+        <translation>la línea central termina antes del píloro</translation>
+    </message>
+    <message>
+        <source>lead it into the duodenum</source>
+        <translation>prolónguela hasta el duodeno</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n {vertex|vertices} of the surface {lies|lie} there</source>
+        <translation>
+            <numerusform>Solo %n vértice de la superficie está ahí</numerusform>
+            <numerusform>Solo %n vértices de la superficie están ahí</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>take a finer surface</source>
+        <translation>use una superficie más fina</translation>
+    </message>
+    <message>
+        <source>base of the left ventricle</source>
+        <translation>base del ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>apex of the left ventricle</source>
+        <translation>ápex del ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>base of the right ventricle</source>
+        <translation>base del ventrículo derecho</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, inside</source>
+        <translation>pared libre del ventrículo izquierdo, por dentro</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, outside</source>
+        <translation>pared libre del ventrículo izquierdo, por fuera</translation>
+    </message>
+    <message>
+        <source>The surfaces are not those that were measured at rest</source>
+        <translation>Las superficies no son las que se midieron en reposo</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus towards the apex</source>
+        <translation>excursión del anillo mitral hacia el ápex</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus at the free wall</source>
+        <translation>excursión del anillo tricúspide en la pared libre</translation>
+    </message>
+    <message>
+        <source>turn of the apex against the base</source>
+        <translation>giro del ápex respecto a la base</translation>
+    </message>
+    <message>
+        <source>of the left ventricle's free wall in systole</source>
+        <translation>de la pared libre del ventrículo izquierdo en la sístole</translation>
+    </message>
+    <message>
+        <source>20 % around the healthy adult at rest</source>
+        <translation>20 % en torno al adulto sano en reposo</translation>
+    </message>
+    <message>
+        <source>sinus rhythm at rest</source>
+        <translation>ritmo sinusal en reposo</translation>
+    </message>
+    <message>
+        <source>800 to 1600 dyn s cm^-5, customary at the bedside</source>
+        <translation>800 a 1600 dyn s cm^-5, habitual en la clínica</translation>
+    </message>
+    <message>
+        <source>up to 2 Wood units</source>
+        <translation>hasta 2 unidades Wood</translation>
+    </message>
+    <message>
+        <source>as much lubricates a healthy heart</source>
+        <translation>es lo que lubrica un corazón sano</translation>
+    </message>
+    <message>
+        <source>the circulation has no parameter of that name</source>
+        <translation>la circulación no tiene ningún parámetro con ese nombre</translation>
+    </message>
+    <message>
+        <source>the nearest is %1; docs/circulation.md lists all</source>
+        <translation>el más parecido es %1; docs/circulation.md los enumera todos</translation>
+    </message>
+    <message>
+        <source>%1 is out of its range</source>
+        <translation>%1 está fuera de su intervalo</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 %3</source>
+        <translation>de %1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>the valve leaks through a larger area than it opens to</source>
+        <translation>la válvula tiene fuga por un área mayor que su apertura</translation>
+    </message>
+    <message>
+        <source>choose a %1 below its %2</source>
+        <translation>elija %1 menor que %2</translation>
+    </message>
+    <message>
+        <source>%1 lies between %2 and %3</source>
+        <translation>%1 está entre %2 y %3</translation>
+    </message>
+    <message>
+        <source>An end-diastolic volume in ml</source>
+        <translation>Un volumen telediastólico en ml</translation>
+    </message>
+    <message>
+        <source>give the largest volume of the left ventricle</source>
+        <translation>indique el mayor volumen del ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>An ejection fraction</source>
+        <translation>Una fracción de eyección</translation>
+    </message>
+    <message>
+        <source>give 55 % as 0.55</source>
+        <translation>indique 55 % como 0,55</translation>
+    </message>
+    <message>
+        <source>A mean aortic pressure in mmHg</source>
+        <translation>Una presión aórtica media en mmHg</translation>
+    </message>
+    <message>
+        <source>about a third of the way from the diastolic to the systolic one</source>
+        <translation>alrededor de un tercio del camino de la diastólica a la sistólica</translation>
+    </message>
+    <message>
+        <source>fitting the circulation</source>
+        <translation>ajuste de la circulación</translation>
+    </message>
+    <message>
+        <source>the circulation of that heart</source>
+        <translation>la circulación de ese corazón</translation>
+    </message>
+    <message>
+        <source>The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>La circulación tiene el ventrículo medido: %1 ml, fracción de eyección %2, presión aórtica media %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>Ninguna circulación tiene exactamente ese ventrículo; la más cercana: %1 ml, fracción de eyección %2, presión aórtica media %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg; at the limit of its range: %4</source>
+        <translation>Ninguna circulación tiene exactamente ese ventrículo; la más cercana: %1 ml, fracción de eyección %2, presión aórtica media %3 mmHg; en el límite de su intervalo: %4</translation>
+    </message>
+    <message>
+        <source>the circulation to start with</source>
+        <translation>la circulación de partida</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
+        <translation>
+            <numerusform>Tras %n latido los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen tensado mayor</numerusform>
+            <numerusform>Tras %n latidos los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen tensado mayor</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the circulation breaks down: its pressures grow without bounds</source>
+        <translation>la circulación se derrumba: sus presiones crecen sin límite</translation>
+    </message>
+    <message>
+        <source>beat %1</source>
+        <translation>latido %1</translation>
+    </message>
+    <message>
+        <source>bring the parameters nearer to those at rest, a few at a time</source>
+        <translation>acerque los parámetros a los de reposo, unos pocos cada vez</translation>
+    </message>
+    <message>
+        <source>there is no such scenario</source>
+        <translation>no existe ese escenario</translation>
+    </message>
+    <message>
+        <source>choose one of %1</source>
+        <translation>elija uno de %1</translation>
+    </message>
+    <message>
+        <source>fitting phase %1</source>
+        <translation>ajuste de la fase %1</translation>
+    </message>
+    <message>
+        <source>smoothing phase %1</source>
+        <translation>suavizado de la fase %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away on average</source>
+        <translation>%1 está a %2 mm de media</translation>
+    </message>
+    <message>
+        <source>a twentieth of %1 is more than %2 mm away</source>
+        <translation>una vigésima parte de %1 está a más de %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 had to be changed by %2 % to get its volume</source>
+        <translation>%1 tuvo que cambiarse un %2 % para tener su volumen</translation>
+    </message>
+    <message>
+        <source>%1 agrees with its voxels by a Dice of %2 only</source>
+        <translation>%1 coincide con sus vóxeles solo con un Dice de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} of %2 {is|are} turned over</source>
+        <translation>
+            <numerusform>%n triángulo de %2 está volteado</numerusform>
+            <numerusform>%n triángulos de %2 están volteados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the tissue is folded at %n {place|places}</source>
+        <translation>
+            <numerusform>el tejido está plegado en %n lugar</numerusform>
+            <numerusform>el tejido está plegado en %n lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the measured volumes cannot be met</source>
+        <translation>los volúmenes medidos no se pueden alcanzar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 handles are too few for %n {surface|surfaces}</source>
+        <translation>
+            <numerusform>%2 tiradores son pocos para %n superficie</numerusform>
+            <numerusform>%2 tiradores son pocos para %n superficies</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ask for %1 at least</source>
+        <translation>pida al menos %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer</source>
+        <translation>pida menos</translation>
+    </message>
+    <message>
+        <source>keeping volumes</source>
+        <translation>conservación de los volúmenes</translation>
+    </message>
+    <message>
+        <source>It has no phase</source>
+        <translation>No tiene ninguna fase</translation>
+    </message>
+    <message>
+        <source>name one surface for each phase</source>
+        <translation>indique una superficie para cada fase</translation>
+    </message>
+    <message>
+        <source>Phase %1 has %2 points and the first has %3</source>
+        <translation>La fase %1 tiene %2 puntos y la primera tiene %3</translation>
+    </message>
+    <message>
+        <source>export all phases with the same triangles</source>
+        <translation>exporte todas las fases con los mismos triángulos</translation>
+    </message>
+    <message>
+        <source>%1, phase %2</source>
+        <translation>%1, fase %2</translation>
+    </message>
+    <message>
+        <source>It has no triangle with three different corners</source>
+        <translation>No tiene ningún triángulo con tres vértices distintos</translation>
+    </message>
+    <message>
+        <source>It is not a closed surface, even with its holes filled: %1</source>
+        <translation>No es una superficie cerrada, ni con los agujeros rellenos: %1</translation>
+    </message>
+    <message>
+        <source>repair the surfaces in the program that made them</source>
+        <translation>repare las superficies en el programa que las creó</translation>
+    </message>
+    <message>
+        <source>There is no surface</source>
+        <translation>No hay ninguna superficie</translation>
+    </message>
+    <message>
+        <source>name one at least</source>
+        <translation>indique al menos una</translation>
+    </message>
+    <message>
+        <source>the volume cannot be kept throughout the cycle: %1</source>
+        <translation>el volumen no se puede conservar durante todo el ciclo: %1</translation>
+    </message>
+    <message>
+        <source>unlock it, or prescribe a volume nearer to that at rest</source>
+        <translation>desbloquéelo o prescriba un volumen más próximo al de reposo</translation>
+    </message>
+    <message>
+        <source>It is not a rate at which the sequence can be played</source>
+        <translation>La secuencia no se puede reproducir a esa frecuencia</translation>
+    </message>
+    <message>
+        <source>rates of the lesson</source>
+        <translation>frecuencias de la lección</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 a minute</source>
+        <translation>de %1 a %2 por minuto</translation>
+    </message>
+    <message>
+        <source>There is no such phase</source>
+        <translation>No existe esa fase</translation>
+    </message>
+    <message>
+        <source>viscera play names the phases of a sequence</source>
+        <translation>viscera play enumera las fases de una secuencia</translation>
+    </message>
+    <message>
+        <source>There is no such organ to hide</source>
+        <translation>No existe ese órgano para ocultar</translation>
+    </message>
+    <message>
+        <source>name one that is shown</source>
+        <translation>indique uno que se muestre</translation>
+    </message>
+    <message>
+        <source>It is not a language of the page</source>
+        <translation>No es un idioma de la página</translation>
+    </message>
+    <message>
+        <source>No organ is shown</source>
+        <translation>No se muestra ningún órgano</translation>
+    </message>
+    <message>
+        <source>the lesson</source>
+        <translation>la lección</translation>
+    </message>
+    <message>
+        <source>show those that the lesson is about</source>
+        <translation>muestre aquellos de los que trata la lección</translation>
+    </message>
+    <message>
+        <source>a number does not fit into a lesson: %1</source>
+        <translation>un número no cabe en una lección: %1</translation>
+    </message>
+    <message>
+        <source>check the size of the organ, and its motion</source>
+        <translation>compruebe el tamaño del órgano y su movimiento</translation>
+    </message>
+    <message>
+        <source>an array of the lesson ends behind its bytes</source>
+        <translation>una matriz de la lección termina tras sus bytes</translation>
+    </message>
+    <message>
+        <source>the arrays of the lesson cannot be unpacked</source>
+        <translation>las matrices de la lección no se pueden descomprimir</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; returned no binding of the right size</source>
+        <translation>el sistema «%1» no devolvió un enlace del tamaño correcto</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed: %2</source>
+        <translation>el sistema «%1» falló: %2</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed</source>
+        <translation>el sistema «%1» falló</translation>
+    </message>
+    <message>
+        <source>choose another system</source>
+        <translation>elija otro sistema</translation>
+    </message>
+    <message>
+        <source>it is not a Viscera plugin, or it is damaged</source>
+        <translation>no es un complemento de Viscera, o está dañado</translation>
+    </message>
+    <message>
+        <source>it is a plugin for another program (%1)</source>
+        <translation>es un complemento para otro programa (%1)</translation>
+    </message>
+    <message>
+        <source>it was made for version %1 of the plugin interface, this program has %2</source>
+        <translation>se hizo para la versión %1 de la interfaz de complementos, este programa tiene %2</translation>
+    </message>
+    <message>
+        <source>its manifest lacks id, name or version</source>
+        <translation>a su manifiesto le falta id, name o version</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded: %1</source>
+        <translation>no se puede cargar: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading: %1</source>
+        <translation>falló al cargarse: %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading</source>
+        <translation>falló al cargarse</translation>
+    </message>
+    <message>
+        <source>plugin %1: %2</source>
+        <translation>complemento %1: %2</translation>
+    </message>
+    <message>
+        <source>The coordinate system has a parameter without a name</source>
+        <translation>El sistema de coordenadas tiene un parámetro sin nombre</translation>
+    </message>
+    <message>
+        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
+        <translation>El sistema de coordenadas ofrece dos veces el parámetro «%1»</translation>
+    </message>
+    <message>
+        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
+        <translation>El valor estándar del parámetro «%1» está fuera de su intervalo</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system to add</source>
+        <translation>No hay ningún sistema de coordenadas que añadir</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
+        <translation>«%1» no puede ser el identificador de un sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
+        <translation>use minúsculas, cifras y guiones sueltos, como en «s-celestial»</translation>
+    </message>
+    <message>
+        <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
+        <translation>Ya existe un sistema de coordenadas «%1» (%2)</translation>
+    </message>
+    <message>
+        <source>remove one of the two, or give one another id</source>
+        <translation>elimine uno de los dos o dé a uno otro identificador</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system &quot;%1&quot;</source>
+        <translation>No existe el sistema de coordenadas «%1»</translation>
+    </message>
+    <message>
+        <source>none is loaded</source>
+        <translation>no hay ninguno cargado</translation>
+    </message>
+    <message>
+        <source>There is no such slice</source>
+        <translation>No existe ese corte</translation>
+    </message>
+    <message>
+        <source>take axial, coronal or sagittal</source>
+        <translation>use axial, coronal o sagittal</translation>
+    </message>
+    <message>
+        <source>none: the organs are as in their files</source>
+        <translation>ninguno: los órganos están como en sus archivos</translation>
+    </message>
+    <message>
+        <source>in %1 groups</source>
+        <translation>en %1 grupos</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
+    </message>
+    <message>
+        <source>%1 of them moved</source>
+        <translation>%1 de ellos movidos</translation>
+    </message>
+    <message>
+        <source>%1 of them shown</source>
+        <translation>%1 de ellos visibles</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Órganos</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Instant</source>
+        <translation>Instante</translation>
+    </message>
+    <message>
+        <source>%1, at %2 of its cycle</source>
+        <translation>%1, al %2 de su ciclo</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(oculto)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>abierto</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
+    </message>
+    <message>
+        <source>Reference shape (ml)</source>
+        <translation>Forma de referencia (ml)</translation>
+    </message>
+    <message>
+        <source>Now (ml)</source>
+        <translation>Ahora (ml)</translation>
+    </message>
+    <message>
+        <source>Change (ml)</source>
+        <translation>Cambio (ml)</translation>
+    </message>
+    <message>
+        <source>Change (%)</source>
+        <translation>Cambio (%)</translation>
+    </message>
+    <message>
+        <source>Surface (cm²)</source>
+        <translation>Superficie (cm²)</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volúmenes</translation>
+    </message>
+    <message>
+        <source>Open: the surface has holes and holds no volume.</source>
+        <translation>Abierto: la superficie tiene agujeros y no encierra ningún volumen.</translation>
+    </message>
+    <message>
+        <source>mean in a rectangle</source>
+        <translation>media en un rectángulo</translation>
+    </message>
+    <message>
+        <source>mean in a sphere</source>
+        <translation>media en una esfera</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referencia</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>the scan</source>
+        <translation>el estudio</translation>
+    </message>
+    <message>
+        <source>sample organ &quot;%1&quot;, %2 resolution</source>
+        <translation>órgano de muestra «%1», resolución %2</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>baja</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>alta</translation>
+    </message>
+    <message>
+        <source>made in the program</source>
+        <translation>creado en el programa</translation>
+    </message>
+    <message>
+        <source>nothing: it is as it was read</source>
+        <translation>nada: está como se leyó</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>What was found and done</source>
+        <translation>Qué se encontró y se hizo</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>Files and what was done to them</source>
+        <translation>Archivos y lo que se hizo con ellos</translation>
+    </message>
+    <message>
+        <source>All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes LPS (to the left, to the back, to the head). Viscera is a program for teaching and research, not a medical device.</source>
+        <translation>Todas las longitudes están en milímetros, todos los volúmenes en mililitros; las posiciones están en los ejes LPS del paciente (a la izquierda, hacia atrás, hacia la cabeza). Viscera es un programa para la docencia y la investigación, no un producto sanitario.</translation>
+    </message>
+    <message>
+        <source>There is no organ to report on</source>
+        <translation>No hay ningún órgano sobre el que informar</translation>
+    </message>
+    <message>
+        <source>Made by Viscera %1 on %2</source>
+        <translation>Creado por Viscera %1 el %2</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dibujo</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>medición</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>going through the cycle</source>
+        <translation>recorrido del ciclo</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>Volumen (ml)</translation>
+    </message>
+    <message>
+        <source>Volumes over one cycle, each instant computed</source>
+        <translation>Volúmenes durante un ciclo, cada instante calculado</translation>
+    </message>
+    <message>
+        <source>the first %1 of %2 organs</source>
+        <translation>los primeros %1 de %2 órganos</translation>
+    </message>
+    <message>
+        <source>Smallest (ml)</source>
+        <translation>Mínimo (ml)</translation>
+    </message>
+    <message>
+        <source>Largest (ml)</source>
+        <translation>Máximo (ml)</translation>
+    </message>
+    <message>
+        <source>Ventricle</source>
+        <translation>Ventrículo</translation>
+    </message>
+    <message>
+        <source>EDV (ml)</source>
+        <translation>VTD (ml)</translation>
+    </message>
+    <message>
+        <source>ESV (ml)</source>
+        <translation>VTS (ml)</translation>
+    </message>
+    <message>
+        <source>Stroke volume (ml)</source>
+        <translation>Volumen sistólico (ml)</translation>
+    </message>
+    <message>
+        <source>EF (%)</source>
+        <translation>FE (%)</translation>
+    </message>
+    <message>
+        <source>EF of healthy people</source>
+        <translation>FE de personas sanas</translation>
+    </message>
+    <message>
+        <source>Output (l/min)</source>
+        <translation>Gasto (l/min)</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Secuencia</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>%1 a minute, one cycle takes %2 s</source>
+        <translation>%1 por minuto, un ciclo dura %2 s</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Fases</translation>
+    </message>
+    <message>
+        <source>Prescribed</source>
+        <translation>Prescrito</translation>
+    </message>
+    <message>
+        <source>the volume of %1</source>
+        <translation>el volumen de %1</translation>
+    </message>
+    <message>
+        <source>A volume could not be kept: %1</source>
+        <translation>No se pudo conservar un volumen: %1</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De frente</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Desde la izquierda</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Desde atrás</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Desde la derecha</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Desde abajo</translation>
+    </message>
+    <message>
+        <source>The map as the session shows it</source>
+        <translation>El mapa como lo muestra la sesión</translation>
+    </message>
+    <message>
+        <source>There is no font to write with</source>
+        <translation>No hay ningún tipo de letra para escribir</translation>
+    </message>
+    <message>
+        <source>install one, such as the package fonts-dejavu-core</source>
+        <translation>instale uno, como el paquete fonts-dejavu-core</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+    <message>
+        <source>A report cannot be written to this kind of file</source>
+        <translation>No se puede escribir un informe en este tipo de archivo</translation>
+    </message>
+    <message>
+        <source>let it end in .pdf or .html</source>
+        <translation>haga que termine en .pdf o .html</translation>
+    </message>
+    <message>
+        <source>by TetGen</source>
+        <translation>por TetGen</translation>
+    </message>
+    <message>
+        <source>by TetGen, from a repaired copy of the surface</source>
+        <translation>por TetGen, de una copia reparada de la superficie</translation>
+    </message>
+    <message>
+        <source>by a regular grid</source>
+        <translation>por una cuadrícula regular</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Magnitud</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>5th percentile</source>
+        <translation>Percentil 5</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>Percentil 95</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>%1, the worst of a cycle</source>
+        <translation>%1, lo peor de un ciclo</translation>
+    </message>
+    <message>
+        <source>Points (%)</source>
+        <translation>Puntos (%)</translation>
+    </message>
+    <message>
+        <source>%1 over the witness points</source>
+        <translation>%1 en los puntos testigo</translation>
+    </message>
+    <message>
+        <source>Rotational stress (deg)</source>
+        <translation>Estrés rotacional (grados)</translation>
+    </message>
+    <message>
+        <source>Over one cycle of the sequence</source>
+        <translation>Durante un ciclo de la secuencia</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonda</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lugar (mm)</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>sin tejido</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegado</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distancia en reposo (mm)</translation>
+    </message>
+    <message>
+        <source>Along the straight lines at rest between probes</source>
+        <translation>A lo largo de las rectas en reposo entre sondas</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress)</source>
+        <translation>Distorsión del tejido (estrés rotacional)</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Puntos testigo</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 en %2 tetraedros</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Derivadas</translation>
+    </message>
+    <message>
+        <source>in closed form (analytic)</source>
+        <translation>en forma cerrada (analítica)</translation>
+    </message>
+    <message>
+        <source>by central differences</source>
+        <translation>por diferencias centrales</translation>
+    </message>
+    <message>
+        <source>no point: the tissue is turned inside out nowhere</source>
+        <translation>ningún punto: el tejido no está invertido en ningún lugar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are turned inside out</source>
+        <translation>%1 de %2 puntos están invertidos</translation>
+    </message>
+    <message>
+        <source>Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. It measures distortion and is not a pressure.</source>
+        <translation>El estrés rotacional es el mayor ángulo que gira una dirección cuando el tejido se estira. Mide la distorsión y no es una presión.</translation>
+    </message>
+    <message>
+        <source>± %1, %2 to %3, %4, %5 voxels</source>
+        <translation>± %1, de %2 a %3, %4, %5 vóxeles</translation>
+    </message>
+    <message>
+        <source>Not all of what the window showed can be brought back</source>
+        <translation>No se puede recuperar todo lo que mostraba la ventana</translation>
+    </message>
+    <message>
+        <source>the session's view</source>
+        <translation>la vista de la sesión</translation>
+    </message>
+    <message>
+        <source>the organs and the handles are complete; save the session anew</source>
+        <translation>los órganos y los tiradores están completos; guarde de nuevo la sesión</translation>
+    </message>
+    <message>
+        <source>There is no such normal range</source>
+        <translation>No existe ese intervalo normal</translation>
+    </message>
+    <message>
+        <source>viscera reference names them all</source>
+        <translation>viscera reference los enumera todos</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>mujeres</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>hombres</translation>
+    </message>
+    <message>
+        <source>women and men</source>
+        <translation>mujeres y hombres</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations</source>
+        <translation>%1, media ± 2 desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>%1, on average</source>
+        <translation>%1, de media</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations, for %2 m2 of body surface</source>
+        <translation>%1, media ± 2 desviaciones típicas, para %2 m² de superficie corporal</translation>
+    </message>
+    <message>
+        <source>%1, on average, for %2 m2 of body surface</source>
+        <translation>%1, de media, para %2 m² de superficie corporal</translation>
+    </message>
+    <message>
+        <source>800 healthy people of 45 to 74 years, by magnetic resonance, papillary muscles counted as cavity</source>
+        <translation>800 personas sanas de 45 a 74 años, por resonancia magnética, músculos papilares contados como cavidad</translation>
+    </message>
+    <message>
+        <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
+        <translation>1815 personas sin enfermedad renal, por resonancia magnética; la desviación es la de los cuartiles</translation>
+    </message>
+    <message>
+        <source>customary at the bedside</source>
+        <translation>habitual en la clínica</translation>
+    </message>
+    <message>
+        <source>mass of the muscle</source>
+        <translation>masa del músculo</translation>
+    </message>
+    <message>
+        <source>1969 healthy people at rest, by tissue Doppler</source>
+        <translation>1969 personas sanas en reposo, por Doppler tisular</translation>
+    </message>
+    <message>
+        <source>ejection time</source>
+        <translation>tiempo de eyección</translation>
+    </message>
+    <message>
+        <source>healthy adults, by magnetic resonance and ultrasound</source>
+        <translation>adultos sanos, por resonancia magnética y ecografía</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus (MAPSE)</source>
+        <translation>excursión del anillo mitral (MAPSE)</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus (TAPSE)</source>
+        <translation>excursión del anillo tricúspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>twist of the apex against the base</source>
+        <translation>torsión del ápex respecto a la base</translation>
+    </message>
+    <message>
+        <source>thickening of the free wall</source>
+        <translation>engrosamiento de la pared libre</translation>
+    </message>
+    <message>
+        <source>healthy adults at rest</source>
+        <translation>adultos sanos en reposo</translation>
+    </message>
+    <message>
+        <source>systolic pressure</source>
+        <translation>presión sistólica</translation>
+    </message>
+    <message>
+        <source>diastolic pressure</source>
+        <translation>presión diastólica</translation>
+    </message>
+    <message>
+        <source>mean pressure</source>
+        <translation>presión media</translation>
+    </message>
+    <message>
+        <source>end-diastolic pressure</source>
+        <translation>presión telediastólica</translation>
+    </message>
+    <message>
+        <source>fastest rise of pressure</source>
+        <translation>ascenso más rápido de la presión</translation>
+    </message>
+    <message>
+        <source>coupling Ea/Ees</source>
+        <translation>acoplamiento Ea/Ees</translation>
+    </message>
+    <message>
+        <source>mean gradient</source>
+        <translation>gradiente medio</translation>
+    </message>
+    <message>
+        <source>regurgitant fraction</source>
+        <translation>fracción de regurgitación</translation>
+    </message>
+    <message>
+        <source>reference woman and man; no spread is given</source>
+        <translation>mujer y hombre de referencia; no se indica la dispersión</translation>
+    </message>
+    <message>
+        <source>1248 people without liver disease, by magnetic resonance</source>
+        <translation>1248 personas sin enfermedad hepática, por resonancia magnética</translation>
+    </message>
+    <message>
+        <source>212 adults, by CT</source>
+        <translation>212 adultos, por TC</translation>
+    </message>
+    <message>
+        <source>adults of 20 to 60 years, by CT</source>
+        <translation>adultos de 20 a 60 años, por TC</translation>
+    </message>
+    <message>
+        <source>contents after a meal</source>
+        <translation>contenido después de comer</translation>
+    </message>
+    <message>
+        <source>443 people after a meal, by single-photon tomography</source>
+        <translation>443 personas después de comer, por tomografía de fotón único</translation>
+    </message>
+    <message>
+        <source>contents of 443 people after a meal, by single-photon tomography, and 138 ml of wall (ICRP publication 89)</source>
+        <translation>contenido de 443 personas después de comer, por tomografía de fotón único, y 138 ml de pared (publicación 89 de la ICRP)</translation>
+    </message>
+    <message>
+        <source>adults, by electrogastrography</source>
+        <translation>adultos, por electrogastrografía</translation>
+    </message>
+    <message>
+        <source>speed of the waves</source>
+        <translation>velocidad de las ondas</translation>
+    </message>
+    <message>
+        <source>occlusion of the antrum by a wave</source>
+        <translation>oclusión del antro por una onda</translation>
+    </message>
+    <message>
+        <source>28 healthy people, by magnetic resonance</source>
+        <translation>28 personas sanas, por resonancia magnética</translation>
+    </message>
+    <message>
+        <source>adults at rest</source>
+        <translation>adultos en reposo</translation>
+    </message>
+    <message>
+        <source>part that is inspiration</source>
+        <translation>parte que es inspiración</translation>
+    </message>
+    <message>
+        <source>adults at rest, from 1 : 2 to 1 : 1</source>
+        <translation>adultos en reposo, de 1 : 2 a 1 : 1</translation>
+    </message>
+    <message>
+        <source>way down in quiet breathing</source>
+        <translation>descenso en la respiración tranquila</translation>
+    </message>
+    <message>
+        <source>what several studies measured</source>
+        <translation>lo que midieron varios estudios</translation>
+    </message>
+    <message>
+        <source>there are no handles to save</source>
+        <translation>no hay tiradores que guardar</translation>
+    </message>
+    <message>
+        <source>It is not a file that a report can be</source>
+        <translation>Un informe no puede ser un archivo así</translation>
+    </message>
+    <message>
+        <source>There is no scan to export</source>
+        <translation>No hay ningún estudio que exportar</translation>
+    </message>
+    <message>
+        <source>There are no handles that could bend the scan</source>
+        <translation>No hay tiradores que puedan curvar el estudio</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>Escribiendo el estudio</translation>
+    </message>
+    <message>
+        <source>9 healthy people, by magnetic resonance; 28 people of doi 10.1046/j.1365-2982.2001.00285.x have 1.6 +- 0.2</source>
+        <translation>9 personas sanas, por resonancia magnética; 28 personas de doi 10.1046/j.1365-2982.2001.00285.x tienen 1,6 ± 0,2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>desde %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>hasta %1</translation>
+    </message>
+    <message>
+        <source>there is no sample organ &quot;%1&quot;</source>
+        <translation>no existe el órgano de muestra «%1»</translation>
+    </message>
+    <message>
+        <source>there is no resolution &quot;%1&quot;</source>
+        <translation>no existe la resolución «%1»</translation>
+    </message>
+    <message>
+        <source>use low, medium or high</source>
+        <translation>use low, medium o high</translation>
+    </message>
+    <message>
+        <source>the sample organs cannot be listed: %1</source>
+        <translation>no se pueden enumerar los órganos de muestra: %1</translation>
+    </message>
+    <message>
+        <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
+        <translation>ponga en VISCERA_SAMPLE_ORGANS la carpeta de las definiciones</translation>
+    </message>
 </context>
 </TS>

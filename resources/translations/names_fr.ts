@@ -6555,5 +6555,1428 @@
         <source>writing the movie</source>
         <translation>écriture du film</translation>
     </message>
+    <message>
+        <source>breathing needs at least four handles</source>
+        <translation>la respiration demande au moins quatre poignées</translation>
+    </message>
+    <message>
+        <source>the organ has no extent</source>
+        <translation>l’organe n’a pas d’étendue</translation>
+    </message>
+    <message>
+        <source>the liver cannot be pressed that far</source>
+        <translation>le foie ne peut pas être autant comprimé</translation>
+    </message>
+    <message>
+        <source>use shares between 0 and 0.5</source>
+        <translation>utilisez des proportions entre 0 et 0,5</translation>
+    </message>
+    <message>
+        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
+        <translation>un ventricule doit contenir moins en fin de systole qu’en fin de diastole</translation>
+    </message>
+    <message>
+        <source>cardiac cycle</source>
+        <translation>cycle cardiaque</translation>
+    </message>
+    <message>
+        <source>The volume of a cavity is not a number</source>
+        <translation>Le volume d’une cavité n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>check the cavities' surfaces</source>
+        <translation>vérifiez les surfaces des cavités</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right</source>
+        <translation>cœur avec %1 ml à gauche et %2 ml à droite</translation>
+    </message>
+    <message>
+        <source>heart with %1 ml left and %2 ml right, atria with %3 ml left and %4 ml right</source>
+        <translation>cœur avec %1 ml à gauche et %2 ml à droite, atriums avec %3 ml à gauche et %4 ml à droite</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; atria: left off by %3 ml, right by %4 ml</source>
+        <translation>Les ventricules ne peuvent pas atteindre leurs volumes : il manque %1 ml à gauche, %2 ml à droite ; atriums : %3 ml à gauche, %4 ml à droite</translation>
+    </message>
+    <message>
+        <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml</source>
+        <translation>Les ventricules ne peuvent pas atteindre leurs volumes : il manque %1 ml à gauche, %2 ml à droite</translation>
+    </message>
+    <message>
+        <source>check that the cavities lie inside the handles of their walls</source>
+        <translation>vérifiez que les cavités sont à l’intérieur des poignées de leurs parois</translation>
+    </message>
+    <message>
+        <source>a centreline needs at least two points</source>
+        <translation>une ligne centrale demande au moins deux points</translation>
+    </message>
+    <message>
+        <source>centreline point %1</source>
+        <translation>point %1 de la ligne centrale</translation>
+    </message>
+    <message>
+        <source>the point is not finite</source>
+        <translation>le point n’est pas fini</translation>
+    </message>
+    <message>
+        <source>the point is where the one before it is</source>
+        <translation>le point est à la place du précédent</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>supprimez-le</translation>
+    </message>
+    <message>
+        <source>the course does not cover a beat</source>
+        <translation>le cours ne couvre pas un battement</translation>
+    </message>
+    <message>
+        <source>the course tells of its valves at other instants than of its volumes</source>
+        <translation>le cours donne ses valves à d’autres instants que ses volumes</translation>
+    </message>
+    <message>
+        <source>calibrating the heartbeat</source>
+        <translation>calibrage du battement</translation>
+    </message>
+    <message numerus="yes">
+        <source>a curve needs at least %n {key|keys}</source>
+        <translation>
+            <numerusform>une courbe demande au moins %n clé</numerusform>
+            <numerusform>une courbe demande au moins %n clés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the key is not a finite number</source>
+        <translation>la clé n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>curve key %1</source>
+        <translation>clé %1 de la courbe</translation>
+    </message>
+    <message>
+        <source>the key does not lie after the one before it</source>
+        <translation>la clé ne vient pas après la précédente</translation>
+    </message>
+    <message>
+        <source>sort the keys and remove doubles</source>
+        <translation>triez les clés et supprimez les doubles</translation>
+    </message>
+    <message>
+        <source>the keys do not fit into one period</source>
+        <translation>les clés ne tiennent pas dans une période</translation>
+    </message>
+    <message>
+        <source>give keys of one period only</source>
+        <translation>donnez seulement les clés d’une période</translation>
+    </message>
+    <message>
+        <source>the pylorus does not lie beyond the middle of the body</source>
+        <translation>le pylore n’est pas au-delà du milieu du corps</translation>
+    </message>
+    <message>
+        <source>gastric waves</source>
+        <translation>ondes gastriques</translation>
+    </message>
+    <message>
+        <source>choose the landmarks from the fundus downwards</source>
+        <translation>choisissez les repères du fundus vers le bas</translation>
+    </message>
+    <message>
+        <source>waves without depth</source>
+        <translation>ondes sans profondeur</translation>
+    </message>
+    <message>
+        <source>give a depth above 0</source>
+        <translation>donnez une profondeur supérieure à 0</translation>
+    </message>
+    <message>
+        <source>the surface has no inside</source>
+        <translation>la surface n’a pas d’intérieur</translation>
+    </message>
+    <message>
+        <source>heart landmarks</source>
+        <translation>repères du cœur</translation>
+    </message>
+    <message>
+        <source>give apex and base yourself</source>
+        <translation>donnez vous-même l’apex et la base</translation>
+    </message>
+    <message>
+        <source>the base does not lie inside the heart</source>
+        <translation>la base n’est pas à l’intérieur du cœur</translation>
+    </message>
+    <message>
+        <source>put it on the middle of the mitral valve</source>
+        <translation>placez-la au milieu de la valve mitrale</translation>
+    </message>
+    <message>
+        <source>the directions to the right ventricle and to the apex do not span a frame</source>
+        <translation>les directions du ventricule droit et de l’apex ne forment pas un repère</translation>
+    </message>
+    <message>
+        <source>heart frame</source>
+        <translation>axes du cœur</translation>
+    </message>
+    <message>
+        <source>choose landmarks that do not lie on one line</source>
+        <translation>choisissez des repères qui ne sont pas alignés</translation>
+    </message>
+    <message numerus="yes">
+        <source>a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall</source>
+        <translation>
+            <numerusform>un ventricule n’est pas où ses axes l’indiquent : seule %n poignée touche sa paroi</numerusform>
+            <numerusform>un ventricule n’est pas où ses axes l’indiquent : seules %n poignées touchent sa paroi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>heart rig</source>
+        <translation>poignées du cœur</translation>
+    </message>
+    <message>
+        <source>check the landmarks of base, apex and right ventricle</source>
+        <translation>vérifiez les repères de la base, de l’apex et du ventricule droit</translation>
+    </message>
+    <message>
+        <source>a surface needs three points at least to carry the ring of a valve</source>
+        <translation>une surface demande au moins trois points pour porter l’anneau d’une valve</translation>
+    </message>
+    <message>
+        <source>its time is not a finite number</source>
+        <translation>son temps n’est pas un nombre fini</translation>
+    </message>
+    <message numerus="yes">
+        <source>its pose has %n {handle|handles} instead of %2</source>
+        <translation>
+            <numerusform>sa pose a %n poignée au lieu de %2</numerusform>
+            <numerusform>sa pose a %n poignées au lieu de %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a handle's position is not a finite number</source>
+        <translation>la position d’une poignée n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>its time, %1, is outside the period of %2</source>
+        <translation>son temps, %1, est hors de la période de %2</translation>
+    </message>
+    <message>
+        <source>move it, or lengthen the period</source>
+        <translation>déplacez-la ou allongez la période</translation>
+    </message>
+    <message>
+        <source>its time, %1, is not after that of the key before it</source>
+        <translation>son temps, %1, ne vient pas après celui de la clé précédente</translation>
+    </message>
+    <message>
+        <source>sort the keys by time and leave a millisecond at least between two</source>
+        <translation>triez les clés par temps et laissez au moins une milliseconde entre deux</translation>
+    </message>
+    <message>
+        <source>there is no key</source>
+        <translation>il n’y a pas de clé</translation>
+    </message>
+    <message>
+        <source>a handle's rest position is not a finite number</source>
+        <translation>la position au repos d’une poignée n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>a heart cannot lose that part of its volume in systole</source>
+        <translation>un cœur ne peut pas perdre cette part de son volume en systole</translation>
+    </message>
+    <message>
+        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
+        <translation>choisissez de 0 à 0,4 ; les personnes ont de 0,048 à 0,106</translation>
+    </message>
+    <message>
+        <source>the heart cannot be brought to the volume that it has to hold</source>
+        <translation>le cœur ne peut pas atteindre le volume qu’il doit avoir</translation>
+    </message>
+    <message>
+        <source>heartbeat at %1 s</source>
+        <translation>battement à %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks of apex and base</source>
+        <translation>vérifiez les repères de l’apex et de la base</translation>
+    </message>
+    <message>
+        <source>the upper stomach cannot take in what the waves press out</source>
+        <translation>l’estomac supérieur ne peut pas recevoir ce que les ondes déplacent</translation>
+    </message>
+    <message>
+        <source>peristalsis after %1 s</source>
+        <translation>péristaltisme après %1 s</translation>
+    </message>
+    <message>
+        <source>check the landmarks</source>
+        <translation>vérifiez les repères</translation>
+    </message>
+    <message>
+        <source>the coordinates of the handles are not a finite square matrix</source>
+        <translation>les coordonnées des poignées ne sont pas une matrice carrée finie</translation>
+    </message>
+    <message>
+        <source>pose compensation</source>
+        <translation>compensation de la pose</translation>
+    </message>
+    <message>
+        <source>the coordinates do not sum to 1</source>
+        <translation>la somme des coordonnées n’est pas 1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
+        <translation>
+            <numerusform>la compensation est pour %n poignée, l’organe (%2) en a %3</numerusform>
+            <numerusform>la compensation est pour %n poignées, l’organe (%2) en a %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the size of the organ is not a positive number</source>
+        <translation>la taille de l’organe n’est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
+        <translation>la ligne centrale quitte l’estomac %1 mm sous le sommet du fundus</translation>
+    </message>
+    <message>
+        <source>stomach rig</source>
+        <translation>poignées de l’estomac</translation>
+    </message>
+    <message>
+        <source>move its points into the stomach</source>
+        <translation>déplacez ses points dans l’estomac</translation>
+    </message>
+    <message>
+        <source>the centreline ends before the pylorus</source>
+        <translation>la ligne centrale finit avant le pylore</translation>
+    </message>
+    <message>
+        <source>lead it into the duodenum</source>
+        <translation>prolongez-la jusque dans le duodénum</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n {vertex|vertices} of the surface {lies|lie} there</source>
+        <translation>
+            <numerusform>Seul %n sommet de la surface s’y trouve</numerusform>
+            <numerusform>Seuls %n sommets de la surface s’y trouvent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>take a finer surface</source>
+        <translation>prenez une surface plus fine</translation>
+    </message>
+    <message>
+        <source>base of the left ventricle</source>
+        <translation>base du ventricule gauche</translation>
+    </message>
+    <message>
+        <source>apex of the left ventricle</source>
+        <translation>apex du ventricule gauche</translation>
+    </message>
+    <message>
+        <source>base of the right ventricle</source>
+        <translation>base du ventricule droit</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, inside</source>
+        <translation>paroi libre du ventricule gauche, à l’intérieur</translation>
+    </message>
+    <message>
+        <source>free wall of the left ventricle, outside</source>
+        <translation>paroi libre du ventricule gauche, à l’extérieur</translation>
+    </message>
+    <message>
+        <source>The surfaces are not those that were measured at rest</source>
+        <translation>Les surfaces ne sont pas celles mesurées au repos</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus towards the apex</source>
+        <translation>excursion de l’anneau mitral vers l’apex</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus at the free wall</source>
+        <translation>excursion de l’anneau tricuspide à la paroi libre</translation>
+    </message>
+    <message>
+        <source>turn of the apex against the base</source>
+        <translation>rotation de l’apex par rapport à la base</translation>
+    </message>
+    <message>
+        <source>of the left ventricle's free wall in systole</source>
+        <translation>de la paroi libre du ventricule gauche en systole</translation>
+    </message>
+    <message>
+        <source>20 % around the healthy adult at rest</source>
+        <translation>20 % autour de l’adulte sain au repos</translation>
+    </message>
+    <message>
+        <source>sinus rhythm at rest</source>
+        <translation>rythme sinusal au repos</translation>
+    </message>
+    <message>
+        <source>800 to 1600 dyn s cm^-5, customary at the bedside</source>
+        <translation>800 à 1600 dyn s cm^-5, usuel en clinique</translation>
+    </message>
+    <message>
+        <source>up to 2 Wood units</source>
+        <translation>jusqu’à 2 unités Wood</translation>
+    </message>
+    <message>
+        <source>as much lubricates a healthy heart</source>
+        <translation>c’est ce qui lubrifie un cœur sain</translation>
+    </message>
+    <message>
+        <source>the circulation has no parameter of that name</source>
+        <translation>la circulation n’a pas de paramètre de ce nom</translation>
+    </message>
+    <message>
+        <source>the nearest is %1; docs/circulation.md lists all</source>
+        <translation>le plus proche est %1 ; docs/circulation.md les donne tous</translation>
+    </message>
+    <message>
+        <source>%1 is out of its range</source>
+        <translation>%1 est hors de ses limites</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 %3</source>
+        <translation>de %1 à %2 %3</translation>
+    </message>
+    <message>
+        <source>the valve leaks through a larger area than it opens to</source>
+        <translation>la valve fuit par une aire plus grande que son ouverture</translation>
+    </message>
+    <message>
+        <source>choose a %1 below its %2</source>
+        <translation>choisissez %1 inférieur à %2</translation>
+    </message>
+    <message>
+        <source>%1 lies between %2 and %3</source>
+        <translation>%1 est entre %2 et %3</translation>
+    </message>
+    <message>
+        <source>An end-diastolic volume in ml</source>
+        <translation>Un volume télédiastolique en ml</translation>
+    </message>
+    <message>
+        <source>give the largest volume of the left ventricle</source>
+        <translation>donnez le plus grand volume du ventricule gauche</translation>
+    </message>
+    <message>
+        <source>An ejection fraction</source>
+        <translation>Une fraction d’éjection</translation>
+    </message>
+    <message>
+        <source>give 55 % as 0.55</source>
+        <translation>donnez 55 % comme 0,55</translation>
+    </message>
+    <message>
+        <source>A mean aortic pressure in mmHg</source>
+        <translation>Une pression aortique moyenne en mmHg</translation>
+    </message>
+    <message>
+        <source>about a third of the way from the diastolic to the systolic one</source>
+        <translation>environ un tiers du chemin de la diastolique à la systolique</translation>
+    </message>
+    <message>
+        <source>fitting the circulation</source>
+        <translation>ajustement de la circulation</translation>
+    </message>
+    <message>
+        <source>the circulation of that heart</source>
+        <translation>la circulation de ce cœur</translation>
+    </message>
+    <message>
+        <source>The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>La circulation a le ventricule mesuré : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
+        <translation>Aucune circulation n’a exactement ce ventricule ; la plus proche : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
+    </message>
+    <message>
+        <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg; at the limit of its range: %4</source>
+        <translation>Aucune circulation n’a exactement ce ventricule ; la plus proche : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg ; à la limite de son intervalle : %4</translation>
+    </message>
+    <message>
+        <source>the circulation to start with</source>
+        <translation>la circulation de départ</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
+        <translation>
+            <numerusform>Après %n battement les volumes changent encore de %2 ml d’un battement à l’autre : des battements forts et faibles alternent, ou la circulation défaille ; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
+            <numerusform>Après %n battements les volumes changent encore de %2 ml d’un battement à l’autre : des battements forts et faibles alternent, ou la circulation défaille ; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the circulation breaks down: its pressures grow without bounds</source>
+        <translation>la circulation s’effondre : ses pressions croissent sans limite</translation>
+    </message>
+    <message>
+        <source>beat %1</source>
+        <translation>battement %1</translation>
+    </message>
+    <message>
+        <source>bring the parameters nearer to those at rest, a few at a time</source>
+        <translation>rapprochez les paramètres de ceux au repos, quelques-uns à la fois</translation>
+    </message>
+    <message>
+        <source>there is no such scenario</source>
+        <translation>ce scénario n’existe pas</translation>
+    </message>
+    <message>
+        <source>choose one of %1</source>
+        <translation>choisissez parmi %1</translation>
+    </message>
+    <message>
+        <source>fitting phase %1</source>
+        <translation>ajustement de la phase %1</translation>
+    </message>
+    <message>
+        <source>smoothing phase %1</source>
+        <translation>lissage de la phase %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away on average</source>
+        <translation>%1 est à %2 mm en moyenne</translation>
+    </message>
+    <message>
+        <source>a twentieth of %1 is more than %2 mm away</source>
+        <translation>un vingtième de %1 est à plus de %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 had to be changed by %2 % to get its volume</source>
+        <translation>%1 a dû être modifié de %2 % pour avoir son volume</translation>
+    </message>
+    <message>
+        <source>%1 agrees with its voxels by a Dice of %2 only</source>
+        <translation>%1 ne concorde avec ses voxels qu’avec un Dice de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} of %2 {is|are} turned over</source>
+        <translation>
+            <numerusform>%n triangle de %2 est retourné</numerusform>
+            <numerusform>%n triangles de %2 sont retournés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the tissue is folded at %n {place|places}</source>
+        <translation>
+            <numerusform>le tissu est replié à %n endroit</numerusform>
+            <numerusform>le tissu est replié à %n endroits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the measured volumes cannot be met</source>
+        <translation>les volumes mesurés ne peuvent pas être atteints</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 handles are too few for %n {surface|surfaces}</source>
+        <translation>
+            <numerusform>%2 poignées ne suffisent pas pour %n surface</numerusform>
+            <numerusform>%2 poignées ne suffisent pas pour %n surfaces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ask for %1 at least</source>
+        <translation>demandez-en au moins %1</translation>
+    </message>
+    <message>
+        <source>ask for fewer</source>
+        <translation>demandez-en moins</translation>
+    </message>
+    <message>
+        <source>keeping volumes</source>
+        <translation>maintien des volumes</translation>
+    </message>
+    <message>
+        <source>It has no phase</source>
+        <translation>Elle n’a pas de phase</translation>
+    </message>
+    <message>
+        <source>name one surface for each phase</source>
+        <translation>indiquez une surface pour chaque phase</translation>
+    </message>
+    <message>
+        <source>Phase %1 has %2 points and the first has %3</source>
+        <translation>La phase %1 a %2 points et la première en a %3</translation>
+    </message>
+    <message>
+        <source>export all phases with the same triangles</source>
+        <translation>exportez toutes les phases avec les mêmes triangles</translation>
+    </message>
+    <message>
+        <source>%1, phase %2</source>
+        <translation>%1, phase %2</translation>
+    </message>
+    <message>
+        <source>It has no triangle with three different corners</source>
+        <translation>Elle n’a aucun triangle à trois sommets différents</translation>
+    </message>
+    <message>
+        <source>It is not a closed surface, even with its holes filled: %1</source>
+        <translation>Ce n’est pas une surface fermée, même avec ses trous comblés : %1</translation>
+    </message>
+    <message>
+        <source>repair the surfaces in the program that made them</source>
+        <translation>réparez les surfaces dans le programme qui les a faites</translation>
+    </message>
+    <message>
+        <source>There is no surface</source>
+        <translation>Il n’y a pas de surface</translation>
+    </message>
+    <message>
+        <source>name one at least</source>
+        <translation>indiquez-en au moins une</translation>
+    </message>
+    <message>
+        <source>the volume cannot be kept throughout the cycle: %1</source>
+        <translation>le volume ne peut pas être maintenu pendant tout le cycle : %1</translation>
+    </message>
+    <message>
+        <source>unlock it, or prescribe a volume nearer to that at rest</source>
+        <translation>déverrouillez-le ou prescrivez un volume plus proche de celui au repos</translation>
+    </message>
+    <message>
+        <source>It is not a rate at which the sequence can be played</source>
+        <translation>La séquence ne peut pas être jouée à cette fréquence</translation>
+    </message>
+    <message>
+        <source>rates of the lesson</source>
+        <translation>fréquences de la leçon</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 a minute</source>
+        <translation>de %1 à %2 par minute</translation>
+    </message>
+    <message>
+        <source>There is no such phase</source>
+        <translation>Cette phase n’existe pas</translation>
+    </message>
+    <message>
+        <source>viscera play names the phases of a sequence</source>
+        <translation>viscera play donne les phases d’une séquence</translation>
+    </message>
+    <message>
+        <source>There is no such organ to hide</source>
+        <translation>Cet organe à masquer n’existe pas</translation>
+    </message>
+    <message>
+        <source>name one that is shown</source>
+        <translation>indiquez-en un qui est affiché</translation>
+    </message>
+    <message>
+        <source>It is not a language of the page</source>
+        <translation>Ce n’est pas une langue de la page</translation>
+    </message>
+    <message>
+        <source>No organ is shown</source>
+        <translation>Aucun organe n’est affiché</translation>
+    </message>
+    <message>
+        <source>the lesson</source>
+        <translation>la leçon</translation>
+    </message>
+    <message>
+        <source>show those that the lesson is about</source>
+        <translation>affichez ceux dont parle la leçon</translation>
+    </message>
+    <message>
+        <source>a number does not fit into a lesson: %1</source>
+        <translation>un nombre ne tient pas dans une leçon : %1</translation>
+    </message>
+    <message>
+        <source>check the size of the organ, and its motion</source>
+        <translation>vérifiez la taille de l’organe et son mouvement</translation>
+    </message>
+    <message>
+        <source>an array of the lesson ends behind its bytes</source>
+        <translation>un tableau de la leçon finit après ses octets</translation>
+    </message>
+    <message>
+        <source>the arrays of the lesson cannot be unpacked</source>
+        <translation>les tableaux de la leçon ne peuvent pas être décompressés</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; returned no binding of the right size</source>
+        <translation>le système « %1 » n’a pas rendu de liaison de la bonne taille</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed: %2</source>
+        <translation>le système « %1 » a échoué : %2</translation>
+    </message>
+    <message>
+        <source>system &quot;%1&quot; failed</source>
+        <translation>le système « %1 » a échoué</translation>
+    </message>
+    <message>
+        <source>choose another system</source>
+        <translation>choisissez un autre système</translation>
+    </message>
+    <message>
+        <source>it is not a Viscera plugin, or it is damaged</source>
+        <translation>ce n’est pas un plugin de Viscera, ou il est endommagé</translation>
+    </message>
+    <message>
+        <source>it is a plugin for another program (%1)</source>
+        <translation>c’est un plugin pour un autre programme (%1)</translation>
+    </message>
+    <message>
+        <source>it was made for version %1 of the plugin interface, this program has %2</source>
+        <translation>il a été fait pour la version %1 de l’interface des plugins, ce programme a la %2</translation>
+    </message>
+    <message>
+        <source>its manifest lacks id, name or version</source>
+        <translation>il manque id, name ou version à son manifeste</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded: %1</source>
+        <translation>il ne peut pas être chargé : %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading: %1</source>
+        <translation>il a échoué au chargement : %1</translation>
+    </message>
+    <message>
+        <source>it failed while loading</source>
+        <translation>il a échoué au chargement</translation>
+    </message>
+    <message>
+        <source>plugin %1: %2</source>
+        <translation>plugin %1 : %2</translation>
+    </message>
+    <message>
+        <source>The coordinate system has a parameter without a name</source>
+        <translation>Le système de coordonnées a un paramètre sans nom</translation>
+    </message>
+    <message>
+        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
+        <translation>Le système de coordonnées propose deux fois le paramètre « %1 »</translation>
+    </message>
+    <message>
+        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
+        <translation>La valeur standard du paramètre « %1 » est hors de ses limites</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system to add</source>
+        <translation>Il n’y a pas de système de coordonnées à ajouter</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
+        <translation>« %1 » ne peut pas être l’identifiant d’un système de coordonnées</translation>
+    </message>
+    <message>
+        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
+        <translation>utilisez des minuscules, des chiffres et des tirets simples, comme dans « s-celestial »</translation>
+    </message>
+    <message>
+        <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
+        <translation>Il y a déjà un système de coordonnées « %1 » (%2)</translation>
+    </message>
+    <message>
+        <source>remove one of the two, or give one another id</source>
+        <translation>supprimez l’un des deux, ou donnez à l’un un autre identifiant</translation>
+    </message>
+    <message>
+        <source>There is no coordinate system &quot;%1&quot;</source>
+        <translation>Le système de coordonnées « %1 » n’existe pas</translation>
+    </message>
+    <message>
+        <source>none is loaded</source>
+        <translation>aucun n’est chargé</translation>
+    </message>
+    <message>
+        <source>There is no such slice</source>
+        <translation>Cette coupe n’existe pas</translation>
+    </message>
+    <message>
+        <source>take axial, coronal or sagittal</source>
+        <translation>prenez axial, coronal ou sagittal</translation>
+    </message>
+    <message>
+        <source>none: the organs are as in their files</source>
+        <translation>aucune : les organes sont comme dans leurs fichiers</translation>
+    </message>
+    <message>
+        <source>in %1 groups</source>
+        <translation>en %1 groupes</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
+    </message>
+    <message>
+        <source>%1 of them moved</source>
+        <translation>dont %1 déplacées</translation>
+    </message>
+    <message>
+        <source>%1 of them shown</source>
+        <translation>dont %1 affichés</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organes</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Instant</source>
+        <translation>Instant</translation>
+    </message>
+    <message>
+        <source>%1, at %2 of its cycle</source>
+        <translation>%1, à %2 de son cycle</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(masqué)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>ouvert</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillé</translation>
+    </message>
+    <message>
+        <source>Reference shape (ml)</source>
+        <translation>Forme de référence (ml)</translation>
+    </message>
+    <message>
+        <source>Now (ml)</source>
+        <translation>Actuel (ml)</translation>
+    </message>
+    <message>
+        <source>Change (ml)</source>
+        <translation>Variation (ml)</translation>
+    </message>
+    <message>
+        <source>Change (%)</source>
+        <translation>Variation (%)</translation>
+    </message>
+    <message>
+        <source>Surface (cm²)</source>
+        <translation>Surface (cm²)</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumes</translation>
+    </message>
+    <message>
+        <source>Open: the surface has holes and holds no volume.</source>
+        <translation>Ouvert : la surface a des trous et n’enferme aucun volume.</translation>
+    </message>
+    <message>
+        <source>mean in a rectangle</source>
+        <translation>moyenne dans un rectangle</translation>
+    </message>
+    <message>
+        <source>mean in a sphere</source>
+        <translation>moyenne dans une sphère</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forme de référence</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>the scan</source>
+        <translation>l’examen</translation>
+    </message>
+    <message>
+        <source>sample organ &quot;%1&quot;, %2 resolution</source>
+        <translation>organe d’exemple « %1 », résolution %2</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>basse</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>haute</translation>
+    </message>
+    <message>
+        <source>made in the program</source>
+        <translation>créé dans le programme</translation>
+    </message>
+    <message>
+        <source>nothing: it is as it was read</source>
+        <translation>rien : il est tel qu’il a été lu</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>What was found and done</source>
+        <translation>Ce qui a été trouvé et fait</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Files and what was done to them</source>
+        <translation>Fichiers et ce qui en a été fait</translation>
+    </message>
+    <message>
+        <source>All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes LPS (to the left, to the back, to the head). Viscera is a program for teaching and research, not a medical device.</source>
+        <translation>Toutes les longueurs sont en millimètres, tous les volumes en millilitres ; les positions sont dans les axes LPS du patient (vers la gauche, vers l’arrière, vers la tête). Viscera est un programme pour l’enseignement et la recherche, pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>There is no organ to report on</source>
+        <translation>Il n’y a pas d’organe à décrire</translation>
+    </message>
+    <message>
+        <source>Made by Viscera %1 on %2</source>
+        <translation>Fait par Viscera %1 le %2</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dessin</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>mesure</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fini</translation>
+    </message>
+    <message>
+        <source>going through the cycle</source>
+        <translation>parcours du cycle</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>Volume (ml)</translation>
+    </message>
+    <message>
+        <source>Volumes over one cycle, each instant computed</source>
+        <translation>Volumes sur un cycle, chaque instant calculé</translation>
+    </message>
+    <message>
+        <source>the first %1 of %2 organs</source>
+        <translation>les %1 premiers organes sur %2</translation>
+    </message>
+    <message>
+        <source>Smallest (ml)</source>
+        <translation>Minimum (ml)</translation>
+    </message>
+    <message>
+        <source>Largest (ml)</source>
+        <translation>Maximum (ml)</translation>
+    </message>
+    <message>
+        <source>Ventricle</source>
+        <translation>Ventricule</translation>
+    </message>
+    <message>
+        <source>EDV (ml)</source>
+        <translation>VTD (ml)</translation>
+    </message>
+    <message>
+        <source>ESV (ml)</source>
+        <translation>VTS (ml)</translation>
+    </message>
+    <message>
+        <source>Stroke volume (ml)</source>
+        <translation>Volume d’éjection (ml)</translation>
+    </message>
+    <message>
+        <source>EF (%)</source>
+        <translation>FE (%)</translation>
+    </message>
+    <message>
+        <source>EF of healthy people</source>
+        <translation>FE de personnes saines</translation>
+    </message>
+    <message>
+        <source>Output (l/min)</source>
+        <translation>Débit (l/min)</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>%1 a minute, one cycle takes %2 s</source>
+        <translation>%1 par minute, un cycle dure %2 s</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phases</translation>
+    </message>
+    <message>
+        <source>Prescribed</source>
+        <translation>Prescrit</translation>
+    </message>
+    <message>
+        <source>the volume of %1</source>
+        <translation>le volume de %1</translation>
+    </message>
+    <message>
+        <source>A volume could not be kept: %1</source>
+        <translation>Un volume n’a pas pu être maintenu : %1</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>De la gauche</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>D’en haut</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>De dos</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>De la droite</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>D’en bas</translation>
+    </message>
+    <message>
+        <source>The map as the session shows it</source>
+        <translation>La carte telle que la session la montre</translation>
+    </message>
+    <message>
+        <source>There is no font to write with</source>
+        <translation>Il n’y a pas de police pour écrire</translation>
+    </message>
+    <message>
+        <source>install one, such as the package fonts-dejavu-core</source>
+        <translation>installez-en une, par exemple le paquet fonts-dejavu-core</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>A report cannot be written to this kind of file</source>
+        <translation>Un rapport ne peut pas être écrit dans ce type de fichier</translation>
+    </message>
+    <message>
+        <source>let it end in .pdf or .html</source>
+        <translation>faites-le finir par .pdf ou .html</translation>
+    </message>
+    <message>
+        <source>by TetGen</source>
+        <translation>par TetGen</translation>
+    </message>
+    <message>
+        <source>by TetGen, from a repaired copy of the surface</source>
+        <translation>par TetGen, d’une copie réparée de la surface</translation>
+    </message>
+    <message>
+        <source>by a regular grid</source>
+        <translation>par une grille régulière</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>5th percentile</source>
+        <translation>5e centile</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95e centile</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1, the worst of a cycle</source>
+        <translation>%1, le pire d’un cycle</translation>
+    </message>
+    <message>
+        <source>Points (%)</source>
+        <translation>Points (%)</translation>
+    </message>
+    <message>
+        <source>%1 over the witness points</source>
+        <translation>%1 aux points témoins</translation>
+    </message>
+    <message>
+        <source>Rotational stress (deg)</source>
+        <translation>Contrainte de rotation (degrés)</translation>
+    </message>
+    <message>
+        <source>Over one cycle of the sequence</source>
+        <translation>Sur un cycle de la séquence</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lieu (mm)</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>pas de tissu</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>replié</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distance au repos (mm)</translation>
+    </message>
+    <message>
+        <source>Along the straight lines at rest between probes</source>
+        <translation>Le long des droites au repos entre les sondes</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress)</source>
+        <translation>Distorsion du tissu (contrainte de rotation)</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Points témoins</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 dans %2 tétraèdres</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Dérivées</translation>
+    </message>
+    <message>
+        <source>in closed form (analytic)</source>
+        <translation>en forme close (analytique)</translation>
+    </message>
+    <message>
+        <source>by central differences</source>
+        <translation>par différences centrées</translation>
+    </message>
+    <message>
+        <source>no point: the tissue is turned inside out nowhere</source>
+        <translation>aucun point : le tissu n’est retourné nulle part</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are turned inside out</source>
+        <translation>%1 points sur %2 sont retournés</translation>
+    </message>
+    <message>
+        <source>Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. It measures distortion and is not a pressure.</source>
+        <translation>La contrainte de rotation est le plus grand angle dont une direction tourne quand le tissu est étiré. Elle mesure la distorsion et n’est pas une pression.</translation>
+    </message>
+    <message>
+        <source>± %1, %2 to %3, %4, %5 voxels</source>
+        <translation>± %1, de %2 à %3, %4, %5 voxels</translation>
+    </message>
+    <message>
+        <source>Not all of what the window showed can be brought back</source>
+        <translation>Tout ce que la fenêtre montrait ne peut pas être rétabli</translation>
+    </message>
+    <message>
+        <source>the session's view</source>
+        <translation>la vue de la session</translation>
+    </message>
+    <message>
+        <source>the organs and the handles are complete; save the session anew</source>
+        <translation>les organes et les poignées sont complets ; enregistrez de nouveau la session</translation>
+    </message>
+    <message>
+        <source>There is no such normal range</source>
+        <translation>Cet intervalle normal n’existe pas</translation>
+    </message>
+    <message>
+        <source>viscera reference names them all</source>
+        <translation>viscera reference les donne tous</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>femmes</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>hommes</translation>
+    </message>
+    <message>
+        <source>women and men</source>
+        <translation>femmes et hommes</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations</source>
+        <translation>%1, moyenne ± 2 écarts types</translation>
+    </message>
+    <message>
+        <source>%1, on average</source>
+        <translation>%1, en moyenne</translation>
+    </message>
+    <message>
+        <source>%1, mean +- 2 standard deviations, for %2 m2 of body surface</source>
+        <translation>%1, moyenne ± 2 écarts types, pour %2 m² de surface corporelle</translation>
+    </message>
+    <message>
+        <source>%1, on average, for %2 m2 of body surface</source>
+        <translation>%1, en moyenne, pour %2 m² de surface corporelle</translation>
+    </message>
+    <message>
+        <source>800 healthy people of 45 to 74 years, by magnetic resonance, papillary muscles counted as cavity</source>
+        <translation>800 personnes saines de 45 à 74 ans, par résonance magnétique, muscles papillaires comptés dans la cavité</translation>
+    </message>
+    <message>
+        <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
+        <translation>1815 personnes sans maladie rénale, par résonance magnétique ; l’écart est celui des quartiles</translation>
+    </message>
+    <message>
+        <source>customary at the bedside</source>
+        <translation>usuel en clinique</translation>
+    </message>
+    <message>
+        <source>mass of the muscle</source>
+        <translation>masse du muscle</translation>
+    </message>
+    <message>
+        <source>1969 healthy people at rest, by tissue Doppler</source>
+        <translation>1969 personnes saines au repos, par Doppler tissulaire</translation>
+    </message>
+    <message>
+        <source>ejection time</source>
+        <translation>temps d’éjection</translation>
+    </message>
+    <message>
+        <source>healthy adults, by magnetic resonance and ultrasound</source>
+        <translation>adultes sains, par résonance magnétique et échographie</translation>
+    </message>
+    <message>
+        <source>excursion of the mitral annulus (MAPSE)</source>
+        <translation>excursion de l’anneau mitral (MAPSE)</translation>
+    </message>
+    <message>
+        <source>excursion of the tricuspid annulus (TAPSE)</source>
+        <translation>excursion de l’anneau tricuspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>twist of the apex against the base</source>
+        <translation>torsion de l’apex par rapport à la base</translation>
+    </message>
+    <message>
+        <source>thickening of the free wall</source>
+        <translation>épaississement de la paroi libre</translation>
+    </message>
+    <message>
+        <source>healthy adults at rest</source>
+        <translation>adultes sains au repos</translation>
+    </message>
+    <message>
+        <source>systolic pressure</source>
+        <translation>pression systolique</translation>
+    </message>
+    <message>
+        <source>diastolic pressure</source>
+        <translation>pression diastolique</translation>
+    </message>
+    <message>
+        <source>mean pressure</source>
+        <translation>pression moyenne</translation>
+    </message>
+    <message>
+        <source>end-diastolic pressure</source>
+        <translation>pression télédiastolique</translation>
+    </message>
+    <message>
+        <source>fastest rise of pressure</source>
+        <translation>montée la plus rapide de la pression</translation>
+    </message>
+    <message>
+        <source>coupling Ea/Ees</source>
+        <translation>couplage Ea/Ees</translation>
+    </message>
+    <message>
+        <source>mean gradient</source>
+        <translation>gradient moyen</translation>
+    </message>
+    <message>
+        <source>regurgitant fraction</source>
+        <translation>fraction de régurgitation</translation>
+    </message>
+    <message>
+        <source>reference woman and man; no spread is given</source>
+        <translation>femme et homme de référence ; la dispersion n’est pas donnée</translation>
+    </message>
+    <message>
+        <source>1248 people without liver disease, by magnetic resonance</source>
+        <translation>1248 personnes sans maladie du foie, par résonance magnétique</translation>
+    </message>
+    <message>
+        <source>212 adults, by CT</source>
+        <translation>212 adultes, par TDM</translation>
+    </message>
+    <message>
+        <source>adults of 20 to 60 years, by CT</source>
+        <translation>adultes de 20 à 60 ans, par TDM</translation>
+    </message>
+    <message>
+        <source>contents after a meal</source>
+        <translation>contenu après un repas</translation>
+    </message>
+    <message>
+        <source>443 people after a meal, by single-photon tomography</source>
+        <translation>443 personnes après un repas, par tomographie monophotonique</translation>
+    </message>
+    <message>
+        <source>contents of 443 people after a meal, by single-photon tomography, and 138 ml of wall (ICRP publication 89)</source>
+        <translation>contenu de 443 personnes après un repas, par tomographie monophotonique, et 138 ml de paroi (publication 89 de la CIPR)</translation>
+    </message>
+    <message>
+        <source>adults, by electrogastrography</source>
+        <translation>adultes, par électrogastrographie</translation>
+    </message>
+    <message>
+        <source>speed of the waves</source>
+        <translation>vitesse des ondes</translation>
+    </message>
+    <message>
+        <source>occlusion of the antrum by a wave</source>
+        <translation>occlusion de l’antre par une onde</translation>
+    </message>
+    <message>
+        <source>28 healthy people, by magnetic resonance</source>
+        <translation>28 personnes saines, par résonance magnétique</translation>
+    </message>
+    <message>
+        <source>adults at rest</source>
+        <translation>adultes au repos</translation>
+    </message>
+    <message>
+        <source>part that is inspiration</source>
+        <translation>part de l’inspiration</translation>
+    </message>
+    <message>
+        <source>adults at rest, from 1 : 2 to 1 : 1</source>
+        <translation>adultes au repos, de 1 : 2 à 1 : 1</translation>
+    </message>
+    <message>
+        <source>way down in quiet breathing</source>
+        <translation>descente en respiration calme</translation>
+    </message>
+    <message>
+        <source>what several studies measured</source>
+        <translation>ce que plusieurs études ont mesuré</translation>
+    </message>
+    <message>
+        <source>there are no handles to save</source>
+        <translation>il n’y a pas de poignées à enregistrer</translation>
+    </message>
+    <message>
+        <source>It is not a file that a report can be</source>
+        <translation>Un rapport ne peut pas être un tel fichier</translation>
+    </message>
+    <message>
+        <source>There is no scan to export</source>
+        <translation>Il n’y a pas d’examen à exporter</translation>
+    </message>
+    <message>
+        <source>There are no handles that could bend the scan</source>
+        <translation>Il n’y a pas de poignées pour courber l’examen</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>Écriture de l’examen</translation>
+    </message>
+    <message>
+        <source>9 healthy people, by magnetic resonance; 28 people of doi 10.1046/j.1365-2982.2001.00285.x have 1.6 +- 0.2</source>
+        <translation>9 personnes saines, par résonance magnétique ; 28 personnes de doi 10.1046/j.1365-2982.2001.00285.x ont 1,6 ± 0,2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>à partir de %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>there is no sample organ &quot;%1&quot;</source>
+        <translation>l’organe d’exemple « %1 » n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no resolution &quot;%1&quot;</source>
+        <translation>la résolution « %1 » n’existe pas</translation>
+    </message>
+    <message>
+        <source>use low, medium or high</source>
+        <translation>utilisez low, medium ou high</translation>
+    </message>
+    <message>
+        <source>the sample organs cannot be listed: %1</source>
+        <translation>les organes d’exemple ne peuvent pas être listés : %1</translation>
+    </message>
+    <message>
+        <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
+        <translation>mettez dans VISCERA_SAMPLE_ORGANS le dossier des définitions</translation>
+    </message>
 </context>
 </TS>

@@ -27,6 +27,7 @@
 #include "window/language.h"
 #include "window/modes/stress_mode.h"
 #include "window/panels/organ_panel.h"
+#include "window/phrase_translator.h"
 #include "window/sample_loader.h"
 
 namespace viscera::tests {
@@ -79,6 +80,28 @@ std::multiset<QString> placesIn(QString text) {
 QString folderOfTranslations() {
   return QStringLiteral(VISCERA_SOURCE_DIR "/resources/translations/");
 }
+
+/// A coordinate system of a plugin, of which only the names are used.
+class ForeignSystem final : public coordinates::CoordinateSystem {
+public:
+  std::string id() const override { return "least-squares"; }
+  std::string name() const override { return "Least squares"; }
+  std::string summary() const override { return "Fits an affine map around every point"; }
+  coordinates::Traits traits() const override { return {}; }
+  std::vector<coordinates::Parameter> parameters() const override { return {}; }
+  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet&, const Points&,
+                                             const coordinates::BindOptions&, Progress&) const override {
+    return nullptr;
+  }
+};
+
+constexpr const char* kTextsOfAPlugin = R"(<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS><TS version="2.1" language="de" sourcelanguage="en">
+<context><name>viscera::presentation</name>
+<message><source>Least squares</source><translation>Kleinste Quadrate</translation></message>
+<message><source>too steep</source><translation>zu steil</translation></message>
+<message><source>Heartbeat</source><translation>Etwas anderes</translation></message>
+</context></TS>)";
 
 class Translations : public ::testing::TestWithParam<const char*> {};
 
@@ -153,6 +176,31 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
       expect(role.help);
     }
   }
+}
+
+TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {
+  const QTemporaryDir folder;
+  QFile texts(folder.filePath(QStringLiteral("least_squares_de.ts")));
+  ASSERT_TRUE(texts.open(QIODevice::WriteOnly));
+  texts.write(kTextsOfAPlugin);
+  texts.close();
+  ASSERT_EQ(
+      QProcess::execute(QStringLiteral(VISCERA_LRELEASE), {QStringLiteral("-silent"), texts.fileName()}), 0);
+  plugin::Registry systems = plugin::builtInRegistry();
+  systems.add(std::make_shared<ForeignSystem>(),
+              folder.filePath(QStringLiteral("least_squares.so")).toStdString());
+  {
+    InstalledLanguage german(QStringLiteral("de"));
+    EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
+    german.addTextsOf(systems);
+    EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Kleinste Quadrate"));
+    EXPECT_EQ(app::messageInWords("Too steep"), QStringLiteral("Zu steil"));
+    EXPECT_EQ(app::inWords("Heartbeat"), QStringLiteral("Herzschlag")) << "the program's own texts stay";
+  }
+  EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
+  InstalledLanguage spanish(QStringLiteral("es"));
+  spanish.addTextsOf(systems); // There is no file for it.
+  EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Translations, ::testing::Values("ca", "de", "es", "fr"),

@@ -14,6 +14,7 @@
 #include "viscera/live/stress_files.h"
 #include "viscera/scene/tissue_actor.h"
 #include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
+#include "window/language.h"
 #include "window/modes/stress_mode.h"
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
@@ -43,6 +44,29 @@ TEST_F(ReportOfTheHeart, HasTheMotionWithItsEjectionFractionWhileTheWindowGoesOn
   EXPECT_TRUE(page.contains(QStringLiteral("<h2>Motion</h2>")));
   EXPECT_TRUE(page.contains(QStringLiteral("57.9"))) << "the ejection fraction";
   EXPECT_FALSE(page.contains(QStringLiteral("/tmp")));
+}
+
+class GermanReport : public ReportOfTheHeart {
+  app::InstalledLanguage german_{QStringLiteral("de")};
+};
+
+TEST_F(GermanReport, HasNoEnglishNamesOfSystemsParametersPhasesQuantitiesAndRanges) {
+  window().setMode("stress");
+  ASSERT_TRUE(waitUntil([&] { return window().stress().model().shown().ready(); }));
+  settle();
+  const QString file = path(QStringLiteral("herz.html"));
+  reports().write(file);
+  settle();
+  const QString page = QString::fromUtf8(bytesOf(file));
+  ASSERT_FALSE(page.isEmpty()) << message().toStdString();
+  for (const char* german :
+       {"<h2>Bewegung</h2>", "Herzschlag", "Lokalität", "Rotationsstress", "800 Gesunde von 45 bis 74 Jahren",
+        "Ejektionsfraktion: Frauen und Männer", "Organe"})
+    EXPECT_TRUE(page.contains(QString::fromUtf8(german))) << german;
+  for (const char* english : {"Heartbeat", "locality", "softness", "Rotational stress", "Volume ratio",
+                              "olumic", "jection", "healthy people", "standard deviations", "stroke volume",
+                              "Handles", "Largest", "Change", "From the left"})
+    EXPECT_FALSE(page.contains(QLatin1String(english))) << english;
 }
 
 class Report : public WindowTest {

@@ -55,7 +55,7 @@ QString tipOf(const circulation::ParameterInfo& info) {
     return what;
   const int decimals = rangeOf(info).decimals;
   return CirculationBox::tr("%1. Marked: normal, %2 %3 (%4)")
-      .arg(what, normalText(*info.normal, decimals), text(info.unit), text(info.normal->source));
+      .arg(what, normalText(*info.normal, decimals), text(info.unit), sourceText(*info.normal));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -18,6 +19,14 @@ const circulation::Reading& readingOf(int row) {
 }
 
 } // namespace
+
+QString sourceText(const circulation::NormalValues& normal) {
+  QStringList parts;
+  for (const std::string& part : {normal.meaning, normal.people, normal.source})
+    if (!part.empty())
+      parts.push_back(messageInWords(part));
+  return parts.join(QStringLiteral("; "));
+}
 
 QString normalText(const circulation::NormalValues& normal, int decimals) {
   const QString low = formatNumber(normal.low, decimals), high = formatNumber(normal.high, decimals);
@@ -69,7 +78,7 @@ void NumbersTable::setPerson(const norms::Person& person) {
     if (!normal)
       continue;
     item(row, kNumbersNormal)->setText(normalText(*normal, readingOf(row).decimals > 0 ? 1 : 0));
-    item(row, kNumbersNormal)->setToolTip(text(normal->source));
+    item(row, kNumbersNormal)->setToolTip(sourceText(*normal));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "window/language.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
+#include "window/phrase_translator.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -259,7 +260,7 @@ void PlayPage::syncWalls() {
                                   .arg(formatNumber(range.high, 0))
                             : nothing());
     walls_[i]->setToolTip(tr("%1, measured on the surfaces. Healthy adults: %2")
-                              .arg(tr(range.about), QLatin1String(range.source)));
+                              .arg(inWords(range.about), inWords(range.source)));
   }
 }
 
@@ -290,7 +291,11 @@ void PlayPage::syncIndices() {
                            .arg(formatNumber(range.low, 0))
                            .arg(formatNumber(range.high, 0))
                            .arg(percent ? tr("%") : tr("ml")));
-      sources.push_back(tr("%1: %2; %3").arg(inWords(range.name), inWords(range.people), text(range.source)));
+      sources.push_back(
+          tr("%1: %2; %3")
+              .arg(inWords(range.name),
+                   QStringLiteral("%1; %2").arg(messageInWords(range.meaning), messageInWords(range.people)),
+                   messageInWords(range.source)));
     }
   normal_->setText(normal.isEmpty() ? QString()
                                     : tr("Normal for %1: %2.").arg(lines[best].name, normal.join(tr(", "))));

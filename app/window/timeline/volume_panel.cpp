@@ -16,6 +16,7 @@
 
 #include "viscera/motion/clinical_numbers.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/timeline/person_box.h"
 #include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
@@ -339,7 +340,9 @@ QString VolumePanel::normalsText() const {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
-    from = tr("%1: %2").arg(text(range.source), inWords(range.people));
+    from = tr("%1: %2").arg(
+        messageInWords(range.source),
+        QStringLiteral("%1; %2").arg(messageInWords(range.meaning), messageInWords(range.people)));
   }
   if (parts.isEmpty())
     return {};

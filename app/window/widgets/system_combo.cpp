@@ -55,7 +55,7 @@ SystemCombo::SystemCombo(const plugin::Registry& registry, QWidget* parent) : QC
       }
       auto* item = new QStandardItem(inWords(entry.system->name()));
       item->setData(QString::fromStdString(entry.system->id()), Qt::UserRole);
-      item->setToolTip(QString::fromStdString(entry.system->summary()));
+      item->setToolTip(inWords(entry.system->summary()));
       model->appendRow(item);
     }
   }

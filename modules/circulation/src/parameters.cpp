@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::circulation {
@@ -162,14 +163,16 @@ const Entry& entry(const std::string& name) {
     return editDistance(a.info.name, name) < editDistance(b.info.name, name);
   });
   throw UsageError("the circulation has no parameter of that name", name,
-                   "the nearest is " + nearest->info.name + "; docs/circulation.md lists all");
+                   phrase("the nearest is %1; docs/circulation.md lists all", nearest->info.name));
 }
 
 void checkRange(const ParameterInfo& info, double value) {
   if (!(value >= info.lowest && value <= info.highest))
-    throw UsageError(info.title + " is out of its range", info.name + "=" + significant(value, 6),
-                     "from " + significant(info.lowest, 6) + " to " + significant(info.highest, 6) +
-                         (info.unit.empty() ? "" : " " + info.unit));
+    throw UsageError(phrase("%1 is out of its range", info.title), info.name + "=" + significant(value, 6),
+                     info.unit.empty()
+                         ? phrase("from %1 to %2", significant(info.lowest, 6), significant(info.highest, 6))
+                         : phrase("from %1 to %2 %3", significant(info.lowest, 6),
+                                  significant(info.highest, 6), info.unit));
 }
 
 } // namespace
@@ -216,7 +219,7 @@ void checkParameters(const Parameters& parameters) {
   const auto check = [](const ValveAreas& valve, const std::string& name) {
     if (valve.leak >= valve.open)
       throw UsageError("the valve leaks through a larger area than it opens to", name,
-                       "choose a " + name + "Leak below its " + name + "Area");
+                       phrase("choose a %1 below its %2", name + "Leak", name + "Area"));
   };
   check(parameters.mitral, "mitral");
   check(parameters.aortic, "aortic");

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::circulation {
@@ -44,7 +45,7 @@ double withinRange(const std::string& name, double value) {
 
 void requireWithin(double value, double low, double high, const std::string& what, const std::string& hint) {
   if (!(value >= low && value <= high))
-    throw UsageError(what + " lies between " + significant(low, 3) + " and " + significant(high, 3),
+    throw UsageError(phrase("%1 lies between %2 and %3", what, significant(low, 3), significant(high, 3)),
                      significant(value, 4), hint);
 }
 
@@ -197,14 +198,22 @@ bool PatientFit::met() const {
 std::string PatientFit::remark() const {
   const auto rounded = [](double value, int digits) { return significant(value, digits); };
   const ChamberIndices& lv = indices.of(Compartment::lv);
-  const std::string reached = rounded(lv.edvMl, 4) + " ml, ejection fraction " + rounded(lv.ef, 3) +
-                              ", mean aortic pressure " + rounded(indices.aorta.mean, 3) + " mmHg";
+  const std::string ml = rounded(lv.edvMl, 4), ef = rounded(lv.ef, 3);
+  const std::string pressure = rounded(indices.aorta.mean, 3);
   if (met())
-    return "The circulation has the measured ventricle: " + reached;
-  std::string why;
+    return phrase("The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic "
+                  "pressure %3 mmHg",
+                  ml, ef, pressure);
+  if (atLimit.empty())
+    return phrase("No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction "
+                  "%2, mean aortic pressure %3 mmHg",
+                  ml, ef, pressure);
+  std::string limits;
   for (const std::string& name : atLimit)
-    why += (why.empty() ? "; at the limit of its range: " : ", ") + name;
-  return "No circulation has just that ventricle; the nearest one found: " + reached + why;
+    limits += (limits.empty() ? "" : ", ") + name;
+  return phrase("No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction "
+                "%2, mean aortic pressure %3 mmHg; at the limit of its range: %4",
+                ml, ef, pressure, limits);
 }
 
 const std::vector<std::string>& fittedParameters() {

@@ -7,6 +7,7 @@
 #include "anderson.h"
 #include "integrate.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::circulation {
@@ -56,11 +57,10 @@ double largestChange(const State& a, const State& b) {
 }
 
 std::string complaintOf(const PeriodicState& found) {
-  return "After " + std::to_string(found.beats) + " beats the volumes still change by " +
-         significant(found.residual, 2) +
-         " ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate "
-         "or a larger "
-         "stressed volume";
+  return phrase(
+      "After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats "
+      "alternate, or the circulation fails; try a lower rate or a larger stressed volume",
+      found.beats, significant(found.residual, 2));
 }
 
 /// How many steps lie between two samples.
@@ -141,7 +141,7 @@ PeriodicState findPeriodicState(const Parameters& parameters, Progress& progress
     }
     if (!finite(image))
       throw DataError("the circulation breaks down: its pressures grow without bounds",
-                      "beat " + std::to_string(found.beats),
+                      phrase("beat %1", found.beats),
                       "bring the parameters nearer to those at rest, a few at a time");
     found.residual = largestChange(x, image);
     found.converged = exact && found.residual < options.tolerance;

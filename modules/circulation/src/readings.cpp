@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::circulation {
@@ -50,15 +51,14 @@ std::optional<NormalValues> normalOf(const Reading& reading, const norms::Person
     return std::nullopt;
   const norms::Norm& norm = norms::norm(reading.norm);
   const norms::Range range = norms::rangeOf(norm, person);
-  return NormalValues{range.low, range.high,
-                      norms::meaningOf(norm, person) + "; " + norm.people + "; " + norm.source};
+  return NormalValues{range.low, range.high, norm.source, norms::meaningOf(norm, person), norm.people};
 }
 
 std::string rangeText(const NormalValues& normal, int decimals) {
   if (!std::isfinite(normal.high))
-    return "from " + fixed(normal.low, decimals);
+    return phrase("from %1", fixed(normal.low, decimals));
   if (!std::isfinite(normal.low))
-    return "up to " + fixed(normal.high, decimals);
+    return phrase("up to %1", fixed(normal.high, decimals));
   return fixed(normal.low, decimals) + " - " + fixed(normal.high, decimals);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::circulation {
 
@@ -86,7 +87,7 @@ const Scenario& scenario(const std::string& id) {
   std::string names;
   for (const Scenario& s : all)
     names += (names.empty() ? "" : ", ") + s.id;
-  throw UsageError("there is no such scenario", id, "choose one of " + names);
+  throw UsageError("there is no such scenario", id, phrase("choose one of %1", names));
 }
 
 double leftMuscleOf(const std::string& name) {

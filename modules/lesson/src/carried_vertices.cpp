@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 
 namespace viscera::lesson {
@@ -69,7 +70,7 @@ void CarriedVertices::poseAt(double fraction, double ratePerMinute, Points& pose
   runner_.setRatePerMinute(ratePerMinute);
   runner_.show(fraction * 60 / ratePerMinute);
   if (!runner_.obstacle().empty())
-    throw DataError("the volume cannot be kept throughout the cycle: " + runner_.obstacle(), {},
+    throw DataError(phrase("the volume cannot be kept throughout the cycle: %1", runner_.obstacle()), {},
                     "unlock it, or prescribe a volume nearer to that at rest");
   pose = organs_.shownPose();
 }

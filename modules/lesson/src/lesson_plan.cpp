@@ -10,6 +10,7 @@
 
 #include "page_strings.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/motion/clinical_numbers.h"
@@ -105,7 +106,7 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
 
 /// "End-diastolic volume: women and men, mean +- 2 standard deviations", and where that comes from.
 std::string sourceOf(const motion::NormalRange& range) {
-  return capital(range.name) + ": " + range.people + "; " + range.source + ".";
+  return capital(range.name) + ": " + range.meaning + "; " + range.people + "; " + range.source + ".";
 }
 
 /// The bands of one organ; a ventricle ejects.
@@ -149,7 +150,7 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
   const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
   if (plan.rates.front() < low || plan.rates.back() > high)
     throw UsageError("It is not a rate at which the sequence can be played", "rates of the lesson",
-                     "from " + significant(low, 4) + " to " + significant(high, 4) + " a minute");
+                     phrase("from %1 to %2 a minute", significant(low, 4), significant(high, 4)));
   for (const double rate : plan.rates)
     for (const sequences::Phase& phase : sequence.phases(rate)) {
       const bool known = std::any_of(plan.phases.begin(), plan.phases.end(),
@@ -225,7 +226,7 @@ void requireKnown(const std::string& language) {
       return;
     codes += (codes.empty() ? "" : ", ") + known.code;
   }
-  throw UsageError("It is not a language of the page", language, "choose one of " + codes);
+  throw UsageError("It is not a language of the page", language, phrase("choose one of %1", codes));
 }
 
 } // namespace

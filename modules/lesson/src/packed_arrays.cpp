@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::lesson {
 namespace {
@@ -64,7 +65,7 @@ PackedArray ArrayPacker::add(const std::vector<double>& values, int stride, doub
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double steps = std::round(values[i] / step);
     if (!(std::abs(steps) < std::numeric_limits<std::int32_t>::max()))
-      throw DataError("a number does not fit into a lesson: " + std::to_string(values[i]), {},
+      throw DataError(phrase("a number does not fit into a lesson: %1", std::to_string(values[i])), {},
                       "check the size of the organ, and its motion");
     whole[i] = static_cast<std::int32_t>(steps);
   }

@@ -83,7 +83,7 @@ std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Per
     const norms::Norm& norm = norms::norm(shown.norm);
     const norms::Range range = norms::rangeOf(norm, person);
     ranges.push_back({shown.quantity, norm.id, norm.quantity, range.low, range.high,
-                      norms::meaningOf(norm, person) + "; " + norm.people, norm.source});
+                      norms::meaningOf(norm, person), norm.people, norm.source});
   }
   return ranges;
 }

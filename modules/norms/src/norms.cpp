@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::norms {
@@ -49,13 +50,15 @@ Range rangeOf(const Norm& norm, const Person& person) {
 }
 
 std::string meaningOf(const Norm& norm, const Person& person) {
-  std::string who(nameOf(norm.knowsSex() ? person.sex : Sex::either));
+  const std::string who(nameOf(norm.knowsSex() ? person.sex : Sex::either));
   if (norm.kind == Kind::limits)
     return who;
-  who += norm.kind == Kind::spread ? ", mean +- 2 standard deviations" : ", on average";
-  if (sized(norm, person))
-    who += ", for " + fixed(person.bodySurfaceM2, 2) + " m2 of body surface";
-  return who;
+  const bool spread = norm.kind == Kind::spread;
+  if (!sized(norm, person))
+    return spread ? phrase("%1, mean +- 2 standard deviations", who) : phrase("%1, on average", who);
+  const std::string m2 = fixed(person.bodySurfaceM2, 2);
+  return spread ? phrase("%1, mean +- 2 standard deviations, for %2 m2 of body surface", who, m2)
+                : phrase("%1, on average, for %2 m2 of body surface", who, m2);
 }
 
 std::string_view nameOf(Sex sex) {

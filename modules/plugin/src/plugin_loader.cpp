@@ -13,6 +13,7 @@
 #include <QPluginLoader>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/plugin/coordinate_system_plugin.h"
 
 namespace viscera::plugin {
@@ -42,7 +43,7 @@ public:
     auto binding = behindWall([&] { return system_->bind(handles, points, options, progress); });
     if (!binding || binding->pointCount() != points.rows() ||
         binding->handleCount() != handles.positions.rows())
-      throw Error(kInternalError, "system '" + id_ + "' returned no binding of the right size", file_);
+      throw Error(kInternalError, phrase("system \"%1\" returned no binding of the right size", id_), file_);
     return binding;
   }
 
@@ -67,10 +68,10 @@ private:
     } catch (const std::bad_alloc&) {
       throw; // No fault of the plugin.
     } catch (const std::exception& error) {
-      throw Error(kInternalError, "system '" + id_ + "' failed: " + error.what(), file_,
+      throw Error(kInternalError, phrase("system \"%1\" failed: %2", id_, error.what()), file_,
                   "choose another system");
     } catch (...) {
-      throw Error(kInternalError, "system '" + id_ + "' failed", file_, "choose another system");
+      throw Error(kInternalError, phrase("system \"%1\" failed", id_), file_, "choose another system");
     }
   }
 
@@ -91,10 +92,10 @@ std::string objection(const QJsonObject& metaData, const PluginManifest& manifes
   if (iid.isEmpty())
     return "it is not a Viscera plugin, or it is damaged";
   if (iid.section('/', 0, 0) != kIidName)
-    return "it is a plugin for another program (" + iid.toStdString() + ")";
+    return phrase("it is a plugin for another program (%1)", iid.toStdString());
   if (iid != kIid)
-    return "it was made for version " + iid.section('/', 1).toStdString() +
-           " of the plugin interface, this program has " + kIid.section('/', 1).toStdString();
+    return phrase("it was made for version %1 of the plugin interface, this program has %2",
+                  iid.section('/', 1).toStdString(), kIid.section('/', 1).toStdString());
   if (manifest.id.empty() || manifest.name.empty() || manifest.version.empty())
     return "its manifest lacks id, name or version";
   return {};
@@ -129,12 +130,12 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
       return report;
     auto* plugin = qobject_cast<CoordinateSystemPlugin*>(loader.instance());
     if (plugin == nullptr) {
-      report.problem = "it cannot be loaded: " + loader.errorString().toStdString();
+      report.problem = phrase("it cannot be loaded: %1", loader.errorString().toStdString());
       return report;
     }
     addSystems(*plugin, registry, report);
   } catch (const std::exception& error) {
-    report.problem = std::string("it failed while loading: ") + error.what();
+    report.problem = phrase("it failed while loading: %1", error.what());
   } catch (...) {
     report.problem = "it failed while loading";
   }

@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::plugin {
 namespace {
@@ -25,11 +26,13 @@ void requireUsable(const std::vector<coordinates::Parameter>& parameters, const 
     if (parameter.name.empty())
       throw UsageError("The coordinate system has a parameter without a name", where);
     if (!names.insert(parameter.name).second)
-      throw UsageError("The coordinate system offers the parameter \"" + parameter.name + "\" twice", where);
+      throw UsageError(phrase("The coordinate system offers the parameter \"%1\" twice", parameter.name),
+                       where);
     // Written so that a value that is no number is refused as well.
     if (!(parameter.minimum <= parameter.standard && parameter.standard <= parameter.maximum))
       throw UsageError(
-          "The standard value of the parameter \"" + parameter.name + "\" is out of its own range", where);
+          phrase("The standard value of the parameter \"%1\" is out of its own range", parameter.name),
+          where);
   }
 }
 
@@ -40,12 +43,12 @@ void Registry::add(std::shared_ptr<const coordinates::CoordinateSystem> system, 
     throw UsageError("There is no coordinate system to add", source);
   const std::string id = system->id();
   if (!isPlainId(id))
-    throw UsageError("\"" + id + "\" cannot be the id of a coordinate system", source,
+    throw UsageError(phrase("\"%1\" cannot be the id of a coordinate system", id), source,
                      "use small letters, digits and single dashes, as in \"s-celestial\"");
   const auto taken = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& entry) { return entry.system->id() == id; });
   if (taken != entries_.end())
-    throw UsageError("There is already a coordinate system \"" + id + "\" (" + taken->source + ")", source,
+    throw UsageError(phrase("There is already a coordinate system \"%1\" (%2)", id, taken->source), source,
                      "remove one of the two, or give one another id");
   requireUsable(system->parameters(), source + ", " + id);
   entries_.push_back({std::move(system), source});
@@ -59,8 +62,8 @@ std::shared_ptr<const coordinates::CoordinateSystem> Registry::find(const std::s
       return entry.system;
     known += (known.empty() ? "" : ", ") + present;
   }
-  throw UsageError("There is no coordinate system \"" + id + "\"", {},
-                   known.empty() ? "none is loaded" : "choose one of " + known);
+  throw UsageError(phrase("There is no coordinate system \"%1\"", id), {},
+                   known.empty() ? "none is loaded" : phrase("choose one of %1", known));
 }
 
 bool Registry::contains(const std::string& id) const {

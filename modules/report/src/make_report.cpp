@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -44,16 +45,30 @@ std::string poseOf(const ReportSource& source) {
   return text + ", " + (moved == 0 ? said("at rest") : said("%1 of them moved", std::to_string(moved)));
 }
 
+/// As the window's sliders are called: "Locality" has a translation, the command line's "locality" has none.
+std::string parameterName(const std::string& id) {
+  std::string title = id;
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  const std::string translated = named(title);
+  return translated == title ? id : translated;
+}
+
 std::string systemOf(const ReportSource& source) {
   const document::SystemChoice& choice = *source.state.system;
   std::string text = choice.id;
+  std::vector<coordinates::Parameter> known;
   try {
-    text = source.systems->find(choice.id)->name();
+    const auto system = source.systems->find(choice.id);
+    text = named(system->name());
+    known = system->parameters();
   } catch (const Error&) {
     // A plugin that is not here: its id is all that is known.
   }
-  for (const auto& [name, value] : choice.parameters.all())
-    text += ", " + name + " " + significant(value, 4);
+  for (const auto& [name, value] : choice.parameters.all()) {
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&id = name](const auto& parameter) { return parameter.name == id; });
+    text += ", " + (found == known.end() ? name : parameterName(found->name)) + " " + significant(value, 4);
+  }
   return text;
 }
 
@@ -74,7 +89,7 @@ Table summary(const ReportSource& source) {
     table.rows.push_back({said("Coordinates"), systemOf(source)});
   const presentation::ViewState& view = source.view;
   if (view.playing && view.playing->shown && source.sequence)
-    table.rows.push_back({said("Instant"), said("%1, at %2 of its cycle", source.sequence->name(),
+    table.rows.push_back({said("Instant"), said("%1, at %2 of its cycle", named(source.sequence->name()),
                                                 fixed(100 * view.playing->fraction, 1) + " %")});
   return table;
 }
@@ -133,7 +148,8 @@ std::string kindWord(document::MeasurementKind kind) {
 
 /// The name, and of a part of the scan how its values spread.
 std::string rowTitle(const document::MeasurementRow& row) {
-  const std::string spread = presentation::describeSpread(row.measurement, row.values, row.unit);
+  const std::string spread = presentation::describeSpread(row.measurement, row.values, row.unit,
+                                                          [](const char* text) { return said(text); });
   return spread.empty() ? row.measurement.name : row.measurement.name + " (" + spread + ")";
 }
 
@@ -169,7 +185,7 @@ std::string originOf(const document::Organ& organ) {
   if (!organ.origin.sample.empty()) {
     const std::size_t at = organ.origin.sample.find('@');
     return said("sample organ \"%1\", %2 resolution", organ.origin.sample.substr(0, at),
-                at == std::string::npos ? "medium" : organ.origin.sample.substr(at + 1));
+                named(at == std::string::npos ? "medium" : organ.origin.sample.substr(at + 1)));
   }
   return organ.file.empty() ? said("made in the program") : organ.file.filename().string();
 }
@@ -181,7 +197,7 @@ std::string remarksOf(const document::Organ& organ) {
     if (const std::string path = organ.file.string(); !path.empty())
       for (std::size_t at = 0; (at = warning.find(path, at)) != std::string::npos;)
         warning.replace(at, path.size(), organ.file.filename().string());
-    text += (text.empty() ? "" : "; ") + withoutFolders(warning);
+    text += (text.empty() ? "" : "; ") + withoutFolders(messageInWords(warning));
   }
   return text.empty() ? said("nothing: it is as it was read") : text;
 }
@@ -197,7 +213,7 @@ Section files(const ReportSource& source) {
                           std::to_string(organ->mesh->triangles.rows())});
   Section section{said("Files and what was done to them"), {std::move(table)}};
   for (const std::string& note : source.notes)
-    section.blocks.push_back(Paragraph{withoutFolders(note)});
+    section.blocks.push_back(Paragraph{withoutFolders(messageInWords(note))});
   section.blocks.push_back(Paragraph{
       said("All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes "
            "LPS (to the left, to the back, to the head). Viscera is a program for teaching and "

@@ -31,6 +31,12 @@ std::string nameOf(live::WitnessOrigin origin) {
   return {};
 }
 
+/// "Volume ratio", "Rotational stress (deg)".
+std::string titleWithUnit(const live::StressQuantityDescription& quantity) {
+  const std::string name = named(quantity.name);
+  return quantity.unit.empty() ? name : name + " (" + quantity.unit + ")";
+}
+
 std::vector<std::string> row(const std::string& name, const live::StressQuantityDescription& quantity,
                              const Values& values, Eigen::Index count) {
   const live::QuantitySummary summary = live::summaryOf(values, count);
@@ -54,11 +60,11 @@ Table numbers(const live::StressFrame& frame) {
   };
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
     if (quantity.quantity != live::StressQuantity::folded)
-      add(*frame.map, quantity, quantity.name);
+      add(*frame.map, quantity, named(quantity.name));
   if (frame.cycle && frame.cycle->peak)
     for (const live::StressQuantityDescription& quantity : live::stressQuantities())
       if (quantity.quantity == live::StressQuantity::rotationalStress)
-        add(*frame.cycle->peak, quantity, said("%1, the worst of a cycle", quantity.name));
+        add(*frame.cycle->peak, quantity, said("%1, the worst of a cycle", named(quantity.name)));
   return table;
 }
 
@@ -102,7 +108,7 @@ std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantit
     return {};
   const live::QuantitySummary summary = live::summaryOf(values, frame.mesh->witnesses);
   scene::CurvePanel panel;
-  panel.xTitle = quantity.unit.empty() ? quantity.name : quantity.name + " (" + quantity.unit + ")";
+  panel.xTitle = titleWithUnit(quantity);
   panel.yTitle = said("Points (%)");
   panel.xRange = scene::ValueRange{low, high};
   panel.curves = {outlineOf(sorted, low, high)};
@@ -116,7 +122,7 @@ std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantit
                           1.5F,
                           true});
   panel.legend = true;
-  return {chart(panel, said("%1 over the witness points", quantity.name))};
+  return {chart(panel, said("%1 over the witness points", named(quantity.name)))};
 }
 
 /// Mean, 95th percentile and largest over a cycle.
@@ -146,8 +152,7 @@ Table probeTable(const live::ReadMarks& marks) {
   table.numbers = {false, false};
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
     if (quantity.quantity != live::StressQuantity::folded) {
-      table.head.push_back(quantity.unit.empty() ? quantity.name
-                                                 : quantity.name + " (" + quantity.unit + ")");
+      table.head.push_back(titleWithUnit(quantity));
       table.numbers.push_back(true);
     }
   for (const live::ReadProbe& read : marks.probes) {
@@ -173,7 +178,7 @@ PictureGrid profileChart(const live::ReadMarks& marks, live::StressQuantity whic
   const live::StressQuantityDescription& quantity = live::describe(which);
   scene::CurvePanel panel;
   panel.xTitle = said("Distance at rest (mm)");
-  panel.yTitle = quantity.unit.empty() ? quantity.name : quantity.name + " (" + quantity.unit + ")";
+  panel.yTitle = titleWithUnit(quantity);
   panel.legend = true;
   double length = 0;
   for (std::size_t line = 0; line < marks.profiles.size(); ++line) {
@@ -220,7 +225,7 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
   section.blocks.push_back(std::move(facts));
   section.blocks.push_back(numbers(frame));
   for (const std::string& remark : source.stressStatus.remarks)
-    section.blocks.push_back(Paragraph{withoutFolders(remark)});
+    section.blocks.push_back(Paragraph{withoutFolders(messageInWords(remark))});
   section.blocks.push_back(pictureOfStress(source, frame, threads));
   live::StressMarksReader reader;
   const live::ReadMarks marks = reader.read(source.state, frame.organ, frame.mesh, *frame.points, *frame.map);

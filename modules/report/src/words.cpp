@@ -11,17 +11,32 @@
 #include "viscera/presentation/presenter.h"
 
 namespace viscera::report {
+namespace {
+
+/// Of resources/translations/names_*.ts, and of the window's translator of texts with parts.
+constexpr const char* kNames = "viscera::presentation";
+constexpr const char* kMessages = "viscera::messages";
+
+} // namespace
 
 std::string said(const char* text) {
-  return QCoreApplication::translate("Report", text).toStdString();
+  return QCoreApplication::translate(kNames, text).toStdString();
 }
 
 std::string said(const char* text, const std::string& first, const std::string& second) {
   // Both at once, so that no value is searched for places.
-  const QString form = QCoreApplication::translate("Report", text);
+  const QString form = QCoreApplication::translate(kNames, text);
   if (!form.contains(QLatin1String("%2")))
     return form.arg(QString::fromStdString(first)).toStdString();
   return form.arg(QString::fromStdString(first), QString::fromStdString(second)).toStdString();
+}
+
+std::string named(const std::string& name) {
+  return name.empty() ? name : said(name.c_str());
+}
+
+std::string messageInWords(const std::string& message) {
+  return message.empty() ? message : QCoreApplication::translate(kMessages, message.c_str()).toStdString();
 }
 
 std::string signedNumber(double value, int digits) {

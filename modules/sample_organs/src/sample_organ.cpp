@@ -12,6 +12,7 @@
 #include "surface_cache.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -51,8 +52,8 @@ OrganDefinition definitionOf(const SampleLibrary& library, const std::string& or
   const std::vector<std::string> names = sampleNames(library);
   if (std::find(names.begin(), names.end(), organ) == names.end()) {
     const std::set<std::string> known(names.begin(), names.end());
-    throw UsageError("there is no sample organ \"" + organ + "\"", library.definitions.string(),
-                     "there are " + listed(known));
+    throw UsageError(phrase("there is no sample organ \"%1\"", organ), library.definitions.string(),
+                     phrase("there are %1", listed(known)));
   }
   return readDefinition(library.definitions / (organ + ".json"));
 }
@@ -110,7 +111,7 @@ Resolution resolutionFromName(const std::string& name) {
   for (const auto& [resolution, known] : kNames)
     if (name == known)
       return resolution;
-  throw UsageError("there is no resolution \"" + name + "\"", {}, "use low, medium or high");
+  throw UsageError(phrase("there is no resolution \"%1\"", name), {}, "use low, medium or high");
 }
 
 std::string nameOf(Resolution resolution) {
@@ -131,7 +132,8 @@ std::vector<std::string> sampleNames(const SampleLibrary& library) {
     if (entry.path().extension() == ".json" && entry.path().stem().extension().empty())
       names.push_back(entry.path().stem().string());
   if (error)
-    throw NoInputError("the sample organs cannot be listed: " + error.message(), library.definitions.string(),
+    throw NoInputError(phrase("the sample organs cannot be listed: %1", error.message()),
+                       library.definitions.string(),
                        "set VISCERA_SAMPLE_ORGANS to the folder of the definitions");
   std::sort(names.begin(), names.end());
   return names;

@@ -8,6 +8,8 @@
 #include <Eigen/LU>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::sequences {
 namespace {
@@ -132,21 +134,25 @@ private:
   }
 
   std::string place() const {
-    const auto both = [](const CavityVolumes& volumes) {
-      return std::to_string(volumes.leftMl) + " ml left and " + std::to_string(volumes.rightMl) + " ml right";
-    };
-    return "heart with " + both(wanted_.instant.volumes) +
-           (wanted_.measureAtria ? ", atria with " + both(*wanted_.instant.atria) : "");
+    const auto ml = [](double volume) { return fixed(volume, 1); };
+    const CavityVolumes& ventricles = wanted_.instant.volumes;
+    if (!wanted_.measureAtria)
+      return phrase("heart with %1 ml left and %2 ml right", ml(ventricles.leftMl), ml(ventricles.rightMl));
+    const CavityVolumes& atria = *wanted_.instant.atria;
+    return phrase("heart with %1 ml left and %2 ml right, atria with %3 ml left and %4 ml right",
+                  ml(ventricles.leftMl), ml(ventricles.rightMl), ml(atria.leftMl), ml(atria.rightMl));
   }
 
   [[noreturn]] void throwUnreached(const Values& error) const {
-    const auto both = [&](Eigen::Index first) {
-      return "left off by " + std::to_string(error[first]) + " ml, right by " +
-             std::to_string(error[first + 1]) + " ml";
-    };
-    throw DataError("The ventricles cannot be brought to their volumes: " + both(0) +
-                        (wanted_.measureAtria ? "; atria: " + both(2) : ""),
-                    place(), "check that the cavities lie inside the handles of their walls");
+    const auto ml = [&](Eigen::Index cavity) { return fixed(error[cavity], 2); };
+    throw DataError(
+        wanted_.measureAtria
+            ? phrase("The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; "
+                     "atria: left off by %3 ml, right by %4 ml",
+                     ml(0), ml(1), ml(2), ml(3))
+            : phrase("The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml",
+                     ml(0), ml(1)),
+        place(), "check that the cavities lie inside the handles of their walls");
   }
 
   const AffineHandles& handles_;

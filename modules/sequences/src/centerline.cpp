@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
@@ -17,7 +18,7 @@ void requireLine(const std::vector<Vec3>& points) {
   if (points.size() < 2)
     throw DataError("a centreline needs at least two points", "centreline");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string where = "centreline point " + std::to_string(i + 1);
+    const std::string where = phrase("centreline point %1", i + 1);
     if (!points[i].allFinite())
       throw DataError("the point is not finite", where);
     if (i > 0 && (points[i] - points[i - 1]).norm() < 1e-3 * kSample)

@@ -6,18 +6,19 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
 
 void requireKeys(const std::vector<Key>& keys, std::size_t fewest) {
   if (keys.size() < fewest)
-    throw DataError("a curve needs at least " + std::to_string(fewest) + " keys", "curve");
+    throw DataError(phrase("a curve needs at least %n {key|keys}", fewest), "curve");
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!std::isfinite(keys[i].at) || !std::isfinite(keys[i].value))
-      throw DataError("the key is not a finite number", "curve key " + std::to_string(i + 1));
+      throw DataError("the key is not a finite number", phrase("curve key %1", i + 1));
     if (i > 0 && keys[i].at <= keys[i - 1].at)
-      throw DataError("the key does not lie after the one before it", "curve key " + std::to_string(i + 1),
+      throw DataError("the key does not lie after the one before it", phrase("curve key %1", i + 1),
                       "sort the keys and remove doubles");
   }
 }

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/curve.h"
 
 namespace viscera::sequences {
@@ -265,9 +266,10 @@ HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options) {
       continue;
     const std::size_t count = rig.handlesOf(role).size();
     if (count < kFewestHeartHandles)
-      throw DataError("a ventricle is not where its frame says: only " + std::to_string(count) +
-                          " handles meet its wall",
-                      "heart rig", "check the landmarks of base, apex and right ventricle");
+      throw DataError(
+          phrase("a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall",
+                 count),
+          "heart rig", "check the landmarks of base, apex and right ventricle");
   }
   return rig;
 }

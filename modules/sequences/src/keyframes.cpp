@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
@@ -42,22 +43,22 @@ std::string inSeconds(double seconds) {
 
 void requireKey(const KeyframedSequence::Track& track, std::size_t i) {
   const Keyframe& key = track.keys[i];
-  const std::string where = "key " + std::to_string(i + 1);
+  const std::string where = phrase("key %1", i + 1);
   if (!std::isfinite(key.seconds))
     throw DataError("its time is not a finite number", where);
   if (key.pose.rows() != track.restHandles.rows())
-    throw DataError("its pose has " + std::to_string(key.pose.rows()) + " handles instead of " +
-                        std::to_string(track.restHandles.rows()),
-                    where);
+    throw DataError(
+        phrase("its pose has %n {handle|handles} instead of %2", key.pose.rows(), track.restHandles.rows()),
+        where);
   if (!key.pose.allFinite())
     throw DataError("a handle's position is not a finite number", where);
   if (key.seconds < 0 || !(key.seconds < track.periodSeconds))
-    throw DataError("its time, " + inSeconds(key.seconds) + ", is outside the period of " +
-                        inSeconds(track.periodSeconds),
+    throw DataError(phrase("its time, %1, is outside the period of %2", inSeconds(key.seconds),
+                           inSeconds(track.periodSeconds)),
                     where, "move it, or lengthen the period");
   if (i > 0 && key.seconds - track.keys[i - 1].seconds < kShortestSpan)
-    throw DataError("its time, " + inSeconds(key.seconds) + ", is not after that of the key before it", where,
-                    "sort the keys by time and leave a millisecond at least between two");
+    throw DataError(phrase("its time, %1, is not after that of the key before it", inSeconds(key.seconds)),
+                    where, "sort the keys by time and leave a millisecond at least between two");
 }
 
 } // namespace
@@ -162,7 +163,7 @@ std::vector<Phase> KeyframedSequence::phases(double) const {
     const double begin = track_.keys[i].seconds / track_.periodSeconds;
     if (!phases.empty())
       phases.back().end = begin;
-    phases.push_back({"key " + std::to_string(i + 1), begin, 1});
+    phases.push_back({phrase("key %1", i + 1), begin, 1});
   }
   return phases;
 }

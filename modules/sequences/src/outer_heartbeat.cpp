@@ -6,6 +6,8 @@
 
 #include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::sequences {
 namespace {
@@ -59,7 +61,7 @@ void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) 
   const auto root = nearestCubicRoot(missing, -kMostHeartWidening, kMostHeartWidening);
   if (!root)
     throw DataError("the heart cannot be brought to the volume that it has to hold",
-                    "heartbeat at " + std::to_string(seconds) + " s", "check the landmarks of apex and base");
+                    phrase("heartbeat at %1 s", fixed(seconds, 3)), "check the landmarks of apex and base");
   pose += *root * added;
 }
 

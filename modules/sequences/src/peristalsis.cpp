@@ -5,6 +5,8 @@
 
 #include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::sequences {
 namespace {
@@ -60,7 +62,7 @@ double Peristalsis::wideningFor(const Points& narrowed, const Points& added, dou
   const auto root = nearestCubicRoot(missing, kLeastWidening, kMostTubeWidening);
   if (!root)
     throw DataError("the upper stomach cannot take in what the waves press out",
-                    "peristalsis after " + std::to_string(seconds) + " s", "check the landmarks");
+                    phrase("peristalsis after %1 s", fixed(seconds, 3)), "check the landmarks");
   return *root;
 }
 

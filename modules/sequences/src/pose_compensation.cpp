@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
@@ -17,7 +18,7 @@ PoseCompensation::PoseCompensation(const Eigen::MatrixXd& selfWeights, int terms
     throw DataError("the coordinates of the handles are not a finite square matrix", "pose compensation");
   for (Eigen::Index row = 0; row < n; ++row)
     if (std::abs(selfWeights.row(row).sum() - 1) > kUnityTolerance)
-      throw DataError("the coordinates do not sum to 1", "handle " + std::to_string(row + 1));
+      throw DataError("the coordinates do not sum to 1", phrase("handle %1", row + 1));
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
   matrix_ = identity;
   for (int term = 0; term < terms; ++term)
@@ -35,8 +36,8 @@ void PoseCompensation::apply(const Points& rest, Points& pose) const {
 void PoseCompensation::requireFor(Eigen::Index handles, const std::string& organ,
                                   const std::string& sequence) const {
   if (handleCount() != 0 && handleCount() != handles)
-    throw DataError("the compensation is for " + std::to_string(handleCount()) + " handles, the " + organ +
-                        " has " + std::to_string(handles),
+    throw DataError(phrase("the compensation is for %n {handle|handles}, the organ (%2) has %3",
+                           handleCount(), organ, handles),
                     sequence);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
@@ -61,9 +62,9 @@ private:
   void addRing(double s, int ring) {
     const CrossSection section = anatomy_.centerline.at(s);
     if (anatomy_.surface(section.center) >= 0)
-      throw DataError("the centreline leaves the stomach " + std::to_string(static_cast<int>(s)) +
-                          " mm below the top of the fundus",
-                      "stomach rig", "move its points into the stomach");
+      throw DataError(
+          phrase("the centreline leaves the stomach %1 mm below the top of the fundus", static_cast<int>(s)),
+          "stomach rig", "move its points into the stomach");
     double mean = 0;
     for (int k = 0; k < kProbes; ++k)
       mean += wallAt(section, 2 * pi * k / kProbes) / kProbes;

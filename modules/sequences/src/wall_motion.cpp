@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/norms/norms.h"
 
 namespace viscera::sequences {
@@ -45,7 +46,7 @@ bool within(double x, const double (&range)[2]) {
 
 void requireEnough(std::size_t count, const char* where) {
   if (count < kFewestVertices)
-    throw DataError("Only " + std::to_string(count) + " vertices of the surface lie there", where,
+    throw DataError(phrase("Only %n {vertex|vertices} of the surface {lies|lie} there", count), where,
                     "take a finer surface");
 }
 

@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::tracking {
 namespace {
 
@@ -171,7 +173,7 @@ MotionFit fitDistances(const MotionRig& rig, const std::function<PhaseTargets(st
   MotionFit fit;
   const auto count = static_cast<double>(times.count());
   for (std::size_t phase = 0; phase < times.count(); ++phase) {
-    progress.report(0.75 * static_cast<double>(phase) / count, "fitting phase " + std::to_string(phase + 1));
+    progress.report(0.75 * static_cast<double>(phase) / count, phrase("fitting phase %1", phase + 1));
     Points pose = fit.poses.empty() ? rig.rest() : fit.poses.back();
     const auto target = kept.of(phase);
     if (phase == 0 && options.foreignRig)
@@ -182,7 +184,7 @@ MotionFit fitDistances(const MotionRig& rig, const std::function<PhaseTargets(st
   }
   for (std::size_t phase = 0; phase < times.count(); ++phase) {
     progress.report(0.75 + 0.25 * static_cast<double>(phase) / count,
-                    "smoothing phase " + std::to_string(phase + 1));
+                    phrase("smoothing phase %1", phase + 1));
     Points& pose = fit.poses[phase];
     const auto target = kept.of(phase);
     fit.steps[phase] +=

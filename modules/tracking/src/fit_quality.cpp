@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/witness_gradients.h"
@@ -41,23 +42,21 @@ private:
 void judgeSurface(const SurfaceQuality& surface, const std::string& name, double sliceMm, Judge& judge) {
   if (surface.meanMm > kAmberMeanMm)
     judge.say(surface.meanMm > kRedMeanMm ? FitLight::red : FitLight::amber,
-              name + " is " + fixed(surface.meanMm, 1) + " mm away on average");
+              phrase("%1 is %2 mm away on average", name, fixed(surface.meanMm, 1)));
   if (surface.p95Mm > kAmberP95Mm)
     judge.say(FitLight::amber,
-              "a twentieth of " + name + " is more than " + fixed(surface.p95Mm, 1) + " mm away");
+              phrase("a twentieth of %1 is more than %2 mm away", name, fixed(surface.p95Mm, 1)));
   if (std::abs(surface.freeMl - surface.measuredMl) > kAmberVolume * surface.measuredMl)
-    judge.say(FitLight::amber, name + " had to be changed by " +
-                                   fixed(100 * std::abs(surface.freeMl / surface.measuredMl - 1), 0) +
-                                   " % to get its volume");
+    judge.say(FitLight::amber, phrase("%1 had to be changed by %2 % to get its volume", name,
+                                      fixed(100 * std::abs(surface.freeMl / surface.measuredMl - 1), 0)));
   if (surface.dice) {
     const double least = sliceMm > kThickSliceMm ? kAmberDiceOfThickSlices : kAmberDice;
     if (*surface.dice < least)
       judge.say(*surface.dice < kRedDice ? FitLight::red : FitLight::amber,
-                name + " agrees with its voxels by a Dice of " + fixed(*surface.dice, 2) + " only");
+                phrase("%1 agrees with its voxels by a Dice of %2 only", name, fixed(*surface.dice, 2)));
   } else if (surface.flipped > 0) {
-    judge.say(FitLight::amber, std::to_string(surface.flipped) +
-                                   (surface.flipped == 1 ? " triangle" : " triangles") + " of " + name +
-                                   (surface.flipped == 1 ? " is" : " are") + " turned over");
+    judge.say(FitLight::amber,
+              phrase("%n {triangle|triangles} of %2 {is|are} turned over", surface.flipped, name));
   }
 }
 
@@ -135,8 +134,7 @@ FitVerdict verdictOf(const PhaseQuality& phase, const std::vector<std::string>& 
   for (std::size_t i = 0; i < phase.surfaces.size(); ++i)
     judgeSurface(phase.surfaces[i], names[i], sliceMm, judge);
   if (phase.folded > 0)
-    judge.say(FitLight::amber, "the tissue is folded at " + std::to_string(phase.folded) +
-                                   (phase.folded == 1 ? " place" : " places"));
+    judge.say(FitLight::amber, phrase("the tissue is folded at %n {place|places}", phase.folded));
   if (!phase.volumesMet)
     judge.say(FitLight::red, "the measured volumes cannot be met");
   return judge.take();

@@ -8,6 +8,7 @@
 
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/normals.h"
@@ -29,11 +30,8 @@ constexpr double kClearance = 0.25;
 std::vector<int> sharesOf(std::size_t surfaces, std::size_t outer, int handles) {
   const int free = handles - kCorners;
   if (free < kFewestOfASurface * static_cast<int>(surfaces))
-    throw DataError(std::to_string(handles) + " handles are too few for " + std::to_string(surfaces) +
-                        (surfaces == 1 ? " surface" : " surfaces"),
-                    "handles",
-                    "ask for " + std::to_string(kCorners + kFewestOfASurface * static_cast<int>(surfaces)) +
-                        " at least");
+    throw DataError(phrase("%2 handles are too few for %n {surface|surfaces}", surfaces, handles), "handles",
+                    phrase("ask for %1 at least", kCorners + kFewestOfASurface * static_cast<int>(surfaces)));
   if (surfaces == 1)
     return {free};
   std::vector<int> counts(surfaces);
@@ -57,9 +55,8 @@ void placeOn(const geometry::TriangleMesh& mesh, int count, double offset, Point
   for (int done = 0; done < count;) {
     Eigen::Index vertex = 0;
     if (!(nearest.maxCoeff(&vertex) > 0))
-      throw DataError("the surface has room for " + std::to_string(done) + " of " + std::to_string(count) +
-                          " handles",
-                      "handles", "ask for fewer");
+      throw DataError(phrase("the surface has room for %1 of %2 handles", done, count), "handles",
+                      "ask for fewer");
     const Eigen::RowVector3d at = mesh.points.row(vertex);
     const Eigen::RowVector3d handle = at + offset * normals.row(vertex).cast<double>();
     const double clearance =

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/signed_distance.h"
@@ -26,11 +27,10 @@ void requireAlike(const SurfaceSeries& series) {
   const Eigen::Index points = series.phases.front().rows();
   for (std::size_t phase = 0; phase < series.phases.size(); ++phase) {
     if (series.phases[phase].rows() != points)
-      throw DataError("Phase " + std::to_string(phase + 1) + " has " +
-                          std::to_string(series.phases[phase].rows()) + " points and the first has " +
-                          std::to_string(points),
+      throw DataError(phrase("Phase %1 has %2 points and the first has %3", phase + 1,
+                             series.phases[phase].rows(), points),
                       series.name, "export all phases with the same triangles");
-    geometry::requireValid(series.at(phase), series.name + ", phase " + std::to_string(phase + 1));
+    geometry::requireValid(series.at(phase), phrase("%1, phase %2", series.name, phase + 1));
   }
 }
 
@@ -127,8 +127,8 @@ TidySeries tidySeries(SurfaceSeries series) {
     tidy.series.triangles = reference.triangles;
   if (const geometry::SurfaceReport report = geometry::checkSurface(reference);
       !report.closed() || !report.manifold())
-    throw DataError("It is not a closed surface, even with its holes filled: " +
-                        geometry::faults(report).front(),
+    throw DataError(phrase("It is not a closed surface, even with its holes filled: %1",
+                           geometry::faults(report).front()),
                     tidy.series.name, "repair the surfaces in the program that made them");
   return tidy;
 }

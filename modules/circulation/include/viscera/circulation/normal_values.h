@@ -10,6 +10,9 @@ struct NormalValues {
   double low = -std::numeric_limits<double>::infinity(); ///< Minus infinity: no lower bound.
   double high = std::numeric_limits<double>::infinity();
   std::string source; ///< Who says so.
+  /// Of a row of the table of `norms`: how the range comes about, and who was measured. Each is a text of its
+  /// own, so that it can be translated.
+  std::string meaning = {}, people = {};
 
   bool holds(double value) const { return value >= low && value <= high; }
 };

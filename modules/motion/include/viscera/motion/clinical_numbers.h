@@ -36,8 +36,9 @@ struct NormalRange {
   std::string name; ///< "end-diastolic volume"
   double low = 0;   ///< In ml or per cent, as the quantity says.
   double high = 0;
-  std::string people; ///< Whose range it is: "women, mean +- 2 standard deviations; 800 healthy people ...".
-  std::string source; ///< "Petersen 2017, doi ..."
+  std::string meaning; ///< How it comes about: "women, mean +- 2 standard deviations".
+  std::string people;  ///< Who was measured: "800 healthy people of 45 to 74 years, ...".
+  std::string source;  ///< "Petersen 2017, doi ..."
 };
 
 /// The ranges known for an organ, by its name in a sample ("LV", "RV", "Stomach", "kidney_left"; capitals do
