@@ -13,9 +13,11 @@
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/sequences/heartbeat.h"
 #include "window/binding_messages.h"
 #include "window/compare/side_header.h"
+#include "window/language.h"
 
 namespace viscera::tests {
 namespace {
@@ -221,7 +223,12 @@ TEST_F(TwoViews, TheSecondOneNamesTheOrganUnderTheMouse) {
   QTest::mouseMove(&beside, middle + QPoint(3, 3));
   QTest::mouseMove(&beside, middle);
   ASSERT_TRUE(waitUntil([&] { return name->isVisible(); }));
-  EXPECT_EQ(name->text(), QStringLiteral("Heart"));
+  const double ratio = beside.devicePixelRatioF();
+  const auto pick = beside.view().pick(ratio * middle.x(), ratio * (beside.height() - 1 - middle.y()));
+  ASSERT_TRUE(pick);
+  const auto organ = second().document().organ(parts().comparison().picture().organOf(pick->organ));
+  ASSERT_TRUE(organ);
+  EXPECT_EQ(name->text(), app::inWords(presentation::labelOf(*organ)));
   QTest::mouseMove(&beside, QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }

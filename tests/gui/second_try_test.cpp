@@ -321,7 +321,7 @@ TEST_F(SmallFaults, AMenuFramesTheIconOfWhatIsOn) {
   QMenu menu(&window());
   QAction* action = menu.addAction(app::icon("ghost"), QStringLiteral("Ghost"));
   action->setCheckable(true);
-  menu.popup(QPoint(0, 0));
+  menu.resize(menu.sizeHint());
   constexpr int kIconWidth = 28;
   const QRect entry = menu.actionGeometry(action);
   const QRect place(entry.topLeft(), QSize(kIconWidth, entry.height()));

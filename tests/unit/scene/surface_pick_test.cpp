@@ -85,7 +85,7 @@ TEST(SurfacePick, TellsWhichOrganHidesAnother) {
   inside->setVisible(false);
   EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "it is hidden by nobody";
   inside->setVisible(true);
-  wall->setPoints(std::make_shared<Points>(wall->mesh().points.rowwise() + Vec3(25, -60, 0).transpose()));
+  wall->setPoints(std::make_shared<Points>(wall->mesh().points.rowwise() + Vec3(40, -60, 0).transpose()));
   EXPECT_EQ(window.view.coverOf(*inside), nullptr) << "a part of it looks out from behind";
 }
 
