@@ -15,14 +15,17 @@ namespace {
 
 class LocalisedOnOrgans : public testing::TestWithParam<tests::OrganCase> {};
 
-coordinates::HandleSet grouped(const geometry::TriangleMesh& organ, int count) {
-  const Points placed = deformation::placeHandles(organ);
-  const auto grouping = deformation::groupsAlongAxis(placed, organ.points, count);
+coordinates::HandleSet with(const Points& placed, const deformation::Grouping& grouping) {
   coordinates::HandleSet handles;
   handles.positions.resize(placed.rows() + grouping.added.rows(), 3);
   handles.positions << placed, grouping.added;
   handles.groups = grouping.groups;
   return handles;
+}
+
+coordinates::HandleSet grouped(const geometry::TriangleMesh& organ, int count) {
+  const Points placed = deformation::placeHandles(organ);
+  return with(placed, deformation::groupsAlongAxis(placed, organ.points, count));
 }
 
 std::unique_ptr<coordinates::Binding> bind(const coordinates::CoordinateSystem& system,
@@ -51,6 +54,29 @@ TEST_P(LocalisedOnOrgans, ReproduceTheIdentityInTwoThreeAndFiveOverlappingGroups
     EXPECT_LT(report.unityError, 1e-9) << count << " groups";
     EXPECT_GE(report.minWeight, 0) << count << " groups";
   }
+}
+
+TEST_P(LocalisedOnOrgans, FourClustersOfFortyHandlesAreUsableAndLeaveAnOffset) {
+  const auto organ = tests::load(GetParam());
+  if (!organ)
+    GTEST_SKIP() << "../shared/organs/" << GetParam().file << " is not there";
+  const Points placed = deformation::placeHandles(*organ, {40});
+  const auto handles = with(placed, deformation::groupsByCluster(placed, organ->points, 4));
+  ASSERT_EQ(handles.groups.size(), 4u);
+  for (const auto& group : handles.groups)
+    EXPECT_GE(group.handles.size(), 4u) << group.name;
+  const double standard = localised().parameters().front().standard;
+  const RegionLayout layout(handles, standard);
+  ASSERT_EQ(layout.regions().size(), 4u) << "a group that is no region";
+  EXPECT_FALSE(layout.zones().empty()) << "the clusters do not meet";
+  for (const Region& region : layout.regions()) {
+    EXPECT_GT(region.offset, 0) << region.name;
+    EXPECT_LT(region.offset, region.offsetBound) << region.name;
+  }
+  const auto report = bind(localised(), handles, organ->points)->report();
+  EXPECT_TRUE(report.failures.empty()) << report.failures.size() << " vertices";
+  EXPECT_LT(report.identityError, 1e-9 * boundsOf(organ->points).diagonal());
+  EXPECT_GE(report.minWeight, 0);
 }
 
 TEST_P(LocalisedOnOrgans, OneGroupIsThePlainSystemTo1e12) {
