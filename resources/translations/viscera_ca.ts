@@ -5060,7 +5060,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>95th percentile</source>
-        <translation>percentil 95</translation>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5416,7 +5416,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>95th percentile</source>
-        <translation>percentil 95</translation>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>Largest</source>

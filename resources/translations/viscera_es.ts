@@ -5060,7 +5060,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>95th percentile</source>
-        <translation>percentil 95</translation>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5416,7 +5416,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>95th percentile</source>
-        <translation>percentil 95</translation>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>Largest</source>

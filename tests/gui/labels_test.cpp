@@ -19,6 +19,7 @@
 #include "play_fixture.h"
 #include "shapes.h"
 #include "viscera/medical_io/surface_file.h"
+#include "window/circulation/circulation_model.h"
 #include "window/import/import_controller.h"
 #include "window/language.h"
 #include "window/lesson/lesson_dialog.h"
@@ -159,6 +160,34 @@ TEST_P(InLanguage, NothingIsCutOffInTheDialogsAndTheImport) {
   open(file);
   ASSERT_TRUE(window().imports().isOpen());
   collectAll(window(), "import", cut);
+  for (const std::string& text : cut)
+    ADD_FAILURE() << text;
+}
+
+TEST_P(InLanguage, NothingIsCutOffInTheMovieTheCirculationTheQuizAndTheLecture) {
+  window().resize(960, 600);
+  std::set<std::string> cut;
+  const auto look = [&](const char* where) {
+    settle();
+    collectAll(window(), where, cut);
+  };
+  ASSERT_TRUE(find<QWidget>("recordBox").isVisible()) << "the movie's box";
+  find<QAbstractButton>("scenario.exercise").click();
+  const app::CirculationModel& circulation = window().play().circulation();
+  ASSERT_TRUE(waitUntil([&] { return circulation.settled() && circulation.present(); }));
+  window().playback().pause();
+  EXPECT_TRUE(find<QWidget>("circulationNumbers").isVisible());
+  look("circulation");
+  window().setMode("explore");
+  window().actions()["quiz.start"]->trigger();
+  ASSERT_TRUE(find<QLabel>("quizQuestion").isVisible());
+  look("quiz");
+  window().actions()["quiz.start"]->trigger();
+  window().actions()["slides.add"]->trigger();
+  window().actions()["view.lecture"]->trigger();
+  ASSERT_TRUE(find<QLabel>("lectureCaption").isVisible());
+  look("lecture");
+  window().actions()["view.lecture"]->trigger();
   for (const std::string& text : cut)
     ADD_FAILURE() << text;
 }

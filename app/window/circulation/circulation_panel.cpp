@@ -13,6 +13,7 @@
 
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/timeline/person_box.h"
 #include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
@@ -43,7 +44,8 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
   auto* row = makeLayout<QHBoxLayout>(this, 8, {8, 4, 8, 4});
   auto* column = makeLayout<QVBoxLayout>(nullptr, 2);
   legend_->setObjectName(QStringLiteral("circulationLegend"));
-  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  legend_->setWordWrap(true);
   column->addWidget(legend_);
   column->addWidget(chart_, 1);
   row->addLayout(column, 1);
@@ -96,7 +98,7 @@ QString CirculationPanel::legendText() const {
     const QColor color = QColor::fromRgbF(line.color.x(), line.color.y(), line.color.z());
     parts.push_back(QStringLiteral("<span style=\"color:%1\">%2</span>&nbsp;%3")
                         .arg(color.name(), line.dashed ? QStringLiteral("- -") : QStringLiteral("&#9632;"),
-                             text(line.name).toHtmlEscaped()));
+                             messageInWords(line.name).toHtmlEscaped()));
   }
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
 }

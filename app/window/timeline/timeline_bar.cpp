@@ -43,6 +43,7 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
   row->addLayout(strips, 1);
   phase_ = new QLabel(this);
   phase_->setObjectName(QStringLiteral("phase"));
+  row->addSpacing(8);
   row->addWidget(phase_);
   connect(scrubber_, &PhaseScrubber::scrubbed, &playback, &Playback::seek);
   connect(&playback, &Playback::stateChanged, this, &TimelineBar::sync);
