@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include <optional>
 
@@ -63,6 +64,7 @@ Q_SIGNALS:
   void obstacleChanged(const QString& obstacle);
 
 private:
+  void prepareLocks();
   void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
   void end(void (document::UndoStack::Step::*close)());
@@ -70,9 +72,11 @@ private:
   Workspace& workspace_;
   const ViewModel& model_;
   live::VolumeKeeper keeper_;
+  QTimer prepareSoon_; ///< Once handles at rest and locks are left as they are.
   std::optional<live::LockedMotion> motion_;
   std::optional<document::UndoStack::Step> step_; ///< Of the present gesture.
   QString obstacle_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app
