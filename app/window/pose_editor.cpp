@@ -9,9 +9,33 @@
 #include "window/phrase_translator.h"
 
 namespace viscera::app {
+namespace {
+/// A drag at rest binds anew more often than this.
+constexpr int kPrepareMilliseconds = 150;
+} // namespace
 
 PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent)
-    : QObject(parent), workspace_(workspace), model_(model), keeper_(workspace.state(), workspace.live()) {}
+    : QObject(parent), workspace_(workspace), model_(model),
+      keeper_(workspace.state(), workspace.live(), {}, &workspace.jobs()) {
+  prepareSoon_.setSingleShot(true);
+  prepareSoon_.setInterval(kPrepareMilliseconds);
+  connect(&prepareSoon_, &QTimer::timeout, this,
+          [this] { workspace_.guarded([this] { keeper_.prepare(); }); });
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      prepareLocks();
+  }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+    if (event.status || event.replaced)
+      prepareLocks();
+  }));
+}
+
+/// Other organs are locked, or they are bound in another way.
+void PoseEditor::prepareLocks() {
+  keeper_.dropOutdated();
+  prepareSoon_.start();
+}
 
 bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
   cancel();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include <optional>
 
@@ -64,6 +65,7 @@ Q_SIGNALS:
 
 private:
   void offerToClose(const std::vector<document::OrganId>& organs);
+  void prepareLocks();
   void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
   void end(void (document::UndoStack::Step::*close)());
@@ -71,9 +73,11 @@ private:
   Workspace& workspace_;
   const ViewModel& model_;
   live::VolumeKeeper keeper_;
+  QTimer prepareSoon_; ///< Once handles at rest and locks are left as they are.
   std::optional<live::LockedMotion> motion_;
   std::optional<document::UndoStack::Step> step_; ///< Of the present gesture.
   QString obstacle_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

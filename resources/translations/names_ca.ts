@@ -781,6 +781,10 @@
         <translation>Vinculació de %1</translation>
     </message>
     <message>
+        <source>Preparing the volume lock</source>
+        <translation>Preparació del bloqueig del volum</translation>
+    </message>
+    <message>
         <source>Binding the space between the handles</source>
         <translation>S’enllaça l’espai entre els tiradors</translation>
     </message>

@@ -781,6 +781,10 @@
         <translation>Bindung von %1</translation>
     </message>
     <message>
+        <source>Preparing the volume lock</source>
+        <translation>Vorbereitung der Volumensperre</translation>
+    </message>
+    <message>
         <source>Binding the space between the handles</source>
         <translation>Der Raum zwischen den Griffen wird gebunden</translation>
     </message>

@@ -781,6 +781,10 @@
         <translation>Vinculación de %1</translation>
     </message>
     <message>
+        <source>Preparing the volume lock</source>
+        <translation>Preparación del bloqueo del volumen</translation>
+    </message>
+    <message>
         <source>Binding the space between the handles</source>
         <translation>Enlace del espacio entre los tiradores</translation>
     </message>

@@ -781,6 +781,10 @@
         <translation>Liaison de %1</translation>
     </message>
     <message>
+        <source>Preparing the volume lock</source>
+        <translation>Préparation du verrouillage du volume</translation>
+    </message>
+    <message>
         <source>Binding the space between the handles</source>
         <translation>Liaison de l’espace entre les poignées</translation>
     </message>

@@ -4,6 +4,7 @@
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/deformation/pose_together.h"
 
 namespace viscera::deformation {
 namespace {
@@ -57,6 +58,63 @@ void dragPart(benchmark::State& state) {
 BENCHMARK(dragPart)
     ->ArgsProduct({{2}, {0, 1, 2, 3}})
     ->ArgNames({"threads", "part"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// 95 organs of 5,002 vertices, as an atlas has them, each bound by itself to the same 30 handles.
+class Atlas {
+public:
+  explicit Atlas(Threads threads) : threads_(threads) {
+    const auto organ = std::make_shared<const geometry::TriangleMesh>(bench::blob(50, 100));
+    handles_.positions = bench::handlesFor(*organ);
+    for (int k = 0; k < 95; ++k) {
+      Progress progress;
+      organs_.emplace_back(
+          organ, bindOrgan(coordinates::SCelestial(), handles_, organ->points, {{}, threads}, progress),
+          handles_.positions, threads);
+    }
+    for (Deformer& organ : organs_)
+      all_.push_back(&organ);
+  }
+
+  /// The next pose of all handles, or of handle 12 alone, and all volumes: in one loop, or in two an organ.
+  void step(bool oneHandle, bool together) {
+    Points pose = handles_.positions;
+    if (oneHandle)
+      pose(12, 0) += 0.1 * (++step_ % 50);
+    else
+      pose.array() += 0.1 * (++step_ % 50);
+    if (together) {
+      std::vector<NewPose> poses;
+      for (Deformer* organ : all_)
+        poses.push_back({organ, pose, oneHandle ? std::vector<int>{12} : std::vector<int>{}});
+      poseTogether(poses, threads_);
+      benchmark::DoNotOptimize(volumesTogether(all_, threads_).data());
+      return;
+    }
+    for (Deformer& organ : organs_) {
+      oneHandle ? organ.moveHandle(12, pose.row(12).transpose()) : organ.setPose(pose);
+      benchmark::DoNotOptimize(organ.volumeMm3());
+    }
+  }
+
+private:
+  Threads threads_;
+  coordinates::HandleSet handles_;
+  std::vector<Deformer> organs_;
+  std::vector<Deformer*> all_;
+  int step_ = 0;
+};
+
+/// 95 organs posed and measured. `together` 0: by loops of each organ; 1: by loops over all of them.
+void poseAtlas(benchmark::State& state) {
+  Atlas atlas({static_cast<int>(state.range(0))});
+  for (auto _ : state)
+    atlas.step(state.range(1) != 0, state.range(2) != 0);
+}
+BENCHMARK(poseAtlas)
+    ->ArgsProduct({{1, 2}, {0, 1}, {0, 1}})
+    ->ArgNames({"threads", "oneHandle", "together"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

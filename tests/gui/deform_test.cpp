@@ -108,5 +108,23 @@ TEST_F(DeformMode, TheDeformedPoseIsKeptWhileTheHandlesAreLookedAt) {
   EXPECT_LT((points() - posed).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+TEST_F(DeformMode, LockingAVolumeHasItsFormMadeByAWorkerAndUnlockingDoesNot) {
+  int begun = 0;
+  std::int64_t last = 0;
+  const Subscription subscription = window().workspace().jobs().onChange([&] {
+    for (const JobInfo& job : window().workspace().jobs().jobs())
+      if (job.slot == "volume lock" && job.id != last) {
+        last = job.id;
+        ++begun;
+      }
+  });
+  window().poses().setLocked({organ_}, true);
+  EXPECT_TRUE(waitUntil([&] { return begun == 1 && window().workspace().jobs().idle(); }));
+  window().poses().setLocked({organ_}, false);
+  settle();
+  QTest::qWait(400);
+  EXPECT_EQ(begun, 1);
+}
+
 } // namespace
 } // namespace viscera::tests

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace viscera::coordinates {
 
@@ -34,19 +35,33 @@ LiftedBinding::LiftedBinding(std::shared_ptr<const PoseLift> lift, TiledWeights 
     report_.minWeight = 0; // No point has weights.
 }
 
+PiecesOfWork LiftedBinding::deformInPieces(const Points& pose, Points& points) const {
+  const auto lifted = std::make_shared<const Points>(lift_->lift(pose));
+  PiecesOfWork work = rows_.deformInPieces(*lifted, points);
+  return {work.count, [lifted, run = std::move(work.run)](Eigen::Index piece) { run(piece); }};
+}
+
+PiecesOfWork LiftedBinding::moveHandleInPieces(const Points& pose, int handle, const Vec3& delta,
+                                               Points& points) const {
+  Points moved = pose;
+  moved.row(handle) += delta.transpose();
+  const Points before = lift_->lift(pose), after = lift_->lift(moved);
+  // The handle's own row even where it stays: with one work at least there are as many pieces as always.
+  std::vector<PiecesOfWork> rows;
+  for (Eigen::Index row = 0; row < after.rows(); ++row)
+    if (row == handle || after.row(row) != before.row(row))
+      rows.push_back(rows_.moveHandleInPieces(before, static_cast<int>(row),
+                                              (after.row(row) - before.row(row)).transpose(), points));
+  return inTurn(std::move(rows));
+}
+
 void LiftedBinding::deform(const Points& pose, Points& points, Threads threads) const {
-  rows_.deform(lift_->lift(pose), points, threads);
+  parallelPieces({deformInPieces(pose, points)}, threads);
 }
 
 void LiftedBinding::moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                                Threads threads) const {
-  Points moved = pose;
-  moved.row(handle) += delta.transpose();
-  const Points before = lift_->lift(pose), after = lift_->lift(moved);
-  for (Eigen::Index row = 0; row < after.rows(); ++row)
-    if (after.row(row) != before.row(row))
-      rows_.moveHandle(before, static_cast<int>(row), (after.row(row) - before.row(row)).transpose(), points,
-                       threads);
+  parallelPieces({moveHandleInPieces(pose, handle, delta, points)}, threads);
 }
 
 void LiftedBinding::pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,

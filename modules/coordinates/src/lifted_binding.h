@@ -24,6 +24,9 @@ public:
   /// O(points x rows of the lifted pose that move with the handle).
   void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                   Threads threads) const override;
+  PiecesOfWork deformInPieces(const Points& pose, Points& points) const override;
+  PiecesOfWork moveHandleInPieces(const Points& pose, int handle, const Vec3& delta,
+                                  Points& points) const override;
   void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                 Threads threads) const override;
   Values influence(int handle) const override { return rows_.influence(handle); }

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "simd/usable_kernels.h"
 
 namespace viscera::coordinates {
 namespace {
-
-constexpr Eigen::Index kTilesPerSum = 64;
 
 /// Calls `body(tile, rows)` with `rows` pointing to the tile's 16 rows of `points` inside a range of tiles.
 /// The last, incomplete tile gets a copy, zero where there are no points, which is written back when `Rows`
@@ -47,14 +46,33 @@ TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
   return *this;
 }
 
-void TiledWeights::multiply(const Points& pose, Points& points, Threads threads) const {
+/// `body(tile, rows)` for the tiles of each piece, as `forTiles` calls it.
+template <class Body>
+PiecesOfWork TiledWeights::pieces(Points& points, Body body) const {
+  return {(tiles() + kTilesOfAPiece - 1) / kTilesOfAPiece,
+          [this, &points, body = std::move(body)](Eigen::Index piece) {
+            const Eigen::Index begin = piece * kTilesOfAPiece;
+            forTiles(begin, std::min(tiles(), begin + kTilesOfAPiece), points, body);
+          }};
+}
+
+PiecesOfWork TiledWeights::multiplyInPieces(const Points& pose, Points& points) const {
   assert(pose.rows() == handles_);
   points.resize(points_, 3);
-  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
-      simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
-    });
+  return pieces(points, [this, &pose](Eigen::Index index, double* rows) {
+    simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
   });
+}
+
+PiecesOfWork TiledWeights::addColumnInPieces(Eigen::Index handle, const Vec3& delta, Points& points) const {
+  assert(points.rows() == points_ && handle >= 0 && handle < handles_);
+  return pieces(points, [this, handle, delta](Eigen::Index index, double* rows) {
+    simd::tileKernels().addColumn(tile(index) + handle * TiledWeights::kTile, delta.data(), rows);
+  });
+}
+
+void TiledWeights::multiply(const Points& pose, Points& points, Threads threads) const {
+  parallelPieces({multiplyInPieces(pose, points)}, threads);
 }
 
 void TiledWeights::multiplyTile(Eigen::Index index, const Points& pose, double* rows) const {
@@ -63,25 +81,20 @@ void TiledWeights::multiplyTile(Eigen::Index index, const Points& pose, double* 
 }
 
 void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const {
-  assert(points.rows() == points_ && handle >= 0 && handle < handles_);
-  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
-      simd::tileKernels().addColumn(tile(index) + handle * TiledWeights::kTile, delta.data(), rows);
-    });
-  });
+  parallelPieces({addColumnInPieces(handle, delta, points)}, threads);
 }
 
 void TiledWeights::multiplyTransposed(const Points& rows, Points& out, Threads threads) const {
   assert(rows.rows() == points_);
   const std::size_t numbers = static_cast<std::size_t>(handles_) * 3;
-  const std::size_t ranges = static_cast<std::size_t>((tiles() + kTilesPerSum - 1) / kTilesPerSum);
+  const std::size_t ranges = static_cast<std::size_t>((tiles() + kTilesOfAPiece - 1) / kTilesOfAPiece);
   std::vector<double> partial(ranges * numbers);
-  parallelRanges(tiles(), kTilesPerSum, threads, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelRanges(tiles(), kTilesOfAPiece, threads, [&](Eigen::Index begin, Eigen::Index end) {
     std::vector<double> lanes(numbers * simd::kSumLanes);
     forTiles(begin, end, rows, [&](Eigen::Index index, const double* tileRows) {
       simd::tileKernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
     });
-    double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesPerSum) * numbers;
+    double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesOfAPiece) * numbers;
     for (std::size_t number = 0; number < numbers; ++number)
       for (int lane = 0; lane < simd::kSumLanes; ++lane)
         sums[number] += lanes[number * simd::kSumLanes + lane];

@@ -96,10 +96,32 @@ WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, 
              seconds,      threads.resolved(), std::move(notes)};
 }
 
+/// Puts the failed points of [begin, end) to rest.
+void WeightsBinding::restoreFailed(Eigen::Index begin, Eigen::Index end, Points& points) const {
+  const std::vector<int>& failures = report_.failures;
+  for (auto point = std::lower_bound(failures.begin(), failures.end(), begin);
+       point != failures.end() && *point < end; ++point)
+    points.row(*point) = failedRest_.row(point - failures.begin());
+}
+
+PiecesOfWork WeightsBinding::deformInPieces(const Points& pose, Points& points) const {
+  PiecesOfWork product = weights_.multiplyInPieces(pose, points);
+  if (report_.failures.empty())
+    return product;
+  return {product.count, [this, &points, multiply = std::move(product.run)](Eigen::Index piece) {
+            constexpr Eigen::Index kPoints = TiledWeights::kTilesOfAPiece * TiledWeights::kTile;
+            multiply(piece);
+            restoreFailed(piece * kPoints, (piece + 1) * kPoints, points);
+          }};
+}
+
+PiecesOfWork WeightsBinding::moveHandleInPieces(const Points&, int handle, const Vec3& delta,
+                                                Points& points) const {
+  return weights_.addColumnInPieces(handle, delta, points);
+}
+
 void WeightsBinding::deform(const Points& pose, Points& points, Threads threads) const {
-  weights_.multiply(pose, points, threads);
-  for (std::size_t index = 0; index < report_.failures.size(); ++index)
-    points.row(report_.failures[index]) = failedRest_.row(static_cast<Eigen::Index>(index));
+  parallelPieces({deformInPieces(pose, points)}, threads);
 }
 
 void WeightsBinding::moveHandle(const Points&, int handle, const Vec3& delta, Points& points,

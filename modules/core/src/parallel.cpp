@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cassert>
 #include <exception>
+#include <utility>
 
 #include <omp.h>
 
@@ -38,6 +39,32 @@ void parallelRanges(Eigen::Index count, Eigen::Index grain, Threads threads,
   }
   if (first)
     std::rethrow_exception(first);
+}
+
+void parallelPieces(const std::vector<PiecesOfWork>& works, Threads threads) {
+  std::vector<Eigen::Index> ends; // The pieces of all works are counted through.
+  Eigen::Index count = 0;
+  for (const PiecesOfWork& work : works)
+    ends.push_back(count += work.count);
+  parallelRanges(count, 1, threads, [&](Eigen::Index piece, Eigen::Index) {
+    const auto end = std::upper_bound(ends.begin(), ends.end(), piece);
+    const PiecesOfWork& work = works[static_cast<std::size_t>(end - ends.begin())];
+    work.run(piece - (*end - work.count));
+  });
+}
+
+PiecesOfWork inTurn(std::vector<PiecesOfWork> works) {
+  if (works.empty())
+    return {};
+  if (works.size() == 1)
+    return std::move(works.front());
+  const Eigen::Index count = works.front().count;
+  for ([[maybe_unused]] const PiecesOfWork& work : works)
+    assert(work.count == count);
+  return {count, [works = std::move(works)](Eigen::Index piece) {
+            for (const PiecesOfWork& work : works)
+              work.run(piece);
+          }};
 }
 
 } // namespace viscera

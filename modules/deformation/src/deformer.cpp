@@ -21,7 +21,7 @@ Deformer::Deformer(std::shared_ptr<const geometry::TriangleMesh> rest,
   assert(binding_->handleCount() == restHandles_.rows());
 }
 
-void Deformer::setPose(const Points& pose) {
+void Deformer::requirePose(const Points& pose) const {
   if (pose.rows() != restHandles_.rows())
     throw DataError(phrase("the pose has %n {handle|handles}, the organ is bound to %2", pose.rows(),
                            restHandles_.rows()),
@@ -29,9 +29,34 @@ void Deformer::setPose(const Points& pose) {
   for (Eigen::Index handle = 0; handle < pose.rows(); ++handle)
     if (!pose.row(handle).allFinite())
       throw DataError("the position is not finite", phrase("handle %1", handle), "place the handle again");
+}
+
+void Deformer::setPose(const Points& pose) {
+  requirePose(pose);
   pose_ = pose;
   binding_->deform(pose_, points_, threads_);
   changed();
+}
+
+/// As `setPose`, but for the points: they follow in pieces.
+PiecesOfWork Deformer::poseInPieces(const Points& pose) {
+  pose_ = pose;
+  changed();
+  return binding_->deformInPieces(pose_, points_);
+}
+
+/// As `moveHandle` of each of these, but for the points: they follow in pieces.
+PiecesOfWork Deformer::moveInPieces(const Points& pose, const std::vector<int>& moved) {
+  std::vector<PiecesOfWork> works;
+  for (const int handle : moved) {
+    const auto before = std::make_shared<const Points>(pose_);
+    PiecesOfWork work = binding_->moveHandleInPieces(
+        *before, handle, (pose.row(handle) - pose_.row(handle)).transpose(), points_);
+    works.push_back({work.count, [before, run = std::move(work.run)](Eigen::Index piece) { run(piece); }});
+    pose_.row(handle) = pose.row(handle);
+  }
+  changed();
+  return inTurn(std::move(works));
 }
 
 void Deformer::moveHandle(int handle, const Vec3& position) {

@@ -69,13 +69,22 @@ double VolumeForm::work(Eigen::Index points, Eigen::Index handles) {
 
 std::optional<VolumeForm> VolumeForm::of(const geometry::TriangleMesh& rest,
                                          const coordinates::Binding& binding, Threads threads) {
+  Progress ignored;
+  return of(rest, binding, threads, ignored);
+}
+
+std::optional<VolumeForm> VolumeForm::of(const geometry::TriangleMesh& rest,
+                                         const coordinates::Binding& binding, Threads threads,
+                                         Progress& progress) {
   const Eigen::Index count = binding.handleCount();
   assert(rest.points.rows() == binding.pointCount());
+  progress.throwIfCancelled();
   const RowMatrix weights = weightsOf(binding);
   const auto around = geometry::vertexTriangles(rest.points.rows(), rest.triangles);
   std::vector<Eigen::MatrixXd> products(static_cast<std::size_t>(count));
   // The last handles first: they are the longest work.
   parallelRanges(count, 1, threads, [&](Eigen::Index begin, Eigen::Index) {
+    progress.throwIfCancelled();
     const Eigen::Index k = count - 1 - begin;
     products[static_cast<std::size_t>(k)] = productsWith(k, weights, rest.triangles, around);
   });

@@ -50,15 +50,38 @@ double innerProduct(const Points& a, const Points& b) {
 } // namespace
 
 VolumeLock::VolumeLock(std::vector<LockedSurface> surfaces, Threads threads)
+    : VolumeLock(std::move(surfaces), threads, Forms::whenAsked, {}) {}
+
+VolumeLock::VolumeLock(std::vector<LockedSurface> surfaces, Threads threads, Forms forms,
+                       const std::vector<std::shared_ptr<const VolumeLock>>& known)
     : surfaces_(std::move(surfaces)), threads_(threads) {
   for (const auto& surface : surfaces_) {
     assert(surface.rest->points.rows() == surface.binding->pointCount());
     assert(surface.binding->handleCount() == surfaces_.front().binding->handleCount());
-    requireClosed(surface);
+    Surface own;
+    for (const auto& other : known)
+      if (other)
+        other->takeOver(own, surface);
+    if (!own.around) {
+      requireClosed(surface);
+      own.around = std::make_shared<const geometry::VertexTriangles>(
+          geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles));
+    }
     requireTarget(surface);
-    const auto topology = std::make_shared<Surface>();
-    topology->around = geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles);
-    topology_.push_back(topology);
+    if (!own.form && forms == Forms::whenAsked)
+      own.form = std::make_shared<Form>();
+    known_.push_back(std::move(own));
+  }
+}
+
+/// Adds to `own` what is known here about a surface.
+void VolumeLock::takeOver(Surface& own, const LockedSurface& surface) const {
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    if (surfaces_[k].rest != surface.rest)
+      continue;
+    own.around = known_[k].around;
+    if (!own.form && surfaces_[k].binding == surface.binding)
+      own.form = known_[k].form;
   }
 }
 
@@ -70,13 +93,29 @@ void VolumeLock::setTarget(std::size_t surface, double targetMm3) {
 }
 
 const VolumeForm* VolumeLock::form(std::size_t surface) const {
+  Progress ignored;
+  return form(surface, ignored);
+}
+
+const VolumeForm* VolumeLock::form(std::size_t surface, Progress& progress) const {
+  if (!known_[surface].form)
+    return nullptr;
   const LockedSurface& locked = surfaces_[surface];
-  const Surface& own = *topology_[surface];
-  std::call_once(own.formAsked, [&] {
+  Form& own = *known_[surface].form;
+  std::call_once(own.asked, [&] {
     if (VolumeForm::work(locked.binding->pointCount(), locked.binding->handleCount()) <= kMostFormWork)
-      own.form = VolumeForm::of(*locked.rest, *locked.binding, threads_);
+      own.made = VolumeForm::of(*locked.rest, *locked.binding, threads_, progress);
   });
-  return own.form ? &*own.form : nullptr;
+  return own.made ? &*own.made : nullptr;
+}
+
+void VolumeLock::makeForms(Progress& progress) const {
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    progress.throwIfCancelled();
+    progress.report(static_cast<double>(k) / static_cast<double>(surfaces_.size()));
+    form(k, progress);
+  }
+  progress.report(1);
 }
 
 void VolumeLock::shape(std::size_t surface, const Points& pose, Points& points) const {
@@ -84,18 +123,31 @@ void VolumeLock::shape(std::size_t surface, const Points& pose, Points& points) 
 }
 
 std::vector<double> VolumeLock::volumes(const Points& pose) const {
+  if (surfaces_.size() == 1) // A binding that has no pieces then still has all threads.
+    return {volumeOnSurface(0, pose)};
+  std::vector<Points> points(surfaces_.size());
+  std::vector<PiecesOfWork> works;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    works.push_back(surfaces_[k].binding->deformInPieces(pose, points[k]));
+  parallelPieces(works, threads_);
+  std::vector<geometry::VolumeSum> sums;
+  sums.reserve(surfaces_.size()); // They must stay where they are.
+  works.clear();
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    works.push_back(sums.emplace_back(points[k], surfaces_[k].rest->triangles).pieces());
+  parallelPieces(works, threads_);
   std::vector<double> result;
-  Points points;
-  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    shape(k, pose, points);
-    result.push_back(geometry::volume(points, surfaces_[k].rest->triangles, threads_));
-  }
+  for (const geometry::VolumeSum& sum : sums)
+    result.push_back(sum.volume());
   return result;
 }
 
 double VolumeLock::volume(std::size_t surface, const Points& pose) const {
-  if (const VolumeForm* known = form(surface))
-    return known->volume(pose);
+  const VolumeForm* known = form(surface);
+  return known ? known->volume(pose) : volumeOnSurface(surface, pose);
+}
+
+double VolumeLock::volumeOnSurface(std::size_t surface, const Points& pose) const {
   Points points;
   shape(surface, pose, points);
   return geometry::volume(points, surfaces_[surface].rest->triangles, threads_);
@@ -119,7 +171,7 @@ Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose) co
   const auto& locked = surfaces_[surface];
   Points points, ofPoints, ofHandles;
   shape(surface, pose, points);
-  geometry::volumeGradient(points, locked.rest->triangles, topology_[surface]->around, ofPoints, threads_);
+  geometry::volumeGradient(points, locked.rest->triangles, *known_[surface].around, ofPoints, threads_);
   locked.binding->pullBack(pose, ofPoints, ofHandles, threads_);
   return ofHandles;
 }
@@ -148,7 +200,7 @@ std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direct
   if (const VolumeForm* known = form(0))
     return known->along(pose, direction);
   const auto& triangles = surfaces_.front().rest->triangles;
-  const auto& around = topology_.front()->around;
+  const auto& around = *known_.front().around;
   Points points, moved, gradientAtPoints, gradientAtMotion;
   shape(0, pose, points);
   shape(0, pose + direction, moved);

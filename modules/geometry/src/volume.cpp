@@ -1,5 +1,6 @@
 #include "viscera/geometry/volume.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 #include <vector>
@@ -41,15 +42,29 @@ double blockSum(const Points& points, const Triangles& triangles, const Vec3& or
 
 } // namespace
 
+VolumeSum::VolumeSum(const Points& points, const Triangles& triangles)
+    : points_(points), triangles_(triangles),
+      blocks_(static_cast<std::size_t>((triangles.rows() + kBlock - 1) / kBlock)) {
+  if (triangles.rows() > 0)
+    origin_ = points.row(triangles(0, 0)).transpose();
+}
+
+PiecesOfWork VolumeSum::pieces() {
+  return {static_cast<Eigen::Index>(blocks_.size()), [this](Eigen::Index block) {
+            const Eigen::Index begin = block * kBlock;
+            blocks_[static_cast<std::size_t>(block)] =
+                blockSum(points_, triangles_, origin_, begin, std::min(triangles_.rows(), begin + kBlock));
+          }};
+}
+
+double VolumeSum::volume() const {
+  return pairwiseSum(blocks_) / 6;
+}
+
 double volume(const Points& points, const Triangles& triangles, Threads threads) {
-  if (triangles.rows() == 0)
-    return 0;
-  const Vec3 origin = points.row(triangles(0, 0)).transpose();
-  std::vector<double> blocks(static_cast<std::size_t>((triangles.rows() + kBlock - 1) / kBlock));
-  parallelRanges(triangles.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    blocks[static_cast<std::size_t>(begin / kBlock)] = blockSum(points, triangles, origin, begin, end);
-  });
-  return pairwiseSum(std::move(blocks)) / 6;
+  VolumeSum sum(points, triangles);
+  parallelPieces({sum.pieces()}, threads);
+  return sum.volume();
 }
 
 void volumeGradient(const Points& points, const Triangles& triangles, const VertexTriangles& around,

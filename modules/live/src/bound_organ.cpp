@@ -174,40 +174,44 @@ Points BoundOrgan::translated(const BindingTarget& now, const Points& pose) cons
   return own;
 }
 
-/// Moves single handles; false when too many have moved for that.
-bool BoundOrgan::moveFew(const Points& pose) {
-  std::vector<Eigen::Index> moved;
+/// The handles that are not where they are in `pose`; none when too many have moved for moving one by one.
+std::optional<std::vector<int>> BoundOrgan::fewMoved(const Points& pose) const {
+  std::vector<int> moved;
   for (Eigen::Index i = 0; i < pose.rows(); ++i)
     if (pose.row(i) != deformer->pose().row(i))
-      moved.push_back(i);
-  if (moved.empty())
-    return true;
+      moved.push_back(static_cast<int>(i));
   if (moved.size() > 1 && static_cast<Eigen::Index>(moved.size()) * kFewHandles > pose.rows())
-    return false;
-  for (const Eigen::Index row : moved)
-    deformer->moveHandle(static_cast<int>(row), pose.row(row).transpose());
-  rough_ = true;
-  pending.moved = true;
-  ++revision;
-  return true;
+    return std::nullopt;
+  return moved;
 }
 
-void BoundOrgan::setPose(const BindingTarget& now, const Points& pose, bool interactive) {
-  if (!deformer)
-    return;
-  const bool current = boundTo.get() == &now;
-  const Points own = current ? pose : translated(now, pose);
-  if (interactive && moveFew(own))
-    return;
-  if (!rough_ && own == deformer->pose())
-    return;
-  if (own == deformer->restHandles())
-    deformer->reset();
-  else
-    deformer->setPose(own);
-  rough_ = false;
+void BoundOrgan::moves(bool roughly) {
+  rough_ = roughly;
   pending.moved = true;
   ++revision;
+}
+
+std::optional<deformation::NewPose> BoundOrgan::poseFor(const BindingTarget& now, const Points& pose,
+                                                        bool interactive) {
+  if (!deformer)
+    return std::nullopt;
+  const bool current = boundTo.get() == &now;
+  Points own = current ? pose : translated(now, pose);
+  if (interactive)
+    if (auto moved = fewMoved(own)) {
+      if (moved->empty())
+        return std::nullopt;
+      moves(true);
+      return deformation::NewPose{deformer.get(), std::move(own), std::move(*moved)};
+    }
+  if (!rough_ && own == deformer->pose())
+    return std::nullopt;
+  moves(false);
+  if (own == deformer->restHandles()) {
+    deformer->reset();
+    return std::nullopt;
+  }
+  return deformation::NewPose{deformer.get(), std::move(own)};
 }
 
 OrganVolume BoundOrgan::volume() const {
@@ -274,8 +278,28 @@ void BoundOrgans::requirePose(const Points& pose) const {
 }
 
 void BoundOrgans::poseAll(bool interactive) {
+  std::vector<deformation::NewPose> poses;
   for (auto& [id, organ] : organs)
-    organ.setPose(*target, shownPose, interactive);
+    if (auto pose = organ.poseFor(*target, shownPose, interactive))
+      poses.push_back(std::move(*pose));
+  deformation::poseTogether(poses, threads);
+}
+
+void BoundOrgans::poseOne(BoundOrgan& organ) {
+  if (auto pose = organ.poseFor(*target, shownPose, false))
+    deformation::poseTogether({std::move(*pose)}, threads);
+}
+
+std::vector<OrganVolume> BoundOrgans::volumes(const std::vector<document::OrganId>& wanted) const {
+  std::vector<deformation::Deformer*> moving;
+  for (const document::OrganId id : wanted)
+    if (const BoundOrgan& organ = require(id); organ.deformer && organ.organ->closed())
+      moving.push_back(organ.deformer.get());
+  deformation::volumesTogether(moving, threads);
+  std::vector<OrganVolume> volumes;
+  for (const document::OrganId id : wanted)
+    volumes.push_back(require(id).volume());
+  return volumes;
 }
 
 } // namespace viscera::live

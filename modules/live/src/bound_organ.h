@@ -10,6 +10,7 @@
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/deformation/pose_together.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/plugin/registry.h"
@@ -89,14 +90,16 @@ public:
   void fail(BindingStatus failure);
   void setState(BindingStatus::State state);
 
-  /// Poses the organ for `pose`, which belongs to the handles of `now`. While a user drags, a few handles are
-  /// moved by their columns only; the next pose that is not interactive is computed in full, so that what a
-  /// drag leaves behind depends on where it ended and not on its way.
-  void setPose(const BindingTarget& now, const Points& pose, bool interactive);
+  /// What brings the organ to `pose`, which belongs to the handles of `now`: none when it is there already,
+  /// or at rest at once. While a user drags, a few handles are moved by their columns only; the next pose
+  /// that is not interactive is computed in full, so that what a drag leaves behind depends on where it ended
+  /// and not on its way. Whoever asks poses the organ before anybody looks at it.
+  std::optional<deformation::NewPose> poseFor(const BindingTarget& now, const Points& pose, bool interactive);
 
 private:
   Points translated(const BindingTarget& now, const Points& pose) const;
-  bool moveFew(const Points& pose);
+  std::optional<std::vector<int>> fewMoved(const Points& pose) const;
+  void moves(bool roughly);
 
   bool rough_ = false; ///< Moved by columns since the last full pose.
 };
@@ -106,6 +109,7 @@ struct BoundOrgans {
   std::map<document::OrganId, BoundOrgan> organs;
   std::shared_ptr<const BindingTarget> target; ///< What every organ is to be bound to; never null.
   Points shownPose = Points(0, 3);
+  Threads threads = {};
 
   /// The same once more; only what never changes is shared.
   std::unique_ptr<BoundOrgans> copy() const;
@@ -113,8 +117,11 @@ struct BoundOrgans {
   const BoundOrgan& require(document::OrganId id) const;
   /// Throws `DataError` for a pose of another size or one that is not finite.
   void requirePose(const Points& pose) const;
-  /// Brings all to `shownPose`.
+  /// Brings all to `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
+  void poseOne(BoundOrgan& organ);
+  /// As `PosedOrgans::volumes`.
+  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& wanted) const;
 };
 
 } // namespace viscera::live

@@ -27,7 +27,9 @@ enum class Shown { document, rest, given };
 struct LiveBinding::Impl : BoundOrgans {
   Impl(document::Document& documentIn, const plugin::Registry& registryIn, JobQueue& jobsIn,
        Options optionsIn)
-      : document(documentIn), registry(registryIn), jobs(jobsIn), options(optionsIn) {}
+      : document(documentIn), registry(registryIn), jobs(jobsIn), options(optionsIn) {
+    threads = options.threads;
+  }
 
   document::Document& document;
   const plugin::Registry& registry;
@@ -156,8 +158,8 @@ void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
   organ.setState(State::binding);
   organ.ticket = ++lastTicket;
   organ.underWay = target;
-  const auto work = [item = organ.organ, wanted = target, threads = options.threads](Progress& progress) {
-    return bindToTarget(*item, *wanted, threads, progress);
+  const auto work = [item = organ.organ, wanted = target, with = threads](Progress& progress) {
+    return bindToTarget(*item, *wanted, with, progress);
   };
   const auto done = [weak = std::weak_ptr<Impl*>(self), id = organ.organ->id,
                      ticket = organ.ticket](JobResult<BindingResult> result) {
@@ -189,7 +191,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
       bindWaiting();
     }
   }
-  organ.setPose(*target, shownPose, false);
+  poseOne(organ);
   tell();
 }
 
@@ -299,6 +301,10 @@ BindingStatus LiveBinding::status(document::OrganId organ) const {
 
 OrganVolume LiveBinding::volume(document::OrganId organ) {
   return impl_->require(organ).volume();
+}
+
+std::vector<OrganVolume> LiveBinding::volumes(const std::vector<document::OrganId>& organs) {
+  return impl_->volumes(organs);
 }
 
 Values LiveBinding::influence(document::OrganId organ, document::HandleId handle) const {

@@ -30,6 +30,10 @@ OrganVolume PosedCopy::volume(document::OrganId organ) {
   return organs_->require(organ).volume();
 }
 
+std::vector<OrganVolume> PosedCopy::volumes(const std::vector<document::OrganId>& organs) {
+  return organs_->volumes(organs);
+}
+
 Values PosedCopy::influence(document::OrganId organ, document::HandleId handle) const {
   return organs_->require(organ).influence(handle);
 }

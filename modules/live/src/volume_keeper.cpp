@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lock_preparation.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
@@ -13,12 +14,6 @@ namespace {
 
 using deformation::LockedSurface;
 using deformation::VolumeLock;
-
-bool sameSurfaces(const std::vector<LockedSurface>& a, const std::vector<LockedSurface>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.rest == y.rest && x.binding == y.binding && x.name == y.name;
-  });
-}
 
 std::vector<int> rowsOf(const document::Rig& rig, const std::vector<document::HandleId>& handles) {
   std::vector<int> rows;
@@ -31,8 +26,10 @@ std::vector<int> rowsOf(const document::Rig& rig, const std::vector<document::Ha
 
 } // namespace
 
-VolumeKeeper::VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads)
-    : state_(state), organs_(organs), threads_(threads) {}
+VolumeKeeper::VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads,
+                           JobQueue* jobs)
+    : state_(state), organs_(organs), threads_(threads),
+      preparation_(jobs ? std::make_shared<LockPreparation>(*jobs, threads) : nullptr) {}
 
 std::vector<std::shared_ptr<const document::Organ>> VolumeKeeper::lockedOrgans() {
   std::vector<std::shared_ptr<const document::Organ>> locked;
@@ -42,20 +39,51 @@ std::vector<std::shared_ptr<const document::Organ>> VolumeKeeper::lockedOrgans()
   return locked;
 }
 
-std::shared_ptr<VolumeLock>
-VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) {
-  if (organs.empty())
-    return nullptr;
+std::vector<LockedSurface>
+VolumeKeeper::surfacesOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) const {
   std::vector<LockedSurface> surfaces;
   for (const auto& organ : organs) {
     const deformation::Deformer& deformer = *organs_.bound(organ->id);
     surfaces.push_back({organ->name, deformer.sharedRest(), deformer.sharedBinding(), organ->restVolumeMm3});
   }
-  // Which triangles meet where takes longer to find out than a frame lasts; a copy shares it. A motion that
-  // is under way keeps the targets that it began with.
-  lock_ = lock_ && sameSurfaces(lock_->surfaces(), surfaces)
-              ? std::make_shared<VolumeLock>(*lock_)
-              : std::make_shared<VolumeLock>(std::move(surfaces), threads_);
+  return surfaces;
+}
+
+/// The locked surfaces as they are bound; none while one is being bound.
+std::vector<LockedSurface> VolumeKeeper::preparable() {
+  try {
+    return surfacesOf(lockedOrgans());
+  } catch (const DataError&) {
+    return {};
+  }
+}
+
+void VolumeKeeper::prepare() {
+  if (preparation_)
+    preparation_->want(preparable(), lock_.get());
+}
+
+void VolumeKeeper::dropOutdated() {
+  if (preparation_)
+    preparation_->keepOnly(preparable());
+}
+
+std::shared_ptr<VolumeLock>
+VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) {
+  if (organs.empty())
+    return nullptr;
+  // Which triangles meet where takes longer to find out than a frame lasts: one lock takes it from the other.
+  // A motion that is under way keeps the lock, and with it the targets, that it began with.
+  std::vector<LockedSurface> surfaces = surfacesOf(organs);
+  if (!preparation_) {
+    lock_ = std::make_shared<VolumeLock>(std::move(surfaces), threads_, VolumeLock::Forms::whenAsked,
+                                         std::vector<std::shared_ptr<const VolumeLock>>{lock_});
+    return lock_;
+  }
+  lock_ = std::make_shared<VolumeLock>(
+      surfaces, threads_, VolumeLock::Forms::given,
+      std::vector<std::shared_ptr<const VolumeLock>>{preparation_->ready(), lock_});
+  preparation_->want(std::move(surfaces), lock_.get());
   return lock_;
 }
 

@@ -111,11 +111,12 @@ std::vector<double> MotionRunner::show(double seconds) {
 }
 
 std::vector<double> MotionRunner::volumesMl() const {
+  std::vector<document::OrganId> all;
+  for (const auto& organ : *state_.organs)
+    all.push_back(organ->id);
   std::vector<double> milliliters;
-  for (const auto& organ : *state_.organs) {
-    const live::OrganVolume volume = organs_.volume(organ->id);
+  for (const live::OrganVolume& volume : organs_.volumes(all))
     milliliters.push_back(volume.closed ? volume.nowMl : 0);
-  }
   return milliliters;
 }
 

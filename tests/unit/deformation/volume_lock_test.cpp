@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "counting_system.h"
 #include "shapes.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
@@ -205,6 +206,50 @@ TEST(VolumeLock, RefusesAnOpenSurfaceWithTheNumberOfItsEdges) {
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("3 boundary edges"));
   }
+}
+
+TEST(VolumeLock, WithoutItsFormItKeepsTheSameVolumeAtNearlyTheSamePose) {
+  const Locked organ;
+  const VolumeLock with({organ.surface()});
+  const VolumeLock without({organ.surface()}, {}, VolumeLock::Forms::given, {});
+  RandomDrags drags(9);
+  for (int i = 0; i < 20; ++i) {
+    const auto five = drags.selection(5, organ.handles.rows());
+    const Vec3 center = selectionCenter(organ.handles, five);
+    const Points wanted = rotated(organ.handles, five, center, drags.direction(), 0.4);
+    const auto free = allBut(organ.handles.rows(), five);
+    const auto one = with.restore(wanted, free, LeastDisplacement(), 40);
+    const auto other = without.restore(wanted, free, LeastDisplacement(), 40);
+    ASSERT_TRUE(one.restored && other.restored);
+    EXPECT_LT(relativeError(with, one.pose), 1e-12);
+    EXPECT_LT(relativeError(without, other.pose), 1e-12);
+    EXPECT_LT((one.pose - other.pose).cwiseAbs().maxCoeff(), 1e-8);
+  }
+}
+
+TEST(VolumeLock, MakesItsFormOnceAndAnotherLockTakesItOver) {
+  Locked organ;
+  const auto counts = std::make_shared<tests::BindingCounts>();
+  coordinates::HandleSet set;
+  set.positions = organ.handles;
+  Progress progress;
+  organ.binding = tests::CountingSystem(counts).bind(set, organ.rest->points, {}, progress);
+  const auto first = std::make_shared<const VolumeLock>(std::vector{organ.surface()});
+  EXPECT_EQ(counts->influences, 0) << "nobody asked yet";
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(first->makeForms(cancelled), Cancelled);
+  counts->influences = 0;
+  first->makeForms(progress);
+  EXPECT_EQ(counts->influences, organ.handles.rows());
+  LockedSurface larger = organ.surface();
+  larger.targetMm3 *= 1.05;
+  const VolumeLock second({larger}, {}, VolumeLock::Forms::given, {nullptr, first});
+  const auto restored =
+      second.restore(organ.handles, allBut(organ.handles.rows(), {}), LeastDisplacement(), 40);
+  EXPECT_TRUE(restored.restored);
+  EXPECT_EQ(counts->influences, organ.handles.rows()) << "the form was made again";
+  EXPECT_EQ(counts->pullBacks, 0) << "the form was not used";
 }
 
 } // namespace

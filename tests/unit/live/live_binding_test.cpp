@@ -467,5 +467,52 @@ TEST(LiveBinding, BindsAtOnceOnlyWhatFitsIntoAFrame) {
   EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
 }
 
+TEST(LiveBinding, PosesAndMeasuresAllOrgansAsEachByItselfWithAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 3}) {
+    tests::Session s;
+    s.undo.perform(
+        document::addOrgans({tests::ball("Second", 9, 4, {12, 0, 0}), tests::ball("Third", 7, 2)}));
+    plugin::Registry registry = plugin::builtInRegistry();
+    ManualEventLoop box;
+    JobQueue jobs{box.post()};
+    LiveBinding live(s.document, registry, jobs, {kAtOnce, {threads}});
+    std::vector<document::OrganId> all;
+    std::vector<deformation::Deformer> alone;
+    for (const std::size_t place : {0, 1, 2}) {
+      all.push_back(s.organ(place));
+      alone.push_back(*live.deformer(all.back()));
+    }
+    const auto expectSame = [&](const char* when) {
+      const std::vector<OrganVolume> volumes = live.volumes(all);
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        EXPECT_EQ(live.points(all[k]), alone[k].points()) << when << ", threads " << threads;
+        EXPECT_EQ(volumes[k].nowMl, alone[k].volumeMm3() / kMm3PerMl) << when;
+        EXPECT_EQ(volumes[k].restMl, live.volume(all[k]).restMl);
+        EXPECT_TRUE(volumes[k].closed);
+      }
+    };
+    Points pose = s.document.pose();
+    pose.row(9) += Eigen::RowVector3d(5, -3, 8);
+    pose.row(2) += Eigen::RowVector3d(-7, 1, 2);
+    live.showPose(pose);
+    for (deformation::Deformer& organ : alone)
+      organ.setPose(pose);
+    expectSame("posed");
+    live.showDocumentPose();
+    for (deformation::Deformer& organ : alone)
+      organ.reset();
+    document::UndoStack::Step step(s.undo, "Drag");
+    pose = s.document.pose();
+    for (int i = 0; i < 3; ++i) {
+      pose.row(8) += Eigen::RowVector3d(1, 2, 0.3);
+      s.undo.perform(document::setPose(pose));
+      for (deformation::Deformer& organ : alone)
+        organ.moveHandle(8, pose.row(8).transpose());
+    }
+    expectSame("dragged");
+    step.finish();
+  }
+}
+
 } // namespace
 } // namespace viscera::live

@@ -1,10 +1,15 @@
 #include "viscera/live/volume_keeper.h"
 
+#include <atomic>
+#include <future>
 #include <limits>
+#include <optional>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "counting_system.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
@@ -187,6 +192,134 @@ TEST(VolumeLockCommand, AnOpenSurfaceIsRefusedWithItsOpenEdgesAndCanBeClosed) {
   EXPECT_EQ(s.live.status(cup).state, BindingStatus::State::bound);
   s.undo.undo();
   EXPECT_EQ(s.document.organ(cup)->boundaryEdges, edges);
+}
+
+/// The same by coordinates that are counted, with the job queue for the volume forms. Whoever makes one on
+/// another thread than the test's waits until `go` is called.
+struct Preparing : tests::Session {
+  std::shared_ptr<viscera::tests::BindingCounts> counts = std::make_shared<viscera::tests::BindingCounts>();
+  std::atomic<int> madeHere{0}; ///< Columns that the test's thread has asked for.
+  std::promise<void> gate;
+  plugin::Registry registry = plugin::builtInRegistry();
+  ManualEventLoop box;
+  JobQueue jobs{box.post()};
+  LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {2}}};
+
+  Preparing() {
+    counts->beforeInfluence = [this, here = std::this_thread::get_id(), open = gate.get_future().share()] {
+      if (std::this_thread::get_id() == here)
+        ++madeHere;
+      else
+        open.wait();
+    };
+    registry.add(std::make_shared<viscera::tests::CountingSystem>(counts), "test");
+    undo.perform(document::setSystem({"counting", {}}));
+    undo.perform(document::setVolumeLocked(organ(), true));
+  }
+  void go() { gate.set_value(); }
+  void finishJobs() {
+    box.runUntil([this] { return jobs.idle(); });
+  }
+  /// Turns a handle under the lock, from rest, and says how many gradients of the surface that took.
+  int turn(VolumeKeeper& keeper) {
+    LockedMotion motion = keeper.begin({handle(9), handle(1)});
+    const int before = counts->pullBacks;
+    const Points& pose = motion.rotate(Vec3::Zero(), Vec3::UnitZ(), 0.4);
+    EXPECT_EQ(motion.obstacle(), "");
+    const int taken = counts->pullBacks - before;
+    undo.perform(document::setPose(pose));
+    EXPECT_LE(std::abs(live.volume(organ()).relativeChange()), 1e-12);
+    turned = document.pose();
+    undo.undo();
+    return taken;
+  }
+  Points turned;
+};
+
+TEST(VolumeKeeper, AMotionThatBeginsBeforeTheFormIsThereNeitherMakesItNorWaits) {
+  Preparing s;
+  VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);
+  keeper.prepare();
+  EXPECT_EQ(s.jobs.jobs().size(), 1u);
+  EXPECT_GT(s.turn(keeper), 0) << "it passes over the surface";
+  const Points early = s.turned;
+  EXPECT_EQ(s.jobs.jobs().size(), 1u) << "the one that is under way is wanted still";
+  s.go();
+  s.finishJobs();
+  EXPECT_EQ(s.turn(keeper), 0) << "the form is there";
+  EXPECT_EQ(s.madeHere, 0);
+  EXPECT_LT((s.turned - early).cwiseAbs().maxCoeff(), 1e-8);
+  keeper.prepare();
+  EXPECT_TRUE(s.jobs.idle()) << "what is ready is made again";
+}
+
+TEST(VolumeKeeper, GivesUpTheFormOfAnOrganThatIsNoLongerLocked) {
+  Preparing s;
+  VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);
+  keeper.prepare();
+  s.undo.perform(document::setVolumeLocked(s.organ(), false));
+  keeper.dropOutdated();
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  s.go();
+  s.finishJobs();
+  EXPECT_GT(s.turn(keeper), 0) << "it was made all the same";
+}
+
+TEST(VolumeKeeper, GivesUpTheFormOfABindingThatIsReplaced) {
+  Preparing s;
+  VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);
+  keeper.prepare();
+  const std::weak_ptr<const coordinates::Binding> old = s.live.bound(s.organ())->sharedBinding();
+  s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(44, 3, -1)));
+  keeper.dropOutdated();
+  s.go();
+  s.finishJobs();
+  EXPECT_TRUE(old.expired());
+  keeper.prepare();
+  s.finishJobs();
+  EXPECT_EQ(s.turn(keeper), 0) << "the new one was prepared";
+}
+
+TEST(VolumeKeeper, MayGoWhileAFormIsUnderWay) {
+  Preparing s;
+  std::optional<VolumeKeeper> keeper(std::in_place, s.document.state(), s.live, Threads{2}, &s.jobs);
+  keeper->prepare();
+  keeper.reset();
+  s.go();
+  s.finishJobs();
+}
+
+TEST(VolumeKeeper, WithoutAJobQueueTheFirstMotionMakesTheFormAndTheNextOneHasIt) {
+  Preparing s;
+  VolumeKeeper keeper(s.document.state(), s.live, {2});
+  keeper.prepare();
+  EXPECT_TRUE(s.jobs.idle());
+  EXPECT_EQ(s.turn(keeper), 0);
+  EXPECT_EQ(s.madeHere, 10) << "a column for each handle";
+  EXPECT_EQ(s.turn(keeper), 0);
+  EXPECT_EQ(s.madeHere, 10);
+}
+
+TEST(VolumeKeeper, ADragWithoutALockComputesNoGradientOfTheVolume) {
+  Preparing s;
+  VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);
+  s.undo.perform(document::setVolumeLocked(s.organ(), false));
+  const int before = s.counts->pullBacks;
+  {
+    document::UndoStack::Step step(s.undo, "Drag");
+    LockedMotion motion = keeper.begin({s.handle(9)}, deformation::MirrorPlane());
+    for (int i = 1; i < 4; ++i) {
+      s.undo.perform(document::setPose(motion.translate({1.0 * i, 0.5, 0})));
+      EXPECT_GT(s.live.volumes({s.organ()}).front().nowMl, 0);
+    }
+    step.finish();
+  }
+  LockedMotion turned = keeper.begin({s.handle(9), s.handle(1)});
+  s.undo.perform(document::setPose(turned.rotate(Vec3::Zero(), Vec3::UnitZ(), 0.4)));
+  EXPECT_EQ(s.counts->pullBacks, before);
+  EXPECT_EQ(s.counts->influences, 0);
+  s.live.deformer(s.organ())->volumeGradient();
+  EXPECT_EQ(s.counts->pullBacks, before + 1) << "whoever looks at it has it computed";
 }
 
 } // namespace

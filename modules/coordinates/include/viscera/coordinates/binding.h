@@ -41,6 +41,20 @@ public:
   virtual void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                           Threads threads = {}) const = 0;
 
+  /// What `deform` and `moveHandle` do, to the same bits, in pieces: for whoever poses several organs in one
+  /// loop. `points` gets its size at once; it, `pose` and this must live until all pieces are done, and
+  /// nobody else may touch them meanwhile. All pieces of one binding fall alike, so that they can be done
+  /// `inTurn`. Where a binding knows no better, the whole is one piece.
+  virtual PiecesOfWork deformInPieces(const Points& pose, Points& points) const {
+    return {1, [this, &pose, &points](Eigen::Index) { deform(pose, points, Threads{1}); }};
+  }
+  virtual PiecesOfWork moveHandleInPieces(const Points& pose, int handle, const Vec3& delta,
+                                          Points& points) const {
+    return {1, [this, &pose, handle, delta, &points](Eigen::Index) {
+              moveHandle(pose, handle, delta, points, Threads{1});
+            }};
+  }
+
   /// Given the derivative of a scalar with respect to every point (`pointCount x 3`), fills `handleGradient`
   /// (resized to `handleCount x 3`) with its derivative with respect to every handle at `pose`. Bitwise
   /// independent of the number of threads.

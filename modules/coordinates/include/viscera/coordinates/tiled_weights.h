@@ -13,6 +13,7 @@ namespace viscera::coordinates {
 class TiledWeights {
 public:
   static constexpr int kTile = 16;
+  static constexpr Eigen::Index kTilesOfAPiece = 64; ///< The products are computed in pieces of these.
 
   /// All zero. O(points x handles) memory, whose pages the first writer brings in: a parallel solver does
   /// that in parallel. Throws `std::bad_alloc`.
@@ -46,12 +47,19 @@ public:
   void multiplyTile(Eigen::Index tile, const Points& pose, double* rows) const;
   /// `points += column(handle) delta^T`. O(points).
   void addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const;
+  /// Both in pieces, one for each 1,024 points, for a loop over several matrices (`parallelPieces`). `points`
+  /// is resized at once; it, `pose` and this must live until all are done.
+  PiecesOfWork multiplyInPieces(const Points& pose, Points& points) const;
+  PiecesOfWork addColumnInPieces(Eigen::Index handle, const Vec3& delta, Points& points) const;
   /// `out = W^T rows` (`handles x 3`), summed in a fixed order that does not depend on the number of threads.
   void multiplyTransposed(const Points& rows, Points& out, Threads threads) const;
   /// `points` numbers.
   Values column(Eigen::Index handle) const;
 
 private:
+  template <class Body>
+  PiecesOfWork pieces(Points& points, Body body) const;
+
   Eigen::Index points_;
   Eigen::Index handles_;
   ZeroedMemory data_;

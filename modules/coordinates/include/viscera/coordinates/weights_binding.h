@@ -21,6 +21,9 @@ public:
   void deform(const Points& pose, Points& points, Threads threads) const override;
   void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                   Threads threads) const override;
+  PiecesOfWork deformInPieces(const Points& pose, Points& points) const override;
+  PiecesOfWork moveHandleInPieces(const Points& pose, int handle, const Vec3& delta,
+                                  Points& points) const override;
   void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                 Threads threads) const override;
   Values influence(int handle) const override;
@@ -29,6 +32,8 @@ public:
   const TiledWeights& weights() const { return weights_; }
 
 private:
+  void restoreFailed(Eigen::Index begin, Eigen::Index end, Points& points) const;
+
   TiledWeights weights_;
   Points failedRest_; ///< Rest positions of the points in `report_.failures`.
   BindingReport report_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,5 +20,21 @@ struct Threads {
 /// region.
 void parallelRanges(Eigen::Index count, Eigen::Index grain, Threads threads,
                     const std::function<void(Eigen::Index begin, Eigen::Index end)>& body);
+
+/// Work that falls into pieces which do not depend on one another: they may be done in any order, on any
+/// threads.
+struct PiecesOfWork {
+  Eigen::Index count = 0;
+  std::function<void(Eigen::Index piece)> run; ///< Does one of [0, count).
+};
+
+/// Does all pieces of all works in one parallel loop, in no particular order. For many small works: a loop
+/// for each of them would spend most of its time in starting and joining the threads. Exceptions as in
+/// `parallelRanges`.
+void parallelPieces(const std::vector<PiecesOfWork>& works, Threads threads);
+
+/// Works on the same pieces as one: a piece of it does that piece of each work, in their order. All must have
+/// as many pieces as the first one.
+PiecesOfWork inTurn(std::vector<PiecesOfWork> works);
 
 } // namespace viscera

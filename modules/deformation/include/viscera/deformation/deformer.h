@@ -1,12 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "viscera/coordinates/binding.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
+
+struct NewPose;
 
 /// Computes a bound surface in any pose of its handles: points, and on demand normals, volume and the
 /// volume's gradient. The arrays stay at the same address from one pose to the next, so that VTK may look at
@@ -46,6 +49,12 @@ public:
   double maxDisplacementMm() const;
 
 private:
+  friend void poseTogether(const std::vector<NewPose>& poses, Threads threads);
+  friend std::vector<double> volumesTogether(const std::vector<Deformer*>& deformers, Threads threads);
+
+  void requirePose(const Points& pose) const;
+  PiecesOfWork poseInPieces(const Points& pose);
+  PiecesOfWork moveInPieces(const Points& pose, const std::vector<int>& moved);
   void changed();
 
   std::shared_ptr<const geometry::TriangleMesh> rest_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
+#include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
@@ -26,6 +27,9 @@ public:
   /// seeded random pose. Bitwise independent of the number of threads.
   static std::optional<VolumeForm> of(const geometry::TriangleMesh& rest, const coordinates::Binding& binding,
                                       Threads threads = {});
+  /// The same, for a worker. Throws `Cancelled`.
+  static std::optional<VolumeForm> of(const geometry::TriangleMesh& rest, const coordinates::Binding& binding,
+                                      Threads threads, Progress& progress);
 
   Eigen::Index handles() const { return static_cast<Eigen::Index>(slices_.size()); }
 

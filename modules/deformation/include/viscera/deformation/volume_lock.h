@@ -41,18 +41,32 @@ struct RestoredPose {
 /// a direction U, and as the volume of `H + s U` is a cubic in s, its root is exact as well. Several surfaces
 /// at once, and coordinates that are not linear in the pose, are finished by Newton steps.
 ///
-/// Compensations work on each surface's `VolumeForm`, made when the first one is asked for, so that they do
-/// not pass over the surface again and again; what they report is measured on the surface itself. Where a
-/// form does not exist or would take too long to make, they pass over the surface.
+/// Compensations work on each surface's `VolumeForm`, so that they do not pass over the surface again and
+/// again; what they report is measured on the surface itself. Where a form does not exist, is not there yet
+/// (`Forms`) or would take too long to make, they pass over the surface: the volumes are then as exact, the
+/// pose differs by rounding.
 ///
 /// Immutable but for the targets; const members may be called from several threads.
 class VolumeLock {
 public:
   static constexpr double kRelativeTolerance = 1e-10;
 
+  /// Who makes the volume forms.
+  enum class Forms {
+    whenAsked, ///< Who first asks for a compensation waits for them, for a large surface a second or two.
+    given      ///< Nobody: the lock has those that are known when it is made.
+  };
+
   /// Throws `DataError` for an open surface (it names the number of boundary edges), or for a target that is
   /// not positive. O(m log m).
   explicit VolumeLock(std::vector<LockedSurface> surfaces, Threads threads = {});
+  /// The same, quicker where others know a surface: what they found out about it, and about its binding, is
+  /// shared. With `given` all forms of `known` must have been made. Null pointers know nothing.
+  VolumeLock(std::vector<LockedSurface> surfaces, Threads threads, Forms forms,
+             const std::vector<std::shared_ptr<const VolumeLock>>& known);
+
+  /// Makes the forms now that compensations would ask for. Throws `Cancelled`; they can then be made again.
+  void makeForms(Progress& progress) const;
 
   const std::vector<LockedSurface>& surfaces() const { return surfaces_; }
   void setTarget(std::size_t surface, double targetMm3);
@@ -69,17 +83,24 @@ public:
                        double limitMm) const;
 
 private:
+  struct Form {
+    std::once_flag asked;
+    std::optional<VolumeForm> made;
+  };
+  /// What is found out about a surface and its binding.
   struct Surface {
-    geometry::VertexTriangles around;
-    mutable std::once_flag formAsked;
-    mutable std::optional<VolumeForm> form;
+    std::shared_ptr<const geometry::VertexTriangles> around;
+    std::shared_ptr<Form> form; ///< Null: nobody makes one.
   };
 
+  void takeOver(Surface& own, const LockedSurface& surface) const;
   const VolumeForm* form(std::size_t surface) const;
+  const VolumeForm* form(std::size_t surface, Progress& progress) const;
   void shape(std::size_t surface, const Points& pose, Points& points) const;
   Points gradientOnSurface(std::size_t surface, const Points& pose) const;
   Points gradient(std::size_t surface, const Points& pose) const;
   double volume(std::size_t surface, const Points& pose) const;
+  double volumeOnSurface(std::size_t surface, const Points& pose) const;
   double error(const std::vector<double>& volumes) const;
   double expectedError(const Points& pose) const;
   std::array<double, 4> along(const Points& pose, const Points& direction) const;
@@ -87,7 +108,7 @@ private:
   bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const;
 
   std::vector<LockedSurface> surfaces_;
-  std::vector<std::shared_ptr<const Surface>> topology_; ///< Shared with copies, for other targets.
+  std::vector<Surface> known_; ///< Of each surface; shared with copies, for other targets.
   Threads threads_;
 };
 

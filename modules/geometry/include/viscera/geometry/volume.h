@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "viscera/core/parallel.h"
 #include "viscera/geometry/triangle_mesh.h"
 
@@ -12,6 +14,24 @@ namespace viscera::geometry {
 /// triangles in a fixed order, relative to the first point: bitwise independent of the number of threads.
 /// O(m).
 double volume(const Points& points, const Triangles& triangles, Threads threads = {});
+
+/// The sum of `volume` in pieces, for whoever measures several surfaces in one loop. `points` and `triangles`
+/// must live longer, and be what they are until all pieces are done.
+class VolumeSum {
+public:
+  VolumeSum(const Points& points, const Triangles& triangles);
+
+  /// A piece for each block of triangles. This must stay where it is until they are done.
+  PiecesOfWork pieces();
+  /// mm^3, once all pieces are done: the bits of `volume`.
+  double volume() const;
+
+private:
+  const Points& points_;
+  const Triangles& triangles_;
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<double> blocks_;
+};
 
 /// Derivative of `volume` with respect to every vertex: fills `gradient` (resized to `n x 3`, mm^2) with
 /// `1/6 sum p2 x p3` over the triangles around each vertex. Exact for closed surfaces, whose gradient does

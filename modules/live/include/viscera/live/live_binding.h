@@ -90,6 +90,7 @@ public:
   BindingStatus status(document::OrganId organ) const;
   /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
   OrganVolume volume(document::OrganId organ) override;
+  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) override;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   Values influence(document::OrganId organ, document::HandleId handle) const override;
   /// The influence of every handle of the document, in its order, on one vertex: 0 of a handle that the

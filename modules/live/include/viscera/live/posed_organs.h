@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "viscera/core/arrays.h"
 #include "viscera/deformation/deformer.h"
@@ -39,6 +40,8 @@ public:
   virtual std::uint64_t revision(document::OrganId organ) const = 0;
   /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
   virtual OrganVolume volume(document::OrganId organ) = 0;
+  /// The same of several organs, measured in one parallel loop.
+  virtual std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) = 0;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   virtual Values influence(document::OrganId organ, document::HandleId handle) const = 0;
   /// The organ as it hangs on the handles there are, for volumes that are to be kept; null when it follows
@@ -62,6 +65,7 @@ public:
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
   std::uint64_t revision(document::OrganId organ) const override;
   OrganVolume volume(document::OrganId organ) override;
+  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) override;
   Values influence(document::OrganId organ, document::HandleId handle) const override;
   const deformation::Deformer* bound(document::OrganId organ) const override;
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/selection_motion.h"
 #include "viscera/deformation/volume_lock.h"
@@ -26,14 +27,27 @@ struct AskedVolume {
   double mm3 = 0;
 };
 
+class LockPreparation;
+
 /// Creates the `LockedMotion` of a drag or a typed number, which keeps the document's locked volumes. The
 /// volume that a lock keeps is the one that the organ has when the motion begins. Organs that do not follow
 /// the handles (they are unbound) keep theirs anyway. For the thread of the organs.
 class VolumeKeeper {
 public:
-  /// Both must live longer. `state` is the document's own, which is looked at whenever something is asked
-  /// for, or the one of which `organs` are a copy.
-  VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads = {});
+  /// All must live longer. `state` is the document's own, which is looked at whenever something is asked
+  /// for, or the one of which `organs` are a copy. With a job queue the volume forms (`VolumeLock`) are made
+  /// there, and a motion that begins before they are ready does without; the queue's main thread is that of
+  /// the organs. Without one the first motion that needs a form waits for it.
+  VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads = {},
+               JobQueue* jobs = nullptr);
+
+  /// Has the locks of the document made ready on the job queue, if there is one, for the next motion: to be
+  /// called when other organs are locked or have been bound. What is ready, or under way for the same
+  /// bindings, stays.
+  void prepare();
+  /// Gives up what is under way for organs that are no longer locked or bound so: quicker than `prepare`, for
+  /// while one change follows another.
+  void dropOutdated();
 
   /// A motion of these handles from the document's pose; locked handles among them are left out. Throws
   /// `DataError` when an organ with a locked volume is still being bound: what it will be is not known yet.
@@ -62,6 +76,9 @@ private:
   void takeTargets(deformation::VolumeLock& lock,
                    const std::vector<std::shared_ptr<const document::Organ>>& organs) const;
   std::vector<std::shared_ptr<const document::Organ>> lockedOrgans();
+  std::vector<deformation::LockedSurface>
+  surfacesOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) const;
+  std::vector<deformation::LockedSurface> preparable();
   std::shared_ptr<const document::Organ> requireVolume(document::OrganId id) const;
   std::vector<int> compensating(const std::vector<int>& moving) const;
   bool anyMarked(const std::vector<int>& rows) const;
@@ -71,6 +88,7 @@ private:
   PosedOrgans& organs_;
   Threads threads_;
   std::shared_ptr<deformation::VolumeLock> lock_; ///< Of the last motion: the next one is likely to need it.
+  std::shared_ptr<LockPreparation> preparation_;  ///< Null without a job queue.
 };
 
 } // namespace viscera::live

@@ -1,0 +1,62 @@
+#include "lock_preparation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace viscera::live {
+namespace {
+
+using deformation::LockedSurface;
+using deformation::VolumeLock;
+
+const char* const kLockSlot = "volume lock";
+
+} // namespace
+
+bool sameSurfaces(const std::vector<LockedSurface>& a, const std::vector<LockedSurface>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.rest == y.rest && x.binding == y.binding; });
+}
+
+LockPreparation::LockPreparation(JobQueue& jobs, Threads threads)
+    : jobs_(jobs), threads_{std::max(1, threads.resolved() - 1)} {}
+
+LockPreparation::~LockPreparation() {
+  jobs_.cancelSlot(kLockSlot);
+}
+
+void LockPreparation::want(std::vector<LockedSurface> surfaces, const VolumeLock* known) {
+  keepOnly(surfaces);
+  if (surfaces.empty() || sameSurfaces(surfaces, wanted_))
+    return;
+  wanted_ = surfaces;
+  std::vector<std::shared_ptr<const VolumeLock>> others{ready_};
+  if (known)
+    others.push_back(std::make_shared<const VolumeLock>(*known));
+  const auto work = [locked = std::move(surfaces), with = threads_,
+                     others = std::move(others)](Progress& progress) {
+    const auto lock = std::make_shared<const VolumeLock>(locked, with, VolumeLock::Forms::whenAsked, others);
+    lock->makeForms(progress);
+    return lock;
+  };
+  using Lock = std::shared_ptr<const VolumeLock>;
+  jobs_.submit<Lock>("Preparing the volume lock", kLockSlot, work,
+                     [weak = weak_from_this()](JobResult<Lock> result) {
+                       // Without a value the surfaces themselves are passed over; a motion says what is wrong
+                       // with them.
+                       const auto alive = weak.lock();
+                       if (alive && result.value)
+                         alive->ready_ = std::move(*result.value);
+                     });
+}
+
+void LockPreparation::keepOnly(const std::vector<LockedSurface>& surfaces) {
+  if (sameSurfaces(surfaces, wanted_))
+    return;
+  jobs_.cancelSlot(kLockSlot);
+  wanted_.clear();
+  if (surfaces.empty())
+    ready_.reset();
+}
+
+} // namespace viscera::live
