@@ -1,4 +1,5 @@
 #include <QDockWidget>
+#include <QFrame>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
@@ -137,6 +138,29 @@ TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {
   key(Qt::Key_PageDown);
   EXPECT_LT((eye() - second).norm(), 1e-9);
   EXPECT_FALSE(window().actions()["slides.next"]->isEnabled()) << "there is no third";
+}
+
+TEST_F(Room, ALectureHasLargeTypeAndTheStrongestContrastUntilItEnds) {
+  for (const app::ThemeKind kind : {app::ThemeKind::dark, app::ThemeKind::light}) {
+    window().setTheme(kind);
+    const bool dark = kind == app::ThemeKind::dark;
+    const scene::Theme usual = view().view().theme();
+    EXPECT_EQ(usual.typeScale, 1);
+    key(Qt::Key_F5);
+    const scene::Theme& large = view().view().theme();
+    EXPECT_EQ(large.typeScale, scene::kLectureTypeScale);
+    EXPECT_EQ(large.text, dark ? Vec3(1, 1, 1) : Vec3(0, 0, 0));
+    EXPECT_EQ(large.backgroundTop, dark ? Vec3(0, 0, 0) : Vec3(1, 1, 1));
+    const QColor ground = dark ? Qt::black : Qt::white, letters = dark ? Qt::white : Qt::black;
+    auto& caption = find<QLabel>("lectureNumbers");
+    EXPECT_EQ(caption.palette().color(QPalette::WindowText), letters);
+    const QImage card = find<QFrame>("lectureCard").grab().toImage();
+    EXPECT_EQ(card.pixelColor(card.width() / 2, 4), ground);
+    key(Qt::Key_Escape);
+    EXPECT_EQ(view().view().theme().typeScale, 1);
+    EXPECT_EQ(view().view().theme().text, usual.text);
+    EXPECT_EQ(view().view().theme().backgroundTop, usual.backgroundTop);
+  }
 }
 
 TEST_F(Room, SlidesAreMovedAndRemovedInTheList) {
