@@ -75,6 +75,8 @@ void LectureScreen::begin() {
   card_->parentWidget()->show();
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
+  else
+    parts_.slides.resume();
   sync();
 }
 
@@ -85,6 +87,7 @@ bool LectureScreen::end() {
   shown_->setChecked(false);
   card_->parentWidget()->hide();
   dark_->hide();
+  parts_.slides.leave();
   return true;
 }
 
