@@ -86,9 +86,12 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   makeSession();
-  slides_ = new Slides(view_, *viewArea_->view(), playback_, actions_, this);
+  slides_ = new Slides(workspace_, view_, *viewArea_->view(), playback_, actions_, this);
   lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
-  connect(actions_["view.lecture"], &QAction::toggled, this, [this] { showWelcome(false); });
+  connect(actions_["view.lecture"], &QAction::toggled, this, [this] {
+    showWelcome(false);
+    giveTheme();
+  });
   help_ = new Help({workspace_, playback_, *modes_, *files_, settings_, *viewArea_}, actions_, this);
   placePanels();
   makeMenus();
@@ -278,15 +281,21 @@ void MainWindow::connectActions() {
 
 void MainWindow::setTheme(ThemeKind kind) {
   theme_ = kind;
-  const Theme theme = themeOf(kind);
-  applyTheme(*qApp, theme);
+  applyTheme(*qApp, themeOf(kind));
+  giveTheme();
+  actions_[kind == ThemeKind::dark ? "theme.dark" : "theme.light"]->setChecked(true);
+  settings_.setValue("window/theme", nameOf(kind));
+}
+
+/// Views and charts paint themselves; in a lecture they are read from afar.
+void MainWindow::giveTheme() {
+  Theme theme = themeOf(theme_);
+  theme.lecture = lecture_->on();
   viewArea_->view()->setTheme(theme);
   slices_->setTheme(theme);
   for (const auto& mode : modes_->all())
     mode->setTheme(theme);
   volumePanel_->setTheme(theme);
-  actions_[kind == ThemeKind::dark ? "theme.dark" : "theme.light"]->setChecked(true);
-  settings_.setValue("window/theme", nameOf(kind));
 }
 
 void MainWindow::showWelcome(bool shown) {

@@ -97,6 +97,7 @@ private:
   bool leavesUnwritten();
   void makeModes();
   void makeThemeActions();
+  void giveTheme();
   void makeSession();
   void placePanels();
   QWidget* makePages();

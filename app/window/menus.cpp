@@ -133,7 +133,7 @@ void Menus::makeViewMenu() {
   slices->addActions(parts_.scans.sliceMenu().actions());
   fill(slices, {"", "scan.close"});
   fill(view->addMenu(icon("camera"), tr("&Slides")),
-       {"slides.add", "slides.remove", "", "slides.next", "slides.previous"});
+       {"slides.add", "slides.remove", "", "slides.next", "slides.previous", "slides.leave"});
   fill(view, {"view.lecture", "lecture.dark", "view.fullScreen", ""});
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : parts_.docks)

@@ -4966,10 +4966,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Ctrl+Shift+K</translation>
     </message>
     <message>
-        <source>Keep the present view, and the instant of a paused sequence</source>
-        <translation>Guarda la vista actual, i l’instant d’una seqüència en pausa</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>&amp;Elimina la diapositiva</translation>
     </message>
@@ -4988,6 +4984,18 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Slide %1</source>
         <translation>Diapositiva %1</translation>
+    </message>
+    <message>
+        <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
+        <translation>Guarda la vista actual amb el tall, els noms i els òrgans amagats, i l’instant d’una seqüència en pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Back from the slides</source>
+        <translation>&amp;Torna de les diapositives</translation>
+    </message>
+    <message>
+        <source>Show, cut and name the organs as before the slides</source>
+        <translation>Mostra, talla i anomena els òrgans com abans de les diapositives</translation>
     </message>
 </context>
 <context>

@@ -4966,10 +4966,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ctrl+Shift+K</translation>
     </message>
     <message>
-        <source>Keep the present view, and the instant of a paused sequence</source>
-        <translation>Die jetzige Ansicht behalten, und den Zeitpunkt einer angehaltenen Sequenz</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>Folie &amp;entfernen</translation>
     </message>
@@ -4988,6 +4984,18 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Slide %1</source>
         <translation>Folie %1</translation>
+    </message>
+    <message>
+        <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
+        <translation>Die jetzige Ansicht mit Schnitt, Namen und ausgeblendeten Organen behalten, und den Zeitpunkt einer angehaltenen Sequenz</translation>
+    </message>
+    <message>
+        <source>&amp;Back from the slides</source>
+        <translation>&amp;Zurück von den Folien</translation>
+    </message>
+    <message>
+        <source>Show, cut and name the organs as before the slides</source>
+        <translation>Die Organe wie vor den Folien zeigen, schneiden und benennen</translation>
     </message>
 </context>
 <context>

@@ -4966,10 +4966,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Ctrl+Shift+K</translation>
     </message>
     <message>
-        <source>Keep the present view, and the instant of a paused sequence</source>
-        <translation>Conservar la vista actual y el instante de una secuencia en pausa</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>&amp;Quitar la diapositiva</translation>
     </message>
@@ -4988,6 +4984,18 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Slide %1</source>
         <translation>Diapositiva %1</translation>
+    </message>
+    <message>
+        <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
+        <translation>Conservar la vista actual con su corte, sus nombres y sus órganos ocultos, y el instante de una secuencia en pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Back from the slides</source>
+        <translation>&amp;Volver de las diapositivas</translation>
+    </message>
+    <message>
+        <source>Show, cut and name the organs as before the slides</source>
+        <translation>Mostrar, cortar y nombrar los órganos como antes de las diapositivas</translation>
     </message>
 </context>
 <context>

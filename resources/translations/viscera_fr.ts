@@ -4966,10 +4966,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ctrl+Shift+K</translation>
     </message>
     <message>
-        <source>Keep the present view, and the instant of a paused sequence</source>
-        <translation>Garder la vue actuelle, et l’instant d’une séquence en pause</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>Supprimer la &amp;diapositive</translation>
     </message>
@@ -4988,6 +4984,18 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Slide %1</source>
         <translation>Diapositive %1</translation>
+    </message>
+    <message>
+        <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
+        <translation>Garder la vue actuelle avec sa coupe, ses noms et ses organes masqués, et l’instant d’une séquence en pause</translation>
+    </message>
+    <message>
+        <source>&amp;Back from the slides</source>
+        <translation>&amp;Revenir des diapositives</translation>
+    </message>
+    <message>
+        <source>Show, cut and name the organs as before the slides</source>
+        <translation>Montrer, couper et nommer les organes comme avant les diapositives</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include <QDockWidget>
+#include <QFrame>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
@@ -6,10 +7,13 @@
 #include <QStatusBar>
 #include <QTest>
 
+#include <functional>
+
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
 #include "play_fixture.h"
+#include "viscera/document/organ_commands.h"
 #include "window/lecture/slides.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
@@ -137,6 +141,143 @@ TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {
   key(Qt::Key_PageDown);
   EXPECT_LT((eye() - second).norm(), 1e-9);
   EXPECT_FALSE(window().actions()["slides.next"]->isEnabled()) << "there is no third";
+}
+
+/// Slides that hide and cut.
+class Looks : public Room {
+protected:
+  void SetUp() override {
+    Room::SetUp();
+    key(Qt::Key_1);
+    wall_ = document().organs().front()->id;
+  }
+  void setView(bool cut, bool names) {
+    window().viewModel().change([&](presentation::ViewState& state) {
+      state.cut.on = cut;
+      state.cut.offset = cut ? 0.2 : 0;
+      state.partNames = names;
+    });
+  }
+  void look(document::OrganId organ, const std::function<void(document::OrganLook&)>& change) {
+    document::OrganLook look = document().organ(organ)->look;
+    change(look);
+    ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ, look)));
+  }
+  /// A slide of the heart that is cut open, with names and without its wall, and one of the whole heart.
+  void makeSlides() {
+    setView(true, true);
+    look(wall_, [](document::OrganLook& look) { look.visible = false; });
+    window().actions()["slides.add"]->trigger();
+    setView(false, false);
+    look(wall_, [](document::OrganLook& look) { look.visible = true; });
+    window().actions()["slides.add"]->trigger();
+  }
+  const presentation::ViewState& state() { return window().viewModel().state(); }
+  bool wallSeen() { return window().picture().actorOf(wall_)->visible(); }
+
+  document::OrganId wall_;
+};
+
+TEST_F(Looks, ASlideBringsBackWhatIsCutHiddenAndNamedAndTheDocumentStays) {
+  makeSlides();
+  const document::DocumentState before = document().state();
+  key(Qt::Key_F5);
+  EXPECT_FALSE(state().cut.on);
+  key(Qt::Key_PageUp);
+  EXPECT_TRUE(state().cut.on && state().partNames);
+  EXPECT_EQ(state().cut.offset, 0.2);
+  EXPECT_FALSE(wallSeen());
+  key(Qt::Key_PageDown);
+  EXPECT_FALSE(state().cut.on || state().partNames);
+  EXPECT_TRUE(wallSeen());
+  key(Qt::Key_PageUp);
+  EXPECT_TRUE(state().cut.on);
+  EXPECT_FALSE(wallSeen());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(state().cut.on || state().partNames) << "all is as before the lecture";
+  EXPECT_TRUE(wallSeen());
+  EXPECT_FALSE(window().actions()["slides.leave"]->isEnabled());
+  EXPECT_TRUE(document().state() == before);
+  key(Qt::Key_F5);
+  EXPECT_TRUE(state().cut.on) << "the slide whose caption is there";
+}
+
+TEST_F(Looks, OutsideOfALectureTheUserGoesBackOrGoesOnFromASlide) {
+  makeSlides();
+  window().slides().show(0);
+  EXPECT_FALSE(wallSeen());
+  ASSERT_TRUE(window().actions()["slides.leave"]->isEnabled());
+  window().actions()["slides.leave"]->trigger();
+  EXPECT_TRUE(wallSeen());
+  EXPECT_FALSE(state().cut.on);
+  EXPECT_FALSE(window().actions()["slides.leave"]->isEnabled());
+  window().slides().show(0);
+  look(wall_, [](document::OrganLook& look) { look.opacity = 0.5; });
+  EXPECT_TRUE(wallSeen()) << "who changes its look wants to see it";
+  window().actions()["slides.add"]->trigger();
+  EXPECT_EQ(window().slides().all().size(), 3u);
+  const auto& kept = window().slides().all()[1].look;
+  ASSERT_TRUE(kept);
+  EXPECT_TRUE(kept->cut.on);
+  EXPECT_EQ(kept->organs.at(wall_), (presentation::OrganSeen{true, 0.5}));
+}
+
+TEST_F(Looks, ASlideOfAnOlderSessionLeavesOrgansAsTheyAre) {
+  makeSlides();
+  window().viewModel().change([](presentation::ViewState& state) {
+    for (presentation::Slide& slide : state.slides)
+      slide.look.reset();
+  });
+  setView(true, false);
+  window().slides().show(0);
+  EXPECT_TRUE(state().cut.on);
+  EXPECT_TRUE(wallSeen());
+  window().slides().show(1);
+  EXPECT_TRUE(state().cut.on);
+}
+
+TEST_F(Looks, ASessionKeepsThemAndASlideThatIsShown) {
+  makeSlides();
+  window().slides().show(0);
+  const auto kept = window().slides().all();
+  const auto seen = state().organsSeen;
+  ASSERT_EQ(seen.size(), 1u);
+  const QString file = path(QStringLiteral("cut.viscera"));
+  window().sessions().saveTo(file, false);
+  settle();
+  window().sessions().begin();
+  EXPECT_TRUE(state().organsSeen.empty());
+  window().sessions().open(file);
+  ASSERT_TRUE(waitUntil([this] { return !window().slides().all().empty(); }));
+  EXPECT_EQ(window().slides().all(), kept);
+  EXPECT_EQ(state().organsSeen, seen);
+  EXPECT_FALSE(wallSeen());
+  EXPECT_TRUE(document().organ(wall_)->look.visible);
+  window().slides().show(1);
+  EXPECT_TRUE(wallSeen());
+}
+
+TEST_F(Room, ALectureHasLargeTypeAndTheStrongestContrastUntilItEnds) {
+  for (const app::ThemeKind kind : {app::ThemeKind::dark, app::ThemeKind::light}) {
+    window().setTheme(kind);
+    const bool dark = kind == app::ThemeKind::dark;
+    const scene::Theme usual = view().view().theme();
+    EXPECT_EQ(usual.typeScale, 1);
+    key(Qt::Key_F5);
+    const scene::Theme& large = view().view().theme();
+    EXPECT_EQ(large.typeScale, scene::kLectureTypeScale);
+    EXPECT_EQ(large.text, dark ? Vec3(1, 1, 1) : Vec3(0, 0, 0));
+    EXPECT_EQ(large.backgroundTop, dark ? Vec3(0, 0, 0) : Vec3(1, 1, 1));
+    const QColor ground = dark ? Qt::black : Qt::white, letters = dark ? Qt::white : Qt::black;
+    auto& caption = find<QLabel>("lectureNumbers");
+    EXPECT_EQ(caption.palette().color(QPalette::WindowText), letters);
+    const QImage card = find<QFrame>("lectureCard").grab().toImage();
+    EXPECT_EQ(card.pixelColor(card.width() / 2, 4), ground);
+    key(Qt::Key_Escape);
+    EXPECT_EQ(view().view().theme().typeScale, 1);
+    EXPECT_EQ(view().view().theme().text, usual.text);
+    EXPECT_EQ(view().view().theme().backgroundTop, usual.backgroundTop);
+  }
 }
 
 TEST_F(Room, SlidesAreMovedAndRemovedInTheList) {

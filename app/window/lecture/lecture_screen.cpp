@@ -16,8 +16,8 @@ constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
 constexpr std::size_t kMostVolumes = 5; ///< A heart and its chambers.
 /// Logical pixels beside and below the card, where the view has its orientation cube and its scale bar.
-constexpr int kCorner = 104;
-constexpr int kScaleBar = 36;
+constexpr int kCorner = static_cast<int>(scene::kLectureTypeScale * 104);
+constexpr int kScaleBar = static_cast<int>(scene::kLectureTypeScale * 36);
 
 } // namespace
 
@@ -75,6 +75,8 @@ void LectureScreen::begin() {
   card_->parentWidget()->show();
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
+  else
+    parts_.slides.resume();
   sync();
 }
 
@@ -85,6 +87,7 @@ bool LectureScreen::end() {
   shown_->setChecked(false);
   card_->parentWidget()->hide();
   dark_->hide();
+  parts_.slides.leave();
   return true;
 }
 

@@ -13,8 +13,9 @@ class QLabel;
 namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
-/// the phase and the volumes below it in large letters. The keys of a presentation remote go through the
-/// slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
+/// the phase and the volumes below it in large letters, white on black or black on white. Whoever gives views
+/// their theme gives them that of a lecture while it is `on`. The keys of a presentation remote go through
+/// the slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 

@@ -39,6 +39,7 @@ void SessionView::forget() {
     state.slides.clear();
     state.person = {};
     state.cut = {};
+    state.organsSeen.clear();
     state.scan = {};
     state.stress = presentation::habitOf(state.stress);
     state.stress.cut = false;

@@ -120,6 +120,7 @@ void SlicePanes::setMeasuring(presentation::MeasuringNow measuring) {
 void SlicePanes::setTheme(const Theme& theme) {
   for (SliceWidget* widget : widgets_)
     widget->setTheme(theme);
+  refresh(); // Texts are placed by their size.
 }
 
 void SlicePanes::arrange() {

@@ -58,7 +58,7 @@ void SliceWidget::setPicture(const scene::SlicePicture& picture) {
 }
 
 void SliceWidget::setTheme(const Theme& theme) {
-  view_->setTheme(theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme());
+  view_->setTheme(viewThemeOf(theme));
   scheduleRender();
 }
 

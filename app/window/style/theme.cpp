@@ -66,6 +66,13 @@ Theme themeOf(ThemeKind kind) {
   return kind == ThemeKind::light ? lightTheme() : darkTheme();
 }
 
+scene::Theme viewThemeOf(const Theme& theme) {
+  const bool dark = theme.kind == ThemeKind::dark;
+  if (theme.lecture)
+    return scene::lectureTheme(dark);
+  return dark ? scene::darkTheme() : scene::lightTheme();
+}
+
 QPalette paletteOf(const Theme& theme) {
   QPalette palette;
   palette.setColor(QPalette::Window, theme.panel);
@@ -95,6 +102,7 @@ QString styleSheetOf(const Theme& theme) {
     return {};
   QString sheet = QString::fromUtf8(file.readAll());
   // Longer words first: none may be the beginning of a later one.
+  const bool dark = theme.kind == ThemeKind::dark;
   const std::vector<std::pair<const char*, QColor>> words = {
       {"@accentHover", mixed(theme.accent, theme.text, 0.15)},
       {"@accentText", theme.accentText},
@@ -107,11 +115,13 @@ QString styleSheetOf(const Theme& theme) {
       {"@groove", mixed(theme.panel, theme.text, 0.2)},
       {"@hover", mixed(theme.panel, theme.text, 0.08)},
       {"@knobBorder", mixed(theme.panel, theme.text, 0.4)},
-      {"@knob", theme.kind == ThemeKind::dark ? theme.text : theme.panel},
+      {"@knob", dark ? theme.text : theme.panel},
       {"@muted", theme.muted},
       {"@panel", theme.panel},
       {"@pressed", mixed(theme.panel, theme.text, 0.16)},
       {"@raised", theme.raised},
+      {"@lectureText", dark ? Qt::white : Qt::black},
+      {"@lecture", dark ? Qt::black : Qt::white},
       {"@selection", mixed(theme.panel, theme.accent, 0.22)},
       {"@text", theme.text},
       {"@warning", theme.warning}};

@@ -4,6 +4,8 @@
 #include <QPalette>
 #include <QString>
 
+#include "viscera/scene/theme.h"
+
 class QApplication;
 
 namespace viscera::app {
@@ -29,9 +31,13 @@ struct Theme {
   QColor accentText; ///< On `accent`.
   QColor warning;
   QColor error;
+  bool lecture = false; ///< Views have large type and the strongest contrast.
 };
 
 Theme themeOf(ThemeKind kind);
+
+/// What goes with it in 3D views and slices.
+scene::Theme viewThemeOf(const Theme& theme);
 
 /// The palette for widgets that no style sheet paints.
 QPalette paletteOf(const Theme& theme);

@@ -79,7 +79,8 @@ presentation::ViewState Picture::state() const {
   state.selection = {selection.organ(), selection.group(), selection.handles()};
   if (role_ == Role::showing) {
     state.shown.movable = state.shown.tools = state.shown.regions = false;
-    state.stress.probe = -1; // A point of the other view's mesh.
+    state.stress.probe = -1;  // A point of the other view's mesh.
+    state.organsSeen.clear(); // By the ids of the other view's document.
   }
   return state;
 }

@@ -70,7 +70,7 @@ ViewWidget::~ViewWidget() {
 }
 
 void ViewWidget::setTheme(const Theme& theme) {
-  view_->setTheme(theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme());
+  view_->setTheme(viewThemeOf(theme));
   scheduleRender();
   Q_EMIT themeChanged();
 }

@@ -12,6 +12,7 @@
 #include "cut_picture.h"
 #include "handle_picture.h"
 #include "organ_picture.h"
+#include "seen_document.h"
 #include "standing_picture.h"
 #include "stress_picture.h"
 #include "untranslated.h"
@@ -65,6 +66,7 @@ struct Presenter::Parts {
 
   scene::OrganView& view;
   Translate translate;
+  SeenDocument seen;
   OrganPicture organs;
   HandlePicture handles;
   StressPicture stress;
@@ -86,6 +88,7 @@ struct Presenter::Parts {
   std::uint64_t mapsMade = 0;
   std::optional<LegendText> legend;
 
+  void update(const Scene& scene);
   void updateInfluence(const Scene& scene);
   void updateColors(const Scene& scene);
   void updateLegend(std::optional<LegendText> wanted);
@@ -258,22 +261,27 @@ Presenter::~Presenter() {
 }
 
 void Presenter::update(const Scene& scene) {
-  Parts& p = *parts_;
-  const bool others = p.organs.updateOrgans(scene);
-  p.organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
-  p.stress.update(scene);
-  p.cut.update(scene);
-  p.valves.update(scene, p.cut.plane());
-  p.updateColors(scene);
-  p.handles.update(scene, p.stress.shownWhere(scene));
-  p.updateRegions(scene);
-  p.updateLabels(scene, others);
-  p.updateMeasurements(scene);
-  p.standing.update(scene);
+  parts_->update({parts_->seen.of(scene.state, scene.view.organsSeen), scene.organs, scene.view,
+                  scene.systems, scene.stress, scene.map, scene.measuring, scene.guests, scene.parts,
+                  scene.bending, scene.valves, scene.stressRange, scene.stressLegend});
+}
+
+void Presenter::Parts::update(const Scene& scene) {
+  const bool others = organs.updateOrgans(scene);
+  organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
+  stress.update(scene);
+  cut.update(scene);
+  valves.update(scene, cut.plane());
+  updateColors(scene);
+  handles.update(scene, stress.shownWhere(scene));
+  updateRegions(scene);
+  updateLabels(scene, others);
+  updateMeasurements(scene);
+  standing.update(scene);
   const bool empty = scene.state.organs->empty() && scene.state.rig->handles.empty() &&
                      (!scene.guests || scene.guests->empty());
-  view_.setOrientationCubeShown(scene.view.orientationCube && !empty);
-  view_.setScaleBarShown(scene.view.scaleBar && !empty);
+  view.setOrientationCubeShown(scene.view.orientationCube && !empty);
+  view.setScaleBarShown(scene.view.scaleBar && !empty);
 }
 
 document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {

@@ -9,6 +9,7 @@
 #include "viscera/presentation/presenter.h"
 #include "viscera/scene/legend.h"
 
+#include "seen_document.h"
 #include "slice_cuts.h"
 #include "slice_marks.h"
 #include "slice_values.h"
@@ -94,6 +95,7 @@ struct SlicePresenter::Parts {
   Threads threads;
   SliceLanguage language;
   SliceCuts cuts;
+  SeenDocument seen;
   std::array<Slice, 3> slices;
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
@@ -214,8 +216,8 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
     p.sample(slice, scene);
     p.shade(slice, scene);
   }
-  p.cuts.update(scene.state, scene.organs, scene.view.scan.contours ? planes : std::vector<geometry::Plane>(),
-                scene.view.scan.rest);
+  p.cuts.update(p.seen.of(scene.state, scene.view.organsSeen), scene.organs,
+                scene.view.scan.contours ? planes : std::vector<geometry::Plane>(), scene.view.scan.rest);
   for (const SlicePane& pane : panes) {
     Slice& slice = p.slices[std::size_t(pane.direction)];
     if (scene.view.scan.contours)

@@ -307,10 +307,49 @@ OrganCut cutFrom(const ordered_json& item) {
   return cut;
 }
 
+ordered_json cutJson(const OrganCut& cut) {
+  return {{"on", cut.on}, {"normal", listOf(cut.normal)}, {"offset", cut.offset}};
+}
+
+ordered_json organsJson(const OrgansSeen& organs) {
+  ordered_json items = ordered_json::array();
+  for (const auto& [organ, seen] : organs)
+    items.push_back({{"organ", organ.value}, {"visible", seen.visible}, {"opacity", seen.opacity}});
+  return items;
+}
+
+OrgansSeen organsFrom(const ordered_json& items) {
+  OrgansSeen organs;
+  for (const ordered_json& item : items) {
+    OrganSeen seen;
+    take(item, "visible", seen.visible);
+    take(item, "opacity", seen.opacity);
+    seen.opacity = within(seen.opacity, 0, 1, 1);
+    organs[{item.at("organ").get<std::int64_t>()}] = seen;
+  }
+  return organs;
+}
+
+SlideLook slideLookFrom(const ordered_json& item) {
+  SlideLook look;
+  if (item.contains("cut"))
+    look.cut = cutFrom(item.at("cut"));
+  take(item, "labels", look.labels);
+  take(item, "partNames", look.partNames);
+  if (item.contains("organs"))
+    look.organs = organsFrom(item.at("organs"));
+  return look;
+}
+
 ordered_json slideJson(const Slide& slide) {
   ordered_json item = {{"caption", slide.caption}, {"camera", cameraJson(slide.camera)}};
   if (slide.fraction)
     item["fraction"] = *slide.fraction;
+  if (slide.look)
+    item["look"] = {{"cut", cutJson(slide.look->cut)},
+                    {"labels", slide.look->labels},
+                    {"partNames", slide.look->partNames},
+                    {"organs", organsJson(slide.look->organs)}};
   return item;
 }
 
@@ -320,6 +359,8 @@ Slide slideFrom(const ordered_json& item) {
   slide.camera = cameraFrom(item.at("camera"));
   if (item.contains("fraction"))
     slide.fraction = std::clamp(item.at("fraction").get<double>(), 0.0, 1.0);
+  if (item.contains("look"))
+    slide.look = slideLookFrom(item.at("look"));
   return slide;
 }
 
@@ -352,6 +393,8 @@ ViewState viewFrom(const ordered_json& item) {
     view.playing = playingFrom(item.at("playing"));
   if (item.contains("cut"))
     view.cut = cutFrom(item.at("cut"));
+  if (item.contains("organsSeen"))
+    view.organsSeen = organsFrom(item.at("organsSeen"));
   if (item.contains("person"))
     view.person = personFrom(item.at("person"));
   for (const ordered_json& slide : item.value("slides", ordered_json::array()))
@@ -381,8 +424,8 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
                     view.chartOfCycle, view.circulationChart, view.beatSigns, view.valves, view.stress,
-                    view.cut, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
-                    view.motions, view.playing, view.slides);
+                    view.cut, view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan,
+                    view.selection, view.motions, view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -418,7 +461,9 @@ std::string toJson(const ViewState& state) {
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
   item["scan"] = scanJson(view.scan);
-  item["cut"] = {{"on", view.cut.on}, {"normal", listOf(view.cut.normal)}, {"offset", view.cut.offset}};
+  item["cut"] = cutJson(view.cut);
+  if (!view.organsSeen.empty())
+    item["organsSeen"] = organsJson(view.organsSeen);
   item["person"] = {{"sex", norms::idOf(view.person.sex)}, {"bodySurfaceM2", view.person.bodySurfaceM2}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();

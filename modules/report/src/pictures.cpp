@@ -32,12 +32,14 @@ scene::Theme paper() {
   return theme;
 }
 
-/// What a mode shows for work (gizmos, regions, a map of one handle) is not what a report is about.
+/// What a mode shows for work (gizmos, regions, a map of one handle) is not what a report is about, nor is
+/// what a slide of a lecture hides.
 presentation::ViewState plainView(presentation::ViewState view) {
   view.shown = {};
   view.influence = view.gizmo = false;
   view.mirror = presentation::Mirror::off;
   view.layout = {.regions = false};
+  view.organsSeen.clear();
   return view;
 }
 

@@ -39,4 +39,8 @@ vtkSmartPointer<vtkTextActor> newText(int size) {
   return text;
 }
 
+void setTextSize(vtkTextActor* text, double size, const Theme& theme) {
+  text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(size * theme.typeScale)));
+}
+
 } // namespace viscera::scene

@@ -8,6 +8,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include "viscera/scene/theme.h"
+
 namespace viscera::scene {
 
 /// Lines and polygons in pixels in front of a view, made anew before a frame.
@@ -28,5 +30,8 @@ struct FlatShape {
 
 /// A text in the views' font; `size` in points at 72 DPI, that is logical pixels.
 vtkSmartPointer<vtkTextActor> newText(int size);
+
+/// Gives a text another size, as many times larger as the theme wants type to be.
+void setTextSize(vtkTextActor* text, double size, const Theme& theme);
 
 } // namespace viscera::scene

@@ -39,11 +39,12 @@ constexpr double kLargestPlain = 1e5;
 constexpr double kSmallestPlain = 1e-4;
 
 /// On a ground of its own, so that it can be read over organs and rings.
-void setColors(vtkTextActor* actor, const Theme& theme) {
+void setLook(vtkTextActor* actor, double size, const Theme& theme) {
   auto* letters = actor->GetTextProperty();
   letters->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
   letters->SetBackgroundColor(theme.panel.x(), theme.panel.y(), theme.panel.z());
   letters->SetBackgroundOpacity(kGroundOpacity);
+  setTextSize(actor, size, theme);
 }
 
 } // namespace
@@ -168,7 +169,7 @@ void Legend::Parts::layOut() {
   if (!shown)
     return;
   auto* renderer = beforeRender.renderer();
-  const double ratio = pixelRatioOf(renderer->GetRenderWindow());
+  const double ratio = theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
   const int* size = renderer->GetSize();
   const double height = std::min(ratio * kBarHeight, kMostOfView * size[1]);
   const double left = size[0] - ratio * kRight, bottom = std::floor(0.5 * (size[1] - height));
@@ -231,10 +232,10 @@ void Legend::Parts::setShown(bool on) {
 void Legend::Parts::applyTheme() {
   const Vec3& text = theme.text;
   lines.actor->GetProperty()->SetColor(text.x(), text.y(), text.z());
-  setColors(title, theme);
-  setColors(markLabel, theme);
+  setLook(title, kTitleFontSize, theme);
+  setLook(markLabel, kLegendFontSize, theme);
   for (const auto& label : labels)
-    setColors(label, theme);
+    setLook(label, kLegendFontSize, theme);
 }
 
 Legend::Legend() : parts_(std::make_unique<Parts>()) {

@@ -163,6 +163,7 @@ struct MeasurementGlyphs::Parts {
   BeforeRender beforeRender{[this] { follow(); }};
 
   void build();
+  ViewGeometry seen() const;
   void follow();
   void drawAfterOrgans();
   void addShapes(const Item& item, FacingShapes& shapes, double rim, const Vec3& color);
@@ -265,8 +266,15 @@ void MeasurementGlyphs::Parts::drawBoxes() {
   boxes.actor->SetVisibility(!drawn.empty());
 }
 
+/// Marks, lines and the room around labels grow with the type.
+ViewGeometry MeasurementGlyphs::Parts::seen() const {
+  ViewGeometry geometry = viewGeometry(view.renderer());
+  geometry.pixelRatio *= theme.typeScale;
+  return geometry;
+}
+
 void MeasurementGlyphs::Parts::follow() {
-  const ViewGeometry geometry = viewGeometry(view.renderer());
+  const ViewGeometry geometry = seen();
   for (FacingShapes* shapes : {&cores, &rims})
     shapes->begin(geometry);
   drawn.clear();
@@ -283,6 +291,7 @@ void MeasurementGlyphs::Parts::follow() {
     if (item.text.empty())
       continue;
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+    setTextSize(text, kMeasurementFontSize, theme);
     const ScreenBox box = freeBox(labelBox(item, geometry, text), geometry);
     const double padding = kPadding * geometry.pixelRatio;
     text->SetPosition(box.left + padding, box.bottom + padding);
@@ -344,7 +353,7 @@ std::optional<MeasurementGlyphs::Mark> MeasurementGlyphs::markAt(double x, doubl
   const auto& p = *parts_;
   if (!p.shown)
     return std::nullopt;
-  const ViewGeometry geometry = viewGeometry(p.view.renderer());
+  const ViewGeometry geometry = p.seen();
   double nearest = kMouseReach * geometry.pixelRatio;
   std::optional<Mark> found;
   for (std::size_t i = 0; i < p.items.size(); ++i)

@@ -297,7 +297,7 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, Footprint& al
 
 LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   LabelSpace room;
-  const double ratio = geometry.pixelRatio;
+  const double ratio = theme.typeScale * geometry.pixelRatio;
   room.width = 2 * geometry.centerX;
   room.height = geometry.pixelHeight;
   room.margin *= ratio;
@@ -407,13 +407,15 @@ void OrganLabels::Parts::follow() {
   checkOrgans(geometry, all, sightings);
   if (!stillFits(geometry, all, sightings))
     layOut(geometry, all, sightings);
-  draw(geometry.pixelRatio, sightings);
+  draw(theme.typeScale * geometry.pixelRatio, sightings);
 }
 
 void OrganLabels::Parts::applyTheme() {
   const Vec3& color = theme.text;
-  for (auto& text : texts)
+  for (auto& text : texts) {
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+    setTextSize(text, kOrganFontSize, theme);
+  }
   lines.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   lines.actor->GetProperty()->SetOpacity(kLeaderOpacity);
 }
@@ -450,6 +452,8 @@ void OrganLabels::setItems(std::vector<Item> items) {
 }
 
 void OrganLabels::setTheme(const Theme& theme) {
+  if (theme.typeScale != parts_->theme.typeScale)
+    parts_->laidOutFor.reset();
   parts_->theme = theme;
   parts_->applyTheme();
 }

@@ -219,7 +219,7 @@ void OrientationCube::placeLetters() {
     text->SetPosition(at.x - origin[0], at.y - origin[1]);
     const bool lit = highlighted_ == kCubeSides[i] && !letter.onFace;
     const Vec3& color = lit ? theme_.accent : theme_.text;
-    text->GetTextProperty()->SetFontSize(letter.size);
+    setTextSize(text, letter.size, theme_);
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
     text->GetTextProperty()->SetOpacity(letter.opacity);
   }
@@ -228,7 +228,7 @@ void OrientationCube::placeLetters() {
 void OrientationCube::follow() {
   auto* window = followed_->GetRenderWindow();
   const int* size = window->GetSize();
-  const double corner = kOrientationCorner * pixelRatioOf(window);
+  const double corner = theme_.typeScale * kOrientationCorner * pixelRatioOf(window);
   renderer_->SetViewport(0, 0, std::min(1.0, corner / std::max(1, size[0])),
                          std::min(1.0, corner / std::max(1, size[1])));
   auto* from = followed_->GetActiveCamera();
@@ -249,11 +249,12 @@ std::optional<StandardView> OrientationCube::sideAt(double x, double y) const {
   const auto view = viewGeometry(renderer_);
   if (const auto side = entered(view.ray(x, y)))
     return kCubeSides[*side];
+  const double reach = theme_.typeScale * view.pixelRatio;
   for (std::size_t i = 0; i < letters_.size(); ++i) {
     if (letters_[i].size == 0)
       continue;
     const auto at = view.project(letters_[i].place);
-    if (std::hypot(x - at.x, y - at.y) <= view.pixelRatio * (0.5 * letters_[i].size + kLetterReach))
+    if (std::hypot(x - at.x, y - at.y) <= reach * (0.5 * letters_[i].size + kLetterReach))
       return kCubeSides[i];
   }
   return std::nullopt;

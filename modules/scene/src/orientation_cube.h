@@ -19,7 +19,8 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// Logical pixels: the corner at the lower left that the orientation cube has for itself.
+/// Logical pixels, times the theme's type scale: the corner at the lower left that the orientation cube has
+/// for itself.
 constexpr double kOrientationCorner = 104;
 
 /// A small bevelled cube in the lower left corner, turned with the main camera. Its letters say where the

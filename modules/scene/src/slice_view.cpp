@@ -185,6 +185,7 @@ struct SliceView::Parts {
   Parts();
 
   char decimalMark = '.';
+  Theme theme = darkTheme();
   /// Grey levels on a layer of their own: flat things of one layer hide each other by a depth that all share.
   vtkNew<vtkRenderer> ground;
   vtkNew<vtkRenderer> renderer;
@@ -246,7 +247,7 @@ void SliceView::Parts::place(vtkTextActor* text, const std::string& words, doubl
   text->SetInput(words.c_str());
   text->SetDisplayPosition(static_cast<int>(x), static_cast<int>(y));
   // VTK scales points by the window's DPI itself.
-  text->GetTextProperty()->SetFontSize(static_cast<int>(size));
+  setTextSize(text, size, theme);
 }
 
 void SliceView::Parts::showTexts(const SlicePicture& picture) {
@@ -383,6 +384,7 @@ void SliceView::setDecimalMark(char mark) {
 }
 
 void SliceView::setTheme(const Theme& theme) {
+  parts_->theme = theme;
   // The accent of a light theme is too dark for a black ground.
   const Vec3 accent = darkTheme().dark == theme.dark ? theme.accent : darkTheme().accent;
   parts_->cross.actor->GetProperty()->SetColor(accent.x(), accent.y(), accent.z());

@@ -31,4 +31,14 @@ Theme lightTheme() {
           .dark = false};
 }
 
+Theme lectureTheme(bool dark) {
+  Theme theme = dark ? darkTheme() : lightTheme();
+  theme.backgroundTop = theme.backgroundBottom = theme.panel = dark ? Vec3::Zero() : Vec3::Ones();
+  theme.text = dark ? Vec3::Ones() : Vec3::Zero();
+  theme.muted = fromHex(dark ? 0xc4ccd2 : 0x3c454c);
+  theme.accent = fromHex(dark ? 0x7be3ef : 0x005a69);
+  theme.typeScale = kLectureTypeScale;
+  return theme;
+}
+
 } // namespace viscera::scene

@@ -55,6 +55,8 @@ ScaleBar::~ScaleBar() = default;
 void ScaleBar::setTheme(const Theme& theme) {
   line_.actor->GetProperty()->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
   text_->GetTextProperty()->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
+  setTextSize(text_, kScaleBarFontSize, theme);
+  typeScale_ = theme.typeScale;
 }
 
 void ScaleBar::setShown(bool shown) {
@@ -65,7 +67,7 @@ void ScaleBar::setShown(bool shown) {
 void ScaleBar::follow() {
   auto* renderer = beforeRender_.renderer();
   const auto view = viewGeometry(renderer);
-  const double ratio = view.pixelRatio;
+  const double ratio = typeScale_ * view.pixelRatio;
   const double pixel = view.worldPerPixel(renderer->GetActiveCamera()->GetDistance());
   if (!(pixel > 0) || !std::isfinite(pixel))
     return;

@@ -26,6 +26,7 @@ private:
   void follow();
 
   char decimalMark_ = '.';
+  double typeScale_ = 1; ///< The bar grows with its type.
 
   FlatShape line_;
   vtkSmartPointer<vtkTextActor> text_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,12 +75,35 @@ struct OrganCut {
   bool operator==(const OrganCut&) const = default;
 };
 
+/// How an organ is seen in place of what its look in the document says.
+struct OrganSeen {
+  bool visible = true;
+  double opacity = 1; ///< 0 to 1.
+
+  bool operator==(const OrganSeen&) const = default;
+};
+
+/// Organs that are seen otherwise than the document says. Those that a document does not have mean nothing.
+using OrgansSeen = std::map<document::OrganId, OrganSeen>;
+
+/// What a slide shows of the organs: which of them, cut or whole, with or without names.
+struct SlideLook {
+  OrganCut cut;
+  bool labels = false;
+  bool partNames = false;
+  OrgansSeen organs; ///< All that there were; others are seen as the document says.
+
+  bool operator==(const SlideLook&) const = default;
+};
+
 /// A slide of a lecture: a kept view with a caption.
 struct Slide {
   std::string caption; ///< Under the picture; UTF-8.
   Camera camera;
   std::optional<double>
       fraction; ///< Where in its cycle the sequence stands, [0, 1]; none: it goes on as it is.
+  /// None, as in older sessions: organs, cut and names stay as they are.
+  std::optional<SlideLook> look = std::nullopt;
 
   bool operator==(const Slide&) const = default;
 };
@@ -117,7 +141,8 @@ struct ViewState {
   StressLook stress;
   ScanLook scan;
   OrganCut cut;
-  norms::Person person; ///< Whose normal ranges are shown.
+  OrgansSeen organsSeen; ///< While a slide is shown: the document does not change for it.
+  norms::Person person;  ///< Whose normal ranges are shown.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;

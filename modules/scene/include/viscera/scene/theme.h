@@ -4,7 +4,8 @@
 
 namespace viscera::scene {
 
-/// The colours of everything in a view that is not an organ. Red green blue, 0 to 1.
+/// The look of everything in a view that is not an organ: colours (red green blue, 0 to 1) and the size of
+/// type.
 struct Theme {
   Vec3 backgroundTop;    ///< Upper end of the background's gradient.
   Vec3 backgroundBottom; ///< Lower end.
@@ -14,10 +15,20 @@ struct Theme {
   Vec3 accent;           ///< Selection, cursor, allowed plane.
   Vec3 rim;              ///< The rim of a selected handle: far from the background.
   bool dark = true;
+  /// How much larger than usual the type of views is, and what goes with it: legend, scale bar, orientation
+  /// cube.
+  double typeScale = 1;
 };
 
 /// The window's two palettes.
 Theme darkTheme();
 Theme lightTheme();
+
+/// How much larger than usual the type of views is in a lecture: it is read from the last row.
+inline constexpr double kLectureTypeScale = 1.8;
+
+/// A theme for a lecture, with the strongest contrast that there is and large type: white on black, or black
+/// on white.
+Theme lectureTheme(bool dark);
 
 } // namespace viscera::scene
