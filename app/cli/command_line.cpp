@@ -94,7 +94,7 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
   app.add_option("--language", window.language, "Language of the window")
       ->check(CLI::IsMember({"en", "ca", "de", "es", "fr"}));
-  app.add_option("--mode", window.mode, "What the mouse does to begin with")
+  app.add_option("--mode", window.mode, "Mode in which the window starts")
       ->check(CLI::IsMember({"explore", "handles", "deform", "stress", "play"}));
   app.add_option("--window-size", size, "Size of the window in pixels")->type_name("WxH");
   app.add_option("--screenshot", window.screenshot, "Save a picture of the window as PNG and end")

@@ -46,7 +46,7 @@ std::string inWords(const live::StressReading& reading) {
 void StressMarkOptions::addTo(CLI::App& options) {
   options
       .add_option(kProbe, probes_,
-                  "A point of the tissue whose values are said, at rest in mm, LPS; may be repeated")
+                  "A point of the tissue at which to print values, at rest in mm, LPS; may be repeated")
       ->type_name("X,Y,Z")
       ->expected(1)
       ->take_all();
@@ -54,8 +54,8 @@ void StressMarkOptions::addTo(CLI::App& options) {
   options
       .add_option(
           kProfile, profiles_,
-          "A straight line through the organ at rest whose values are said, at N points (101); may be "
-          "repeated")
+          "A straight line through the organ at rest along which to print values, at N points (101); may "
+          "be repeated")
       ->type_name("X,Y,Z:X,Y,Z[:N]")
       ->expected(1)
       ->take_all();

@@ -258,7 +258,7 @@ void MainWindow::connectHints() {
   connect(modes_.get(), &ModeController::hintChanged, status_, hint);
   hint();
   connect(modes_.get(), &ModeController::dragTakenBack, this,
-          [this] { workspace_.note(tr("The drag was taken back, because another mode was chosen.")); });
+          [this] { workspace_.note(tr("Viscera cancelled the drag because you chose another mode.")); });
   // Why a drag stops is said where the hint of the mode stands.
   connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {
     if (obstacle.isEmpty())
@@ -321,9 +321,9 @@ bool MainWindow::leavesUnwritten() {
   if (unwrittenQuestion_)
     return unwrittenQuestion_(writing);
   QMessageBox box(QMessageBox::Question, tr("Close without these files?"),
-                  tr("Files are still being written: %1.").arg(writing.join(QStringLiteral(", "))),
+                  tr("Viscera is still writing: %1.").arg(writing.join(QStringLiteral(", "))),
                   QMessageBox::NoButton, this);
-  box.setInformativeText(tr("They will be missing when Viscera closes now."));
+  box.setInformativeText(tr("If you close Viscera now, it does not finish these files."));
   QPushButton* close = box.addButton(tr("&Close"), QMessageBox::DestructiveRole);
   box.setDefaultButton(box.addButton(tr("&Wait"), QMessageBox::RejectRole));
   box.exec();

@@ -267,8 +267,8 @@
         <translation>%1: «%2» és desconegut i no es tornarà a desar</translation>
     </message>
     <message>
-        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
-        <translation>%1: punts que coincideixen a la primera fase se separen després fins a %2 mm; es mouen com un de sol</translation>
+        <source>%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together</source>
+        <translation>%1: punts que coincideixen a la primera fase se separen fins a %2 mm; Viscera els manté junts</translation>
     </message>
     <message>
         <source>%1; it looks like %2</source>
@@ -1103,8 +1103,8 @@
         <translation>Cantons llunyans</translation>
     </message>
     <message>
-        <source>Filling that multiplies the pericardium's pressure by e</source>
-        <translation>Ompliment que multiplica per e la pressió del pericardi</translation>
+        <source>Added volume that multiplies pericardial pressure by e</source>
+        <translation>Volum que multiplica per e la pressió pericardíaca</translation>
     </message>
     <message>
         <source>Fitted circulation</source>
@@ -1131,8 +1131,8 @@
         <translation>Teixit plegat</translation>
     </message>
     <message>
-        <source>Forget what was before</source>
-        <translation>Oblida l’anterior</translation>
+        <source>Discard kept circulation</source>
+        <translation>Descarta la circulació guardada</translation>
     </message>
     <message>
         <source>From atrial to ventricular contraction</source>
@@ -1250,16 +1250,16 @@
         <translation>Com de prop d’un gir es fusionen les dues triangulacions; 0 per no fer-ho</translation>
     </message>
     <message>
-        <source>How positive balanced vectors are found</source>
-        <translation>Com es troben vectors equilibrats positius</translation>
+        <source>Method that finds positive balanced vectors</source>
+        <translation>Mètode que troba vectors equilibrats positius</translation>
     </message>
     <message>
         <source>How the Voronoi vertices' weights reach the handles</source>
         <translation>Com arriben als tiradors els pesos dels vèrtexs de Voronoi</translation>
     </message>
     <message>
-        <source>How the wire connects them</source>
-        <translation>Com els uneix el fil</translation>
+        <source>Order in which the wire connects the points</source>
+        <translation>Ordre en què el fil uneix els punts</translation>
     </message>
     <message>
         <source>Hypertension</source>
@@ -1781,8 +1781,8 @@
         </translation>
     </message>
     <message>
-        <source>It leads to more than 20 million points</source>
-        <translation>Dona lloc a més de 20 milions de punts</translation>
+        <source>The displacement field would have more than 20 million points</source>
+        <translation>El camp de desplaçaments tindria més de 20 milions de punts</translation>
     </message>
     <message>
         <source>It mixes surfaces and label maps</source>
@@ -1825,8 +1825,8 @@
         <translation>La seva quadrícula està cisallada: els eixos no formen angles rectes</translation>
     </message>
     <message>
-        <source>Keep as before</source>
-        <translation>Guarda com a anterior</translation>
+        <source>Keep circulation for comparison</source>
+        <translation>Guarda la circulació per comparar</translation>
     </message>
     <message>
         <source>Kidney</source>
@@ -2146,8 +2146,8 @@
         <translation>Esòfag</translation>
     </message>
     <message>
-        <source>Of the random numbers</source>
-        <translation>Dels nombres aleatoris</translation>
+        <source>Seed of the random numbers</source>
+        <translation>Llavor dels nombres aleatoris</translation>
     </message>
     <message>
         <source>Only label maps have labels</source>
@@ -2513,8 +2513,8 @@
         <translation>S-Celestial</translation>
     </message>
     <message>
-        <source>Samples a point</source>
-        <translation>Mostres per punt</translation>
+        <source>Number of samples for each point</source>
+        <translation>Nombre de mostres per a cada punt</translation>
     </message>
     <message>
         <source>Septum</source>
@@ -2763,8 +2763,8 @@
         <translation>El nombre de punts testimoni ha de ser de %1 a %2</translation>
     </message>
     <message>
-        <source>The numbers to stay near to</source>
-        <translation>Els nombres als quals cal acostar-se</translation>
+        <source>Target weights</source>
+        <translation>Pesos objectiu</translation>
     </message>
     <message>
         <source>The organ that this cavity is in is not there any more</source>
@@ -2901,8 +2901,8 @@
         <translation>No hi ha tiradors dels quals es pugui enregistrar la postura</translation>
     </message>
     <message>
-        <source>There are no such vertices to enclose</source>
-        <translation>Aquests vèrtexs per envoltar no existeixen</translation>
+        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
+        <translation>La llista de vèrtexs per envoltar és buida o en té que l’òrgan no té</translation>
     </message>
     <message>
         <source>There are no volumes to compute an ejection fraction from</source>
@@ -3111,28 +3111,28 @@
         <translation>Pesos de flexió mínima entre 0 i 1; suaus i locals, i només segueixen translacions</translation>
     </message>
     <message>
-        <source>What is added to every weight when a handle comes in</source>
-        <translation>Què s’afegeix a cada pes quan entra un tirador</translation>
+        <source>Amount added to each weight when a handle is inserted</source>
+        <translation>Quantitat que se suma a cada pes quan s’insereix un tirador</translation>
     </message>
     <message>
-        <source>What is done about negative numbers</source>
-        <translation>Què es fa amb els nombres negatius</translation>
+        <source>Treatment of negative weights</source>
+        <translation>Tractament dels pesos negatius</translation>
     </message>
     <message>
-        <source>What the hull is divided into</source>
-        <translation>En què es divideix l’envolupant</translation>
+        <source>Pieces of the hull</source>
+        <translation>Peces de l’envolupant</translation>
     </message>
     <message>
-        <source>What the pericardium holds without pressing</source>
-        <translation>El que conté el pericardi sense comprimir</translation>
+        <source>Volume that the pericardium holds without pressure</source>
+        <translation>Volum que el pericardi conté sense pressió</translation>
     </message>
     <message>
         <source>When the ascent of the smallest number ends</source>
         <translation>Quan acaba l’ascens del nombre més petit</translation>
     </message>
     <message>
-        <source>Where 'iterative' moves the target</source>
-        <translation>Cap on mou l’objectiu «iterative»</translation>
+        <source>Direction in which 'iterative' moves the target</source>
+        <translation>Direcció en què «iterative» mou l’objectiu</translation>
     </message>
     <message>
         <source>Where waves arise, about a third of the way down</source>
@@ -3359,8 +3359,8 @@
         <translation>un pàncrees</translation>
     </message>
     <message>
-        <source>a part of the scan is on no organ</source>
-        <translation>una part de l’exploració no és sobre cap òrgan</translation>
+        <source>a rectangle or sphere must not refer to an organ</source>
+        <translation>un rectangle o una esfera no han de referir-se a cap òrgan</translation>
     </message>
     <message>
         <source>a phase has not all surfaces</source>
@@ -4583,8 +4583,8 @@
         </translation>
     </message>
     <message>
-        <source>its id is another thing's, too</source>
-        <translation>el seu identificador és també el d’una altra cosa</translation>
+        <source>another item has the same id</source>
+        <translation>un altre element té el mateix identificador</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
@@ -4758,8 +4758,8 @@
         <translation>els seus vòxels són en un altre lloc que els de les altres màscares</translation>
     </message>
     <message>
-        <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
-        <translation>els seus pesos no són un lloc d’un triangle: han de ser almenys 0 i sumar 1</translation>
+        <source>barycentric weights must be at least 0 and sum to 1</source>
+        <translation>els pesos baricèntrics han de ser com a mínim 0 i sumar 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4922,7 +4922,7 @@
         <translation>micròmetres</translation>
     </message>
     <message>
-        <source>middle line</source>
+        <source>centreline</source>
         <translation>línia mitjana</translation>
     </message>
     <message>
@@ -5044,10 +5044,6 @@
     <message>
         <source>no handle is left to compensate the change of volume</source>
         <translation>no queda cap tirador que compensi el canvi de volum</translation>
-    </message>
-    <message>
-        <source>no handle is left to make up for the volume</source>
-        <translation>no queda cap tirador que compensi el volum</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -5799,7 +5795,7 @@
         <translation>la marca %1 de tipus %2 no és una llista de punts i s’omet</translation>
     </message>
     <message>
-        <source>the middle line that was computed leaves the organ</source>
+        <source>the computed centreline leaves the organ</source>
         <translation>la línia central calculada surt de l’òrgan</translation>
     </message>
     <message>
@@ -6154,10 +6150,6 @@
         <translation>les ones tenen el %1 % de la profunditat que en un adult: %2</translation>
     </message>
     <message>
-        <source>the weights of a measured point are no place in its triangle</source>
-        <translation>els pesos d’un punt mesurat no són un lloc del seu triangle</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>n’hi ha %1</translation>
     </message>
@@ -6484,16 +6476,16 @@
         <translation>sonda de tensió %1</translation>
     </message>
     <message>
-        <source>stress line %1</source>
-        <translation>línia de tensió %1</translation>
+        <source>stress profile %1</source>
+        <translation>perfil de tensió %1</translation>
     </message>
     <message>
         <source>stress probe</source>
         <translation>sonda de tensió</translation>
     </message>
     <message>
-        <source>stress line</source>
-        <translation>línia de tensió</translation>
+        <source>stress profile</source>
+        <translation>perfil de tensió</translation>
     </message>
     <message>
         <source>its number is not a whole number from 1</source>
@@ -6951,8 +6943,8 @@
         <translation>de %1 a %2 %3</translation>
     </message>
     <message>
-        <source>the valve leaks through a larger area than it opens to</source>
-        <translation>la vàlvula té una fuita per una àrea més gran que la seva obertura</translation>
+        <source>the leak area must be smaller than the area of the open valve</source>
+        <translation>l’àrea de la fuita ha de ser més petita que la de la vàlvula oberta</translation>
     </message>
     <message>
         <source>choose a %1 below its %2</source>

@@ -267,8 +267,8 @@
         <translation>%1: „%2“ ist unbekannt und wird nicht wieder gespeichert</translation>
     </message>
     <message>
-        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
-        <translation>%1: Punkte, die in der ersten Phase zusammenfallen, liegen später bis zu %2 mm auseinander; sie bewegen sich gemeinsam</translation>
+        <source>%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together</source>
+        <translation>%1: Punkte, die in der ersten Phase zusammenfallen, entfernen sich um bis zu %2 mm; Viscera hält sie zusammen</translation>
     </message>
     <message>
         <source>%1; it looks like %2</source>
@@ -1103,8 +1103,8 @@
         <translation>Ferne Ecken</translation>
     </message>
     <message>
-        <source>Filling that multiplies the pericardium's pressure by e</source>
-        <translation>Füllung, die den Druck des Perikards mit e multipliziert</translation>
+        <source>Added volume that multiplies pericardial pressure by e</source>
+        <translation>Volumen, das den Perikarddruck mit e multipliziert</translation>
     </message>
     <message>
         <source>Fitted circulation</source>
@@ -1131,8 +1131,8 @@
         <translation>Gefaltetes Gewebe</translation>
     </message>
     <message>
-        <source>Forget what was before</source>
-        <translation>Vorher vergessen</translation>
+        <source>Discard kept circulation</source>
+        <translation>Behaltenen Kreislauf verwerfen</translation>
     </message>
     <message>
         <source>From atrial to ventricular contraction</source>
@@ -1250,16 +1250,16 @@
         <translation>Wie nah an einem Kantentausch die beiden Triangulierungen überblendet werden; 0 für nicht</translation>
     </message>
     <message>
-        <source>How positive balanced vectors are found</source>
-        <translation>Wie positive Vektoren im Gleichgewicht gefunden werden</translation>
+        <source>Method that finds positive balanced vectors</source>
+        <translation>Verfahren, das positive Vektoren im Gleichgewicht findet</translation>
     </message>
     <message>
         <source>How the Voronoi vertices' weights reach the handles</source>
         <translation>Wie die Gewichte der Voronoi-Ecken zu den Griffen gelangen</translation>
     </message>
     <message>
-        <source>How the wire connects them</source>
-        <translation>Wie der Draht sie verbindet</translation>
+        <source>Order in which the wire connects the points</source>
+        <translation>Reihenfolge, in der der Draht die Punkte verbindet</translation>
     </message>
     <message>
         <source>Hypertension</source>
@@ -1781,8 +1781,8 @@
         </translation>
     </message>
     <message>
-        <source>It leads to more than 20 million points</source>
-        <translation>Das ergibt mehr als 20 Millionen Punkte</translation>
+        <source>The displacement field would have more than 20 million points</source>
+        <translation>Das Verschiebungsfeld hätte mehr als 20 Millionen Punkte</translation>
     </message>
     <message>
         <source>It mixes surfaces and label maps</source>
@@ -1825,8 +1825,8 @@
         <translation>Das Gitter ist geschert: seine Achsen stehen nicht senkrecht aufeinander</translation>
     </message>
     <message>
-        <source>Keep as before</source>
-        <translation>Als Vorher merken</translation>
+        <source>Keep circulation for comparison</source>
+        <translation>Kreislauf zum Vergleich behalten</translation>
     </message>
     <message>
         <source>Kidney</source>
@@ -2146,7 +2146,7 @@
         <translation>Ösophagus</translation>
     </message>
     <message>
-        <source>Of the random numbers</source>
+        <source>Seed of the random numbers</source>
         <translation>Startwert der Zufallszahlen</translation>
     </message>
     <message>
@@ -2513,8 +2513,8 @@
         <translation>S-Celestial</translation>
     </message>
     <message>
-        <source>Samples a point</source>
-        <translation>Stichproben je Punkt</translation>
+        <source>Number of samples for each point</source>
+        <translation>Anzahl der Stichproben je Punkt</translation>
     </message>
     <message>
         <source>Septum</source>
@@ -2763,8 +2763,8 @@
         <translation>Die Zahl der Messpunkte muss zwischen %1 und %2 liegen</translation>
     </message>
     <message>
-        <source>The numbers to stay near to</source>
-        <translation>Zahlen, denen das Ergebnis nahe bleibt</translation>
+        <source>Target weights</source>
+        <translation>Zielgewichte</translation>
     </message>
     <message>
         <source>The organ that this cavity is in is not there any more</source>
@@ -2901,8 +2901,8 @@
         <translation>Es gibt keine Griffe, deren Pose aufgezeichnet werden könnte</translation>
     </message>
     <message>
-        <source>There are no such vertices to enclose</source>
-        <translation>Solche Eckpunkte zum Umschließen gibt es nicht</translation>
+        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
+        <translation>Die Liste der zu umschließenden Eckpunkte ist leer oder nennt solche, die das Organ nicht hat</translation>
     </message>
     <message>
         <source>There are no volumes to compute an ejection fraction from</source>
@@ -3111,28 +3111,28 @@
         <translation>Gewichte kleinster Biegung zwischen 0 und 1; glatt und lokal, folgen nur Verschiebungen</translation>
     </message>
     <message>
-        <source>What is added to every weight when a handle comes in</source>
-        <translation>Was zu jedem Gewicht addiert wird, wenn ein Griff hinzukommt</translation>
+        <source>Amount added to each weight when a handle is inserted</source>
+        <translation>Betrag, der beim Einfügen eines Griffs zu jedem Gewicht kommt</translation>
     </message>
     <message>
-        <source>What is done about negative numbers</source>
-        <translation>Was mit negativen Zahlen geschieht</translation>
+        <source>Treatment of negative weights</source>
+        <translation>Behandlung negativer Gewichte</translation>
     </message>
     <message>
-        <source>What the hull is divided into</source>
-        <translation>Worin die Hülle geteilt wird</translation>
+        <source>Pieces of the hull</source>
+        <translation>Teile der Hülle</translation>
     </message>
     <message>
-        <source>What the pericardium holds without pressing</source>
-        <translation>Was das Perikard ohne Druck fasst</translation>
+        <source>Volume that the pericardium holds without pressure</source>
+        <translation>Volumen, das das Perikard ohne Druck fasst</translation>
     </message>
     <message>
         <source>When the ascent of the smallest number ends</source>
         <translation>Wann der Anstieg der kleinsten Zahl endet</translation>
     </message>
     <message>
-        <source>Where 'iterative' moves the target</source>
-        <translation>Wohin 'iterative' das Ziel verschiebt</translation>
+        <source>Direction in which 'iterative' moves the target</source>
+        <translation>Richtung, in die „iterative“ das Ziel verschiebt</translation>
     </message>
     <message>
         <source>Where waves arise, about a third of the way down</source>
@@ -3359,8 +3359,8 @@
         <translation>eine Bauchspeicheldrüse</translation>
     </message>
     <message>
-        <source>a part of the scan is on no organ</source>
-        <translation>ein Teil des Scans liegt auf keinem Organ</translation>
+        <source>a rectangle or sphere must not refer to an organ</source>
+        <translation>ein Rechteck oder eine Kugel darf sich auf kein Organ beziehen</translation>
     </message>
     <message>
         <source>a phase has not all surfaces</source>
@@ -4583,8 +4583,8 @@
         </translation>
     </message>
     <message>
-        <source>its id is another thing's, too</source>
-        <translation>seine Kennung hat auch etwas anderes</translation>
+        <source>another item has the same id</source>
+        <translation>ein anderes Element hat dieselbe Kennung</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
@@ -4758,8 +4758,8 @@
         <translation>ihre Voxel liegen woanders als die der anderen Masken</translation>
     </message>
     <message>
-        <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
-        <translation>seine Gewichte sind kein Ort in einem Dreieck: sie müssen mindestens 0 sein und zusammen 1</translation>
+        <source>barycentric weights must be at least 0 and sum to 1</source>
+        <translation>baryzentrische Gewichte müssen mindestens 0 sein und zusammen 1 ergeben</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4922,7 +4922,7 @@
         <translation>Mikrometer</translation>
     </message>
     <message>
-        <source>middle line</source>
+        <source>centreline</source>
         <translation>Mittellinie</translation>
     </message>
     <message>
@@ -5044,10 +5044,6 @@
     <message>
         <source>no handle is left to compensate the change of volume</source>
         <translation>es bleibt kein Griff, der die Volumenänderung ausgleichen könnte</translation>
-    </message>
-    <message>
-        <source>no handle is left to make up for the volume</source>
-        <translation>es bleibt kein Griff, der das Volumen ausgleichen könnte</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -5799,7 +5795,7 @@
         <translation>das Markup %1 vom Typ %2 ist keine Liste von Punkten und wurde weggelassen</translation>
     </message>
     <message>
-        <source>the middle line that was computed leaves the organ</source>
+        <source>the computed centreline leaves the organ</source>
         <translation>die berechnete Mittellinie verlässt das Organ</translation>
     </message>
     <message>
@@ -6154,10 +6150,6 @@
         <translation>die Wellen sind %1 % so tief wie bei einem Erwachsenen: %2</translation>
     </message>
     <message>
-        <source>the weights of a measured point are no place in its triangle</source>
-        <translation>die Gewichte eines gemessenen Punkts sind kein Ort in seinem Dreieck</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>es gibt %1</translation>
     </message>
@@ -6484,16 +6476,16 @@
         <translation>Stresssonde %1</translation>
     </message>
     <message>
-        <source>stress line %1</source>
-        <translation>Stresslinie %1</translation>
+        <source>stress profile %1</source>
+        <translation>Stressprofil %1</translation>
     </message>
     <message>
         <source>stress probe</source>
         <translation>Stresssonde</translation>
     </message>
     <message>
-        <source>stress line</source>
-        <translation>Stresslinie</translation>
+        <source>stress profile</source>
+        <translation>Stressprofil</translation>
     </message>
     <message>
         <source>its number is not a whole number from 1</source>
@@ -6951,8 +6943,8 @@
         <translation>von %1 bis %2 %3</translation>
     </message>
     <message>
-        <source>the valve leaks through a larger area than it opens to</source>
-        <translation>die Klappe ist auf einer größeren Fläche undicht, als sie öffnet</translation>
+        <source>the leak area must be smaller than the area of the open valve</source>
+        <translation>die Leckfläche muss kleiner sein als die Fläche der offenen Klappe</translation>
     </message>
     <message>
         <source>choose a %1 below its %2</source>

@@ -267,8 +267,8 @@
         <translation>%1: «%2» es desconocido y no se guardará de nuevo</translation>
     </message>
     <message>
-        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
-        <translation>%1: puntos que coinciden en la primera fase se separan después hasta %2 mm; se mueven como uno solo</translation>
+        <source>%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together</source>
+        <translation>%1: puntos que coinciden en la primera fase se separan hasta %2 mm; Viscera los mantiene juntos</translation>
     </message>
     <message>
         <source>%1; it looks like %2</source>
@@ -1103,8 +1103,8 @@
         <translation>Esquinas lejanas</translation>
     </message>
     <message>
-        <source>Filling that multiplies the pericardium's pressure by e</source>
-        <translation>Llenado que multiplica por e la presión del pericardio</translation>
+        <source>Added volume that multiplies pericardial pressure by e</source>
+        <translation>Volumen que multiplica por e la presión pericárdica</translation>
     </message>
     <message>
         <source>Fitted circulation</source>
@@ -1131,8 +1131,8 @@
         <translation>Tejido plegado</translation>
     </message>
     <message>
-        <source>Forget what was before</source>
-        <translation>Olvidar lo anterior</translation>
+        <source>Discard kept circulation</source>
+        <translation>Descartar la circulación conservada</translation>
     </message>
     <message>
         <source>From atrial to ventricular contraction</source>
@@ -1250,16 +1250,16 @@
         <translation>A qué distancia de una inversión se mezclan las dos triangulaciones; 0 para no mezclar</translation>
     </message>
     <message>
-        <source>How positive balanced vectors are found</source>
-        <translation>Cómo se hallan los vectores equilibrados positivos</translation>
+        <source>Method that finds positive balanced vectors</source>
+        <translation>Método que halla vectores equilibrados positivos</translation>
     </message>
     <message>
         <source>How the Voronoi vertices' weights reach the handles</source>
         <translation>Cómo llegan a los tiradores los pesos de los vértices de Voronoi</translation>
     </message>
     <message>
-        <source>How the wire connects them</source>
-        <translation>Cómo los une el hilo</translation>
+        <source>Order in which the wire connects the points</source>
+        <translation>Orden en que el hilo une los puntos</translation>
     </message>
     <message>
         <source>Hypertension</source>
@@ -1781,8 +1781,8 @@
         </translation>
     </message>
     <message>
-        <source>It leads to more than 20 million points</source>
-        <translation>Da lugar a más de 20 millones de puntos</translation>
+        <source>The displacement field would have more than 20 million points</source>
+        <translation>El campo de desplazamientos tendría más de 20 millones de puntos</translation>
     </message>
     <message>
         <source>It mixes surfaces and label maps</source>
@@ -1825,8 +1825,8 @@
         <translation>Su cuadrícula está cizallada: sus ejes no forman ángulos rectos</translation>
     </message>
     <message>
-        <source>Keep as before</source>
-        <translation>Conservar como anterior</translation>
+        <source>Keep circulation for comparison</source>
+        <translation>Conservar la circulación para comparar</translation>
     </message>
     <message>
         <source>Kidney</source>
@@ -2146,8 +2146,8 @@
         <translation>Esófago</translation>
     </message>
     <message>
-        <source>Of the random numbers</source>
-        <translation>De los números aleatorios</translation>
+        <source>Seed of the random numbers</source>
+        <translation>Semilla de los números aleatorios</translation>
     </message>
     <message>
         <source>Only label maps have labels</source>
@@ -2513,8 +2513,8 @@
         <translation>S-Celestial</translation>
     </message>
     <message>
-        <source>Samples a point</source>
-        <translation>Muestras por punto</translation>
+        <source>Number of samples for each point</source>
+        <translation>Número de muestras para cada punto</translation>
     </message>
     <message>
         <source>Septum</source>
@@ -2763,8 +2763,8 @@
         <translation>El número de puntos testigo debe estar entre %1 y %2</translation>
     </message>
     <message>
-        <source>The numbers to stay near to</source>
-        <translation>Los números a los que aproximarse</translation>
+        <source>Target weights</source>
+        <translation>Pesos objetivo</translation>
     </message>
     <message>
         <source>The organ that this cavity is in is not there any more</source>
@@ -2901,8 +2901,8 @@
         <translation>No hay tiradores cuya pose se pueda registrar</translation>
     </message>
     <message>
-        <source>There are no such vertices to enclose</source>
-        <translation>No existen esos vértices que rodear</translation>
+        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
+        <translation>La lista de vértices que rodear está vacía o nombra vértices que el órgano no tiene</translation>
     </message>
     <message>
         <source>There are no volumes to compute an ejection fraction from</source>
@@ -3111,28 +3111,28 @@
         <translation>Pesos de mínima flexión entre 0 y 1; suaves y locales, y solo siguen traslaciones</translation>
     </message>
     <message>
-        <source>What is added to every weight when a handle comes in</source>
-        <translation>Qué se suma a cada peso cuando entra un tirador</translation>
+        <source>Amount added to each weight when a handle is inserted</source>
+        <translation>Cantidad que se suma a cada peso al insertar un tirador</translation>
     </message>
     <message>
-        <source>What is done about negative numbers</source>
-        <translation>Qué se hace con los números negativos</translation>
+        <source>Treatment of negative weights</source>
+        <translation>Tratamiento de los pesos negativos</translation>
     </message>
     <message>
-        <source>What the hull is divided into</source>
-        <translation>En qué se divide la envolvente</translation>
+        <source>Pieces of the hull</source>
+        <translation>Piezas de la envolvente</translation>
     </message>
     <message>
-        <source>What the pericardium holds without pressing</source>
-        <translation>Lo que cabe en el pericardio sin comprimir</translation>
+        <source>Volume that the pericardium holds without pressure</source>
+        <translation>Volumen que el pericardio contiene sin presión</translation>
     </message>
     <message>
         <source>When the ascent of the smallest number ends</source>
         <translation>Cuándo termina el ascenso del número menor</translation>
     </message>
     <message>
-        <source>Where 'iterative' moves the target</source>
-        <translation>Adónde mueve el objetivo «iterative»</translation>
+        <source>Direction in which 'iterative' moves the target</source>
+        <translation>Dirección en que «iterative» mueve el objetivo</translation>
     </message>
     <message>
         <source>Where waves arise, about a third of the way down</source>
@@ -3359,8 +3359,8 @@
         <translation>un páncreas</translation>
     </message>
     <message>
-        <source>a part of the scan is on no organ</source>
-        <translation>una parte del estudio no está en ningún órgano</translation>
+        <source>a rectangle or sphere must not refer to an organ</source>
+        <translation>un rectángulo o una esfera no debe referirse a un órgano</translation>
     </message>
     <message>
         <source>a phase has not all surfaces</source>
@@ -4583,8 +4583,8 @@
         </translation>
     </message>
     <message>
-        <source>its id is another thing's, too</source>
-        <translation>su identificador es también el de otra cosa</translation>
+        <source>another item has the same id</source>
+        <translation>otro elemento tiene el mismo identificador</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
@@ -4758,8 +4758,8 @@
         <translation>sus vóxeles están en otro sitio que los de las otras máscaras</translation>
     </message>
     <message>
-        <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
-        <translation>sus pesos no son un lugar de un triángulo: deben ser al menos 0 y sumar 1</translation>
+        <source>barycentric weights must be at least 0 and sum to 1</source>
+        <translation>los pesos baricéntricos deben ser al menos 0 y sumar 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4922,7 +4922,7 @@
         <translation>micrómetros</translation>
     </message>
     <message>
-        <source>middle line</source>
+        <source>centreline</source>
         <translation>línea media</translation>
     </message>
     <message>
@@ -5044,10 +5044,6 @@
     <message>
         <source>no handle is left to compensate the change of volume</source>
         <translation>no queda ningún tirador que compense el cambio de volumen</translation>
-    </message>
-    <message>
-        <source>no handle is left to make up for the volume</source>
-        <translation>no queda ningún tirador que compense el volumen</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -5799,7 +5795,7 @@
         <translation>la marca %1 de tipo %2 no es una lista de puntos y se omite</translation>
     </message>
     <message>
-        <source>the middle line that was computed leaves the organ</source>
+        <source>the computed centreline leaves the organ</source>
         <translation>la línea central calculada sale del órgano</translation>
     </message>
     <message>
@@ -6154,10 +6150,6 @@
         <translation>las ondas tienen el %1 % de la profundidad que en un adulto: %2</translation>
     </message>
     <message>
-        <source>the weights of a measured point are no place in its triangle</source>
-        <translation>los pesos de un punto medido no son un lugar de su triángulo</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>hay %1</translation>
     </message>
@@ -6484,16 +6476,16 @@
         <translation>sonda de estrés %1</translation>
     </message>
     <message>
-        <source>stress line %1</source>
-        <translation>línea de estrés %1</translation>
+        <source>stress profile %1</source>
+        <translation>perfil de estrés %1</translation>
     </message>
     <message>
         <source>stress probe</source>
         <translation>sonda de estrés</translation>
     </message>
     <message>
-        <source>stress line</source>
-        <translation>línea de estrés</translation>
+        <source>stress profile</source>
+        <translation>perfil de estrés</translation>
     </message>
     <message>
         <source>its number is not a whole number from 1</source>
@@ -6951,8 +6943,8 @@
         <translation>de %1 a %2 %3</translation>
     </message>
     <message>
-        <source>the valve leaks through a larger area than it opens to</source>
-        <translation>la válvula tiene fuga por un área mayor que su apertura</translation>
+        <source>the leak area must be smaller than the area of the open valve</source>
+        <translation>el área de la fuga debe ser menor que la de la válvula abierta</translation>
     </message>
     <message>
         <source>choose a %1 below its %2</source>

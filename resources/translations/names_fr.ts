@@ -267,8 +267,8 @@
         <translation>%1 : « %2 » est inconnu et ne sera pas enregistré de nouveau</translation>
     </message>
     <message>
-        <source>%1: points that are one in the first phase lie up to %2 mm apart later; they move as one</source>
-        <translation>%1 : des points confondus dans la première phase s’écartent ensuite jusqu’à %2 mm ; ils bougent comme un seul</translation>
+        <source>%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together</source>
+        <translation>%1 : des points confondus dans la première phase s’écartent jusqu’à %2 mm ; Viscera les garde ensemble</translation>
     </message>
     <message>
         <source>%1; it looks like %2</source>
@@ -1103,8 +1103,8 @@
         <translation>Coins lointains</translation>
     </message>
     <message>
-        <source>Filling that multiplies the pericardium's pressure by e</source>
-        <translation>Remplissage qui multiplie la pression du péricarde par e</translation>
+        <source>Added volume that multiplies pericardial pressure by e</source>
+        <translation>Volume qui multiplie par e la pression péricardique</translation>
     </message>
     <message>
         <source>Fitted circulation</source>
@@ -1131,8 +1131,8 @@
         <translation>Tissu replié</translation>
     </message>
     <message>
-        <source>Forget what was before</source>
-        <translation>Oublier l’état d’avant</translation>
+        <source>Discard kept circulation</source>
+        <translation>Abandonner la circulation gardée</translation>
     </message>
     <message>
         <source>From atrial to ventricular contraction</source>
@@ -1250,16 +1250,16 @@
         <translation>À quelle distance d’un basculement les deux triangulations sont mêlées ; 0 pour jamais</translation>
     </message>
     <message>
-        <source>How positive balanced vectors are found</source>
-        <translation>Comment sont trouvés des vecteurs équilibrés positifs</translation>
+        <source>Method that finds positive balanced vectors</source>
+        <translation>Méthode qui trouve des vecteurs équilibrés positifs</translation>
     </message>
     <message>
         <source>How the Voronoi vertices' weights reach the handles</source>
         <translation>Comment les poids des sommets de Voronoï atteignent les poignées</translation>
     </message>
     <message>
-        <source>How the wire connects them</source>
-        <translation>Comment le fil les relie</translation>
+        <source>Order in which the wire connects the points</source>
+        <translation>Ordre dans lequel le fil relie les points</translation>
     </message>
     <message>
         <source>Hypertension</source>
@@ -1781,8 +1781,8 @@
         </translation>
     </message>
     <message>
-        <source>It leads to more than 20 million points</source>
-        <translation>Cela donne plus de 20 millions de points</translation>
+        <source>The displacement field would have more than 20 million points</source>
+        <translation>Le champ de déplacements aurait plus de 20 millions de points</translation>
     </message>
     <message>
         <source>It mixes surfaces and label maps</source>
@@ -1825,8 +1825,8 @@
         <translation>Sa grille est cisaillée : ses axes ne sont pas à angle droit</translation>
     </message>
     <message>
-        <source>Keep as before</source>
-        <translation>Garder comme avant</translation>
+        <source>Keep circulation for comparison</source>
+        <translation>Garder la circulation pour comparer</translation>
     </message>
     <message>
         <source>Kidney</source>
@@ -2146,8 +2146,8 @@
         <translation>Œsophage</translation>
     </message>
     <message>
-        <source>Of the random numbers</source>
-        <translation>Des nombres aléatoires</translation>
+        <source>Seed of the random numbers</source>
+        <translation>Graine des nombres aléatoires</translation>
     </message>
     <message>
         <source>Only label maps have labels</source>
@@ -2513,8 +2513,8 @@
         <translation>S-Celestial</translation>
     </message>
     <message>
-        <source>Samples a point</source>
-        <translation>Échantillons par point</translation>
+        <source>Number of samples for each point</source>
+        <translation>Nombre d’échantillons pour chaque point</translation>
     </message>
     <message>
         <source>Septum</source>
@@ -2763,8 +2763,8 @@
         <translation>Le nombre de points témoins doit être de %1 à %2</translation>
     </message>
     <message>
-        <source>The numbers to stay near to</source>
-        <translation>Les nombres dont rester proche</translation>
+        <source>Target weights</source>
+        <translation>Poids cibles</translation>
     </message>
     <message>
         <source>The organ that this cavity is in is not there any more</source>
@@ -2901,8 +2901,8 @@
         <translation>Il n’y a pas de poignées dont la pose puisse être enregistrée</translation>
     </message>
     <message>
-        <source>There are no such vertices to enclose</source>
-        <translation>Ces sommets à entourer n’existent pas</translation>
+        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
+        <translation>La liste des sommets à entourer est vide ou nomme des sommets que l’organe n’a pas</translation>
     </message>
     <message>
         <source>There are no volumes to compute an ejection fraction from</source>
@@ -3111,28 +3111,28 @@
         <translation>Poids de flexion minimale entre 0 et 1 ; lisses et locaux, ne suivent que les translations</translation>
     </message>
     <message>
-        <source>What is added to every weight when a handle comes in</source>
-        <translation>Ce qui est ajouté à chaque poids quand une poignée arrive</translation>
+        <source>Amount added to each weight when a handle is inserted</source>
+        <translation>Quantité ajoutée à chaque poids quand une poignée est insérée</translation>
     </message>
     <message>
-        <source>What is done about negative numbers</source>
-        <translation>Traitement des nombres négatifs</translation>
+        <source>Treatment of negative weights</source>
+        <translation>Traitement des poids négatifs</translation>
     </message>
     <message>
-        <source>What the hull is divided into</source>
-        <translation>En quoi l’enveloppe est divisée</translation>
+        <source>Pieces of the hull</source>
+        <translation>Morceaux de l’enveloppe</translation>
     </message>
     <message>
-        <source>What the pericardium holds without pressing</source>
-        <translation>Ce que le péricarde contient sans comprimer</translation>
+        <source>Volume that the pericardium holds without pressure</source>
+        <translation>Volume que le péricarde contient sans pression</translation>
     </message>
     <message>
         <source>When the ascent of the smallest number ends</source>
         <translation>Quand cesse la montée du plus petit nombre</translation>
     </message>
     <message>
-        <source>Where 'iterative' moves the target</source>
-        <translation>Où « iterative » déplace la cible</translation>
+        <source>Direction in which 'iterative' moves the target</source>
+        <translation>Direction dans laquelle « iterative » déplace la cible</translation>
     </message>
     <message>
         <source>Where waves arise, about a third of the way down</source>
@@ -3359,8 +3359,8 @@
         <translation>un pancréas</translation>
     </message>
     <message>
-        <source>a part of the scan is on no organ</source>
-        <translation>une partie de l’examen n’est sur aucun organe</translation>
+        <source>a rectangle or sphere must not refer to an organ</source>
+        <translation>un rectangle ou une sphère ne doit pas se rapporter à un organe</translation>
     </message>
     <message>
         <source>a phase has not all surfaces</source>
@@ -4583,8 +4583,8 @@
         </translation>
     </message>
     <message>
-        <source>its id is another thing's, too</source>
-        <translation>son identifiant est aussi celui d’autre chose</translation>
+        <source>another item has the same id</source>
+        <translation>un autre élément a le même identifiant</translation>
     </message>
     <message>
         <source>its id is not a whole number from 1 to 2^52</source>
@@ -4758,8 +4758,8 @@
         <translation>ses voxels sont ailleurs que ceux des autres masques</translation>
     </message>
     <message>
-        <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
-        <translation>ses poids ne sont pas un lieu d’un triangle : ils doivent être d’au moins 0, et 1 ensemble</translation>
+        <source>barycentric weights must be at least 0 and sum to 1</source>
+        <translation>les poids barycentriques doivent être d’au moins 0 et de somme 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4922,7 +4922,7 @@
         <translation>micromètres</translation>
     </message>
     <message>
-        <source>middle line</source>
+        <source>centreline</source>
         <translation>ligne médiane</translation>
     </message>
     <message>
@@ -5044,10 +5044,6 @@
     <message>
         <source>no handle is left to compensate the change of volume</source>
         <translation>il ne reste aucune poignée pour compenser le changement de volume</translation>
-    </message>
-    <message>
-        <source>no handle is left to make up for the volume</source>
-        <translation>il ne reste aucune poignée pour compenser le volume</translation>
     </message>
     <message>
         <source>no harmonic function can be found on the surface</source>
@@ -5799,7 +5795,7 @@
         <translation>la marque %1 de type %2 n’est pas une liste de points et est omise</translation>
     </message>
     <message>
-        <source>the middle line that was computed leaves the organ</source>
+        <source>the computed centreline leaves the organ</source>
         <translation>la ligne médiane calculée sort de l’organe</translation>
     </message>
     <message>
@@ -6154,10 +6150,6 @@
         <translation>les ondes ont %1 % de la profondeur de celles d’un adulte : %2</translation>
     </message>
     <message>
-        <source>the weights of a measured point are no place in its triangle</source>
-        <translation>les poids d’un point mesuré ne sont pas un lieu de son triangle</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>il y en a %1</translation>
     </message>
@@ -6484,16 +6476,16 @@
         <translation>sonde de contrainte %1</translation>
     </message>
     <message>
-        <source>stress line %1</source>
-        <translation>ligne de contrainte %1</translation>
+        <source>stress profile %1</source>
+        <translation>profil de contrainte %1</translation>
     </message>
     <message>
         <source>stress probe</source>
         <translation>sonde de contrainte</translation>
     </message>
     <message>
-        <source>stress line</source>
-        <translation>ligne de contrainte</translation>
+        <source>stress profile</source>
+        <translation>profil de contrainte</translation>
     </message>
     <message>
         <source>its number is not a whole number from 1</source>
@@ -6951,8 +6943,8 @@
         <translation>de %1 à %2 %3</translation>
     </message>
     <message>
-        <source>the valve leaks through a larger area than it opens to</source>
-        <translation>la valve fuit par une aire plus grande que son ouverture</translation>
+        <source>the leak area must be smaller than the area of the open valve</source>
+        <translation>la surface de fuite doit être inférieure à celle de la valve ouverte</translation>
     </message>
     <message>
         <source>choose a %1 below its %2</source>

@@ -2765,8 +2765,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1: comprovat, sense problemes</translation>
     </message>
     <message>
-        <source>The drag was taken back, because another mode was chosen.</source>
-        <translation>L’arrossegament s’ha desfet perquè s’ha triat un altre mode.</translation>
+        <source>Viscera cancelled the drag because you chose another mode.</source>
+        <translation>Viscera ha cancel·lat l’arrossegament perquè heu triat un altre mode.</translation>
     </message>
     <message>
         <source>Only partly possible: %1</source>
@@ -2781,12 +2781,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Voleu tancar sense aquests fitxers?</translation>
     </message>
     <message>
-        <source>Files are still being written: %1.</source>
-        <translation>Encara s’estan escrivint fitxers: %1.</translation>
+        <source>Viscera is still writing: %1.</source>
+        <translation>Viscera encara escriu: %1.</translation>
     </message>
     <message>
-        <source>They will be missing when Viscera closes now.</source>
-        <translation>Faltaran si Viscera es tanca ara.</translation>
+        <source>If you close Viscera now, it does not finish these files.</source>
+        <translation>Si tanqueu el Viscera ara, no acabarà aquests fitxers.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2922,10 +2922,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
         <translation>
-            <numerusform>Moviment de %n fase. Distància mitjana al que s’ha mesurat: %1.</numerusform>
-            <numerusform>Moviment de %n fases. Distància mitjana al que s’ha mesurat: %1.</numerusform>
+            <numerusform>Moviment de %n fase. Distància mitjana a les superfícies mesurades: %1.</numerusform>
+            <numerusform>Moviment de %n fases. Distància mitjana a les superfícies mesurades: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -4438,8 +4438,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Temps de la fase</translation>
     </message>
     <message>
-        <source>Distance of the surface from what was measured, by area</source>
-        <translation>Distància de la superfície al que es va mesurar, per àrea</translation>
+        <source>Distance of the fitted surface from the measured surface, weighted by area</source>
+        <translation>Distància de la superfície ajustada a la mesurada, ponderada per àrea</translation>
     </message>
     <message>
         <source>95 % of the area lies within this distance</source>

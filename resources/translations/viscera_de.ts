@@ -2765,8 +2765,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1: geprüft, keine Probleme gefunden</translation>
     </message>
     <message>
-        <source>The drag was taken back, because another mode was chosen.</source>
-        <translation>Das Ziehen wurde zurückgenommen, weil ein anderer Modus gewählt wurde.</translation>
+        <source>Viscera cancelled the drag because you chose another mode.</source>
+        <translation>Viscera hat das Ziehen abgebrochen, weil Sie einen anderen Modus gewählt haben.</translation>
     </message>
     <message>
         <source>Only partly possible: %1</source>
@@ -2781,12 +2781,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Ohne diese Dateien schließen?</translation>
     </message>
     <message>
-        <source>Files are still being written: %1.</source>
-        <translation>Es werden noch Dateien geschrieben: %1.</translation>
+        <source>Viscera is still writing: %1.</source>
+        <translation>Viscera schreibt noch: %1.</translation>
     </message>
     <message>
-        <source>They will be missing when Viscera closes now.</source>
-        <translation>Sie fehlen, wenn Viscera jetzt geschlossen wird.</translation>
+        <source>If you close Viscera now, it does not finish these files.</source>
+        <translation>Wenn Sie Viscera jetzt schließen, werden diese Dateien nicht fertig.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2922,10 +2922,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
         <translation>
-            <numerusform>Bewegung aus %n Phase. Mittlerer Abstand von den Messdaten: %1.</numerusform>
-            <numerusform>Bewegung aus %n Phasen. Mittlerer Abstand von den Messdaten: %1.</numerusform>
+            <numerusform>Bewegung aus %n Phase. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
+            <numerusform>Bewegung aus %n Phasen. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -4438,8 +4438,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zeit der Phase</translation>
     </message>
     <message>
-        <source>Distance of the surface from what was measured, by area</source>
-        <translation>Abstand der Oberfläche von den Messdaten, nach Fläche</translation>
+        <source>Distance of the fitted surface from the measured surface, weighted by area</source>
+        <translation>Abstand der angepassten von der gemessenen Oberfläche, nach Fläche gewichtet</translation>
     </message>
     <message>
         <source>95 % of the area lies within this distance</source>

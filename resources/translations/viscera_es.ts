@@ -2765,8 +2765,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1: comprobado, sin problemas</translation>
     </message>
     <message>
-        <source>The drag was taken back, because another mode was chosen.</source>
-        <translation>El arrastre se ha deshecho porque se ha elegido otro modo.</translation>
+        <source>Viscera cancelled the drag because you chose another mode.</source>
+        <translation>Viscera canceló el arrastre porque usted eligió otro modo.</translation>
     </message>
     <message>
         <source>Only partly possible: %1</source>
@@ -2781,12 +2781,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>¿Cerrar sin estos archivos?</translation>
     </message>
     <message>
-        <source>Files are still being written: %1.</source>
-        <translation>Todavía se están escribiendo archivos: %1.</translation>
+        <source>Viscera is still writing: %1.</source>
+        <translation>Viscera todavía escribe: %1.</translation>
     </message>
     <message>
-        <source>They will be missing when Viscera closes now.</source>
-        <translation>Faltarán si Viscera se cierra ahora.</translation>
+        <source>If you close Viscera now, it does not finish these files.</source>
+        <translation>Si cierra Viscera ahora, no terminará estos archivos.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2922,10 +2922,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
         <translation>
-            <numerusform>Movimiento de %n fase. Distancia media a lo medido: %1.</numerusform>
-            <numerusform>Movimiento de %n fases. Distancia media a lo medido: %1.</numerusform>
+            <numerusform>Movimiento de %n fase. Distancia media a las superficies medidas: %1.</numerusform>
+            <numerusform>Movimiento de %n fases. Distancia media a las superficies medidas: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -4438,8 +4438,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Tiempo de la fase</translation>
     </message>
     <message>
-        <source>Distance of the surface from what was measured, by area</source>
-        <translation>Distancia de la superficie a lo medido, ponderada por área</translation>
+        <source>Distance of the fitted surface from the measured surface, weighted by area</source>
+        <translation>Distancia de la superficie ajustada a la medida, ponderada por área</translation>
     </message>
     <message>
         <source>95 % of the area lies within this distance</source>

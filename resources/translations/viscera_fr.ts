@@ -2765,8 +2765,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>%1&#x202f;: contrôlé, aucun problème trouvé</translation>
     </message>
     <message>
-        <source>The drag was taken back, because another mode was chosen.</source>
-        <translation>Le glissement a été annulé, car un autre mode a été choisi.</translation>
+        <source>Viscera cancelled the drag because you chose another mode.</source>
+        <translation>Viscera a annulé le glissement, car vous avez choisi un autre mode.</translation>
     </message>
     <message>
         <source>Only partly possible: %1</source>
@@ -2781,12 +2781,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Fermer sans ces fichiers ?</translation>
     </message>
     <message>
-        <source>Files are still being written: %1.</source>
-        <translation>Des fichiers sont encore en cours d’écriture : %1.</translation>
+        <source>Viscera is still writing: %1.</source>
+        <translation>Viscera écrit encore&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>They will be missing when Viscera closes now.</source>
-        <translation>Ils manqueront si Viscera se ferme maintenant.</translation>
+        <source>If you close Viscera now, it does not finish these files.</source>
+        <translation>Si vous fermez Viscera maintenant, il ne terminera pas ces fichiers.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2922,10 +2922,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
         <translation>
-            <numerusform>Mouvement de %n phase. Distance moyenne à ce qui a été mesuré&#x202f;: %1.</numerusform>
-            <numerusform>Mouvement de %n phases. Distance moyenne à ce qui a été mesuré&#x202f;: %1.</numerusform>
+            <numerusform>Mouvement de %n phase. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
+            <numerusform>Mouvement de %n phases. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -4438,8 +4438,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Temps de la phase</translation>
     </message>
     <message>
-        <source>Distance of the surface from what was measured, by area</source>
-        <translation>Distance de la surface à ce qui a été mesuré, selon l’aire</translation>
+        <source>Distance of the fitted surface from the measured surface, weighted by area</source>
+        <translation>Distance de la surface ajustée à la surface mesurée, pondérée par l’aire</translation>
     </message>
     <message>
         <source>95 % of the area lies within this distance</source>

@@ -151,7 +151,7 @@ Outcome LessonCommand::run(CommandContext& context) {
   if (ready_)
     return writeReady(context);
   if (request_.sequence.empty())
-    throw UsageError("It needs to know what the lesson is about", "viscera lesson",
+    throw UsageError("A sequence, a session or an organ is missing", "viscera lesson",
                      "name a sequence, a session or an organ, or give --ready");
   const std::string ending = std::filesystem::path(output_).extension().string();
   if (ending != ".html" && ending != ".glb")

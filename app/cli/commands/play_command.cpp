@@ -236,9 +236,9 @@ public:
                     "as 'viscera circulate --list' has them")
         ->type_name("NAME");
     options
-        .add_option(
-            "--ejection-fraction", request_.ejectionFraction,
-            "Of the left ventricle of a heart with its chambers that --organ names; 0.58 when not said")
+        .add_option("--ejection-fraction", request_.ejectionFraction,
+                    "Ejection fraction of the left ventricle of a heart with chambers that --organ names "
+                    "(default 0.58)")
         ->type_name("PART")
         ->check(CLI::PositiveNumber);
     options.add_option("--rate", rate_, "Cycles a minute; the sequence's or session's own when not said")

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 class ProbeCommand final : public Command {
 public:
   std::string name() const override { return "probe"; }
-  std::string summary() const override { return "Say a scan's values at points"; }
+  std::string summary() const override { return "Print a scan's values at points"; }
 
   void addOptions(CLI::App& options) override {
     scan_.addTo(options);
@@ -44,7 +44,7 @@ public:
                         {"value", value ? ordered_json(*value) : ordered_json(nullptr)},
                         {"inside", value.has_value()}});
       listing.add(positions_[i], value ? significant(*value, 6) + (scan.unit.empty() ? "" : " " + scan.unit)
-                                       : "outside of what was measured");
+                                       : "outside the scan");
     }
     outcome.json = {
         {"file", scan_.file()}, {"unit", scan.unit}, {"values", values}, {"warnings", outcome.warnings}};

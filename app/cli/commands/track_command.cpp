@@ -186,7 +186,7 @@ void TrackCommand::addOptions(CLI::App& options) {
   options.add_flag("--free-volumes", freeVolumes_, "Do not keep the measured volumes");
   options
       .add_option("--smoothing", smoothing_,
-                  "Of the motion in time; 1e-5 for surfaces with the same triangles, else 1e-4")
+                  "Temporal smoothness; 1e-5 for surfaces with the same triangles, else 1e-4")
       ->check(CLI::NonNegativeNumber);
   options
       .add_option("--robust-mm", robustMm_,
@@ -196,7 +196,7 @@ void TrackCommand::addOptions(CLI::App& options) {
       "--textbook", textbook_, "PHASES is one image of a heart with cavities: fit the textbook's beat to it");
   options
       .add_option("--ejection-fraction", ejection_,
-                  "Of the left ventricle in the textbook's beat; 0.58 when not said")
+                  "Ejection fraction of the left ventricle in the textbook's beat (default 0.58)")
       ->needs(textbook);
 }
 

@@ -56,8 +56,8 @@ QString summaryOf(const MeasuredMotion::Found& found) {
     parts.push_back(
         MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
   }
-  return MeasuredMotion::tr("Motion of %n {phase|phases}. Mean distance from what was measured: %1.", nullptr,
-                            static_cast<int>(motion.phases.size()))
+  return MeasuredMotion::tr("Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.",
+                            nullptr, static_cast<int>(motion.phases.size()))
       .arg(parts.join(QStringLiteral(", ")));
 }
 

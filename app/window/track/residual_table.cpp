@@ -136,7 +136,7 @@ void ResidualTable::makeTable() {
                                      tr("flipped"), tr("folded"), tr("steps")});
   const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
                             tr("Time of the phase"),
-                            tr("Distance of the surface from what was measured, by area"),
+                            tr("Distance of the fitted surface from the measured surface, weighted by area"),
                             tr("95 % of the area lies within this distance"),
                             tr("The largest distance"),
                             tr("Volume that was measured"),

@@ -63,6 +63,7 @@ State integrateBeat(const Circuit& circuit, const State& start, int steps) {
   const auto system = [&circuit](const State& y, State& change, double t) {
     circuit.rates(y, circuit.instant(y, t), change);
   };
+  // dy/dt = f(y, t) by the classical Runge-Kutta method of fourth order with the step h = period / steps.
   odeint::runge_kutta4<State> stepper;
   const double step = circuit.period() / steps;
   for (int i = 0; i < steps; ++i)

@@ -126,9 +126,10 @@ const std::vector<Entry>& entries() {
       {{"tricuspidLeak", "Tricuspid valve, leak", "cm2", 0, 0, 1, kLeakForm}, VISCERA_AT(tricuspid.leak)},
       {{"pulmonicArea", "Pulmonary valve, open", "cm2", 4, 0.3, 6, kValveForm}, VISCERA_AT(pulmonic.open)},
       {{"pulmonicLeak", "Pulmonary valve, leak", "cm2", 0, 0, 1, kLeakForm}, VISCERA_AT(pulmonic.leak)},
-      {{"pericardialRoom", "What the pericardium holds without pressing", "ml", 520, 200, 1500, kPericardium},
+      {{"pericardialRoom", "Volume that the pericardium holds without pressure", "ml", 520, 200, 1500,
+        kPericardium},
        VISCERA_AT(pericardialRoom)},
-      {{"pericardialScale", "Filling that multiplies the pericardium's pressure by e", "ml", 40, 10, 200,
+      {{"pericardialScale", "Added volume that multiplies pericardial pressure by e", "ml", 40, 10, 200,
         kPericardium},
        VISCERA_AT(pericardialScale)},
   };
@@ -218,7 +219,7 @@ void checkParameters(const Parameters& parameters) {
     checkRange(e.info, e.of(copy));
   const auto check = [](const ValveAreas& valve, const std::string& name) {
     if (valve.leak >= valve.open)
-      throw UsageError("the valve leaks through a larger area than it opens to", name,
+      throw UsageError("the leak area must be smaller than the area of the open valve", name,
                        phrase("choose a %1 below its %2", name + "Leak", name + "Area"));
   };
   check(parameters.mitral, "mitral");

@@ -108,6 +108,7 @@ State guessedState(const Parameters& p) {
   State state{};
   for (std::size_t i = 0; i < kCompartments; ++i)
     state[i] = small * kRest[i];
+  // From p = a (exp(b (V - v0)) - 1): a passive chamber at the pressure p holds V = v0 + ln(1 + p / a) / b.
   for (std::size_t i = 0; i < kChambers; ++i)
     state[i] =
         std::min(heart * kRest[i], chambers[i]->v0 + std::log1p(kHighest / chambers[i]->a) / chambers[i]->b);
@@ -121,6 +122,7 @@ PeriodicState findPeriodicState(const Parameters& parameters, Progress& progress
   const int substeps = substepsFor(60 / parameters.rate, options.samples, options.step);
   const Circuit circuit(parameters, options.samples * substeps);
   const Vector weight = weights();
+  // The periodic state is the fixed point x = P(x) of the map P that integrates one beat.
   Anderson mixture(kMemory);
   PeriodicState found;
   State x = nearby ? adapted(*nearby, parameters.stressedVolume) : guessedState(parameters);

@@ -103,7 +103,8 @@ DisplacementGrid emptyGrid(const GridOptions& options) {
   grid.spacing = options.spacing;
   const Vec3 cells = ((options.box.high - options.box.low) / options.spacing).array().ceil().max(1);
   if ((cells.array() + 1).prod() > kMostGridPoints)
-    throw UsageError("It leads to more than 20 million points", "spacing", "take a larger one");
+    throw UsageError("The displacement field would have more than 20 million points", "spacing",
+                     "take a larger one");
   grid.size = cells.cast<int>().array() + 1;
   grid.vectors.setZero(Eigen::Index(grid.size[0]) * grid.size[1] * grid.size[2], 3);
   return grid;

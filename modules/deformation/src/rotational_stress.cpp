@@ -31,6 +31,8 @@ Eigen::Vector3d eigenvector(const Eigen::Matrix3d& a, double value) {
 /// gives the one that stands apart; the other two, which may nearly coincide, come from the plane across its
 /// eigenvector, where nothing cancels.
 Eigen::Vector3d symmetricEigenvalues(const Eigen::Matrix3d& a) {
+  // A = m I + r B with m = tr A / 3 and r^2 = |A - m I|^2 / 6. With cos(3 phi) = det B / 2 the eigenvalues
+  // of B are 2 cos(phi + 2 pi k / 3).
   const double mean = a.trace() / 3;
   const Eigen::Matrix3d deviator = a - mean * Eigen::Matrix3d::Identity();
   const double radius = std::sqrt(deviator.squaredNorm() / 6);
@@ -58,6 +60,7 @@ Eigen::Vector3d singularValues(const Eigen::Matrix3d& m) {
   if (scale == 0)
     return Eigen::Vector3d::Zero();
   const Eigen::Matrix3d unit = m / scale; // No overflow in the squares.
+  // s_i = sqrt(eigenvalue_i(M^T M)); the smallest of thin tissue from |det M| = s1 s2 s3.
   Eigen::Vector3d values = symmetricEigenvalues(unit.transpose() * unit).cwiseMax(0.0).cwiseSqrt();
   if (values[2] < kThin * values[0] && values[1] > 0)
     values[2] = std::min(values[1], std::abs(unit.determinant()) / (values[0] * values[1]));
@@ -67,6 +70,7 @@ Eigen::Vector3d singularValues(const Eigen::Matrix3d& m) {
 LocalDistortion localDistortion(const Eigen::Matrix3d& m) {
   const Eigen::Vector3d s = singularValues(m);
   LocalDistortion distortion;
+  // sigma = arcsin((s1 - s3) / (s1 + s3)) = atan2(s1 - s3, 2 sqrt(s1 s3)).
   // The same as the arcsine, but exact also near a right angle, where its derivative is infinite.
   distortion.rotationalStress = std::atan2(s[0] - s[2], 2 * std::sqrt(s[0] * s[2]));
   distortion.volumeRatio = m.determinant();

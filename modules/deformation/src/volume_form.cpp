@@ -93,6 +93,7 @@ std::optional<VolumeForm> VolumeForm::of(const geometry::TriangleMesh& rest,
   const auto slice = [&slices](Eigen::Index i) -> Eigen::MatrixXd& {
     return slices[static_cast<std::size_t>(i)];
   };
+  // T_ijk = (M_k(i, j) - M_k(j, i)) / 6, the same for even and the opposite for odd orders of i, j, k.
   for (Eigen::Index k = 0; k < count; ++k)
     for (Eigen::Index j = 0; j < k; ++j)
       for (Eigen::Index i = 0; i < j; ++i) {
@@ -117,6 +118,7 @@ void VolumeForm::gradient(const Points& pose, Points& out) const {
   assert(pose.rows() == handles());
   // The volume does not change when all handles move together; about their middle the least is lost.
   const Points centered = pose.rowwise() - pose.colwise().mean();
+  // dV / dv_i = 1/2 sum_j v_j x (sum_k T_ijk v_k).
   out.resize(handles(), 3);
   Points seen(handles(), 3);
   for (Eigen::Index i = 0; i < handles(); ++i) {
@@ -137,6 +139,7 @@ double VolumeForm::volume(const Points& pose) const {
 }
 
 std::array<double, 4> VolumeForm::along(const Points& pose, const Points& direction) const {
+  // V(H + s U) = V(H) + s grad V(H).U + s^2 H.grad V(U) + s^3 V(U).
   Points atPose, atDirection;
   gradient(pose, atPose);
   gradient(direction, atDirection);

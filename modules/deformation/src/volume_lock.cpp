@@ -302,7 +302,7 @@ std::vector<int> restingHandles(const Points& restHandles, const Points& pose) {
 void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>& compensating,
                    const RestorationModel& model) {
   if (compensating.empty())
-    throw UsageError("no handle is left to make up for the volume", {}, "name compensating handles");
+    throw UsageError("no handle is left to compensate the change of volume", {}, "name compensating handles");
   std::vector<int> free = compensating;
   std::sort(free.begin(), free.end());
   if (free.front() < 0 || free.back() >= deformer.pose().rows())

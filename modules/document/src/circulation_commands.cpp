@@ -63,13 +63,14 @@ Command takeCirculation(const std::string& title, const circulation::Parameters&
 }
 
 Command keepCirculation() {
-  return edit::onPart("Keep as before", &DocumentState::circulation, [](CirculationChoice& choice) {
-    choice.kept = KeptCirculation{nameOf(choice), choice.parameters};
-  });
+  return edit::onPart("Keep circulation for comparison", &DocumentState::circulation,
+                      [](CirculationChoice& choice) {
+                        choice.kept = KeptCirculation{nameOf(choice), choice.parameters};
+                      });
 }
 
 Command forgetKeptCirculation() {
-  return edit::onPart("Forget what was before", &DocumentState::circulation,
+  return edit::onPart("Discard kept circulation", &DocumentState::circulation,
                       [](CirculationChoice& choice) { choice.kept.reset(); });
 }
 

@@ -86,7 +86,7 @@ MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights
     throw DataError(phrase("there is no triangle %1", triangle), organ.name,
                     "pick the point on the surface again");
   if (!(weights.minCoeff() >= -kPlaceTolerance && std::abs(weights.sum() - 1) <= kPlaceTolerance))
-    throw DataError("the weights of a measured point are no place in its triangle", organ.name,
+    throw DataError("barycentric weights must be at least 0 and sum to 1", organ.name,
                     "pick the point on the surface again");
   MeasuredPoint point;
   point.organ = organ.id;

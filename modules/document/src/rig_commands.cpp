@@ -88,7 +88,9 @@ DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const s
   const Points& points = organ->mesh->points;
   if (vertices.empty() || *std::min_element(vertices.begin(), vertices.end()) < 0 ||
       *std::max_element(vertices.begin(), vertices.end()) >= points.rows())
-    throw UsageError("There are no such vertices to enclose", organ->name);
+    throw UsageError(
+        "The list of vertices to enclose is empty or names vertices that the organ does not have",
+        organ->name);
   const Bounds box = boundsOf(points(vertices, Eigen::all));
   const double grow = kEnclosingMargin * boundsOf(points).diagonal();
   Points ends(2, 3);

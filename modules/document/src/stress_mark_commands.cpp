@@ -10,7 +10,7 @@ namespace viscera::document {
 namespace {
 
 constexpr const char* kProbe = "stress probe";
-constexpr const char* kLine = "stress line";
+constexpr const char* kLine = "stress profile";
 
 int freeNumber(const std::vector<StressProbe>& probes) {
   const auto taken = [&probes](int number) {

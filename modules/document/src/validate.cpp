@@ -51,7 +51,7 @@ void validateIds(const DocumentState& state) {
   std::set<std::int64_t> taken;
   const auto take = [&taken](std::int64_t id, const std::string& where) {
     requireId(id, where);
-    require(taken.insert(id).second, "its id is another thing's, too", where);
+    require(taken.insert(id).second, "another item has the same id", where);
   };
   for (const auto& organ : *state.organs)
     take(organ->id.value, phrase("organ %1", organ->name));
@@ -69,7 +69,7 @@ void validateIds(const DocumentState& state) {
   for (const StressProbe& probe : state.stressMarks->probes)
     take(probe.id.value, phrase("stress probe %1", probe.number));
   for (const StressLine& line : state.stressMarks->lines)
-    take(line.id.value, phrase("stress line %1", state.stressMarks->nameOf(line)));
+    take(line.id.value, phrase("stress profile %1", state.stressMarks->nameOf(line)));
 }
 
 void validateOrgan(const Organ& organ, const DocumentState& known) {
@@ -193,14 +193,14 @@ void validateMeasurements(const DocumentState& state) {
       requirePlace(point.rest, "one of its points", where);
       if (!point.organ)
         continue;
-      require(!isRegion(measurement.kind), "a part of the scan is on no organ", where);
+      require(!isRegion(measurement.kind), "a rectangle or sphere must not refer to an organ", where);
       requireId(point.organ.value, where);
       const auto organ = state.organ(point.organ);
       require(point.triangle >= 0 && (!organ || point.triangle < organ->mesh->triangles.rows()),
               "the surface has no such triangle", where, "pick the point on the surface again");
       require(point.weights.allFinite() && point.weights.minCoeff() >= 0 &&
                   std::abs(point.weights.sum() - 1) <= kWeightSumTolerance,
-              "its weights are no place in a triangle: they have to be 0 at least, and 1 together", where,
+              "barycentric weights must be at least 0 and sum to 1", where,
               "pick the point on the surface again");
     }
   }
@@ -218,7 +218,8 @@ void validateStressMarks(const StressMarks& marks) {
   for (const StressLine& line : marks.lines) {
     const StressProbe *from = marks.probe(line.from), *to = marks.probe(line.to);
     require(from && to && from != to && from->organ == to->organ,
-            "it does not join two stress probes of one organ", phrase("stress line %1", marks.nameOf(line)));
+            "it does not join two stress probes of one organ",
+            phrase("stress profile %1", marks.nameOf(line)));
   }
 }
 

@@ -25,7 +25,7 @@ namespace {
 constexpr double kTipReach = 0.12;
 constexpr double kEndReach = 0.15;
 constexpr double kFixedReach = 0.03;
-/// Points of the middle line are that far from each other at least.
+/// Points of the centreline are that far from each other at least.
 constexpr double kApart = 1.0 / 30;
 
 using Neighbors = std::vector<std::vector<std::pair<int, double>>>;
@@ -166,7 +166,7 @@ Values harmonic(const TriangleMesh& mesh, const Values& fromOne, const Values& f
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   const Values solution = solver.solve(right);
   if (solver.info() != Eigen::Success || !solution.allFinite())
-    throw DataError("no harmonic function can be found on the surface", "middle line", "repair the surface");
+    throw DataError("no harmonic function can be found on the surface", "centreline", "repair the surface");
   for (Eigen::Index i = 0; i < n; ++i)
     if (const int k = unknown[static_cast<std::size_t>(i)]; k >= 0)
       values[i] = solution[k];
@@ -330,7 +330,7 @@ TubeAxis tubeAxis(const TriangleMesh& mesh, int from, int to, int slices) {
   const double length = fromOne[to];
   if (!(length > 0) || !std::isfinite(length))
     throw DataError(length == 0 ? "its two ends are at one place" : "its two ends are on separate pieces",
-                    "middle line", "choose two ends of one surface");
+                    "centreline", "choose two ends of one surface");
   const Values values = harmonic(mesh, fromOne, fromOther, kFixedReach * length);
   TubeAxis axis;
   axis.points.push_back(mesh.points.row(from).transpose());

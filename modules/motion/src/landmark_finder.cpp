@@ -19,7 +19,7 @@ namespace {
 constexpr double kOutside = 0.1;
 constexpr double kAtOnePlace = 0.05;
 
-/// Points of the middle line that are kept: enough for its bends, few enough to be smooth.
+/// Points of the centreline that are kept: enough for its bends, few enough to be smooth.
 constexpr int kLinePoints = 15;
 constexpr int kSmoothings = 3;
 /// Of the organ's diagonal: points of the line lie that deep inside where there is room.
@@ -182,7 +182,7 @@ Vec3 LandmarkFinder::drawnInside(const Vec3& place) const {
     if (depth(wall + step * away) < -0.7 * step)
       return wall + step * away;
   if (depth(place) >= 0)
-    throw DataError("the middle line that was computed leaves the organ", name_,
+    throw DataError("the computed centreline leaves the organ", name_,
                     "give points of the centreline yourself");
   return place;
 }

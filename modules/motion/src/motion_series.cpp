@@ -55,9 +55,9 @@ void warnOf(const tracking::TidySeries& tidy, MotionSeries& series) {
     series.warnings.push_back(
         phrase("%1: %n {hole|holes} closed by {a flat cap|flat caps}", name, tidy.closedHoles));
   if (tidy.mergedApartMm > kApartLaterMm)
-    series.warnings.push_back(
-        phrase("%1: points that are one in the first phase lie up to %2 mm apart later; they move as one",
-               name, fixed(tidy.mergedApartMm, 2)));
+    series.warnings.push_back(phrase(
+        "%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together",
+        name, fixed(tidy.mergedApartMm, 2)));
 }
 
 /// Surfaces of which each phase has triangles of its own.

@@ -53,7 +53,7 @@ std::vector<int> freeOf(const Lock& lock, const Points& pose, const std::optiona
   std::vector<int> chosen = free ? *free : deformation::restingHandles(lock.first->handles.positions, pose);
   std::sort(chosen.begin(), chosen.end());
   if (chosen.empty())
-    throw UsageError("no handle is left to make up for the volume", "free",
+    throw UsageError("no handle is left to compensate the change of volume", "free",
                      "name some, or leave some at rest");
   if (chosen.front() < 0 || chosen.back() >= pose.rows())
     throw UsageError(

@@ -19,7 +19,7 @@ HeartCourse checked(HeartCourse course) {
   if (course.instants.size() < kFewestInstants || !(course.period > 0))
     throw DataError("the course does not cover a beat", course.name);
   if (!course.valves.empty() && course.valves.size() != course.instants.size())
-    throw DataError("the course tells of its valves at other instants than of its volumes", course.name);
+    throw DataError("valves and volumes of the heartbeat have different times", course.name);
   return course;
 }
 

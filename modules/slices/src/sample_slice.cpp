@@ -149,7 +149,7 @@ struct Scratch {
   std::vector<float> counts; ///< Layers that had a value at a pixel.
 };
 
-/// Adds a layer to what there is of the others.
+/// Adds a layer to the sum, or the maximum, of the layers before it.
 void addLayer(const std::vector<float>& layer, bool maximum, float* out, std::vector<float>& counts) {
   for (std::size_t x = 0; x < layer.size(); ++x) {
     const float value = layer[x];

@@ -22,6 +22,8 @@ Points phaseOf(const MotionRig& rig, const std::vector<SurfaceSeries>& series, s
 /// Column t: the displacements of the handles in phase t, those of x, y and z below each other.
 Eigen::MatrixXd displacements(const Eigen::MatrixXd& normal, const Eigen::MatrixXd& wanted,
                               const PhaseTimes& times, double smoothing, Progress& progress) {
+  // N X + smoothing X U = R with the symmetric U = Q diag(l) Q^T of the phases' times: with Y = X Q each
+  // column is a system of its own, (N + smoothing l_m I) y_m = (R Q)_m.
   const Eigen::Index n = normal.rows();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(unevenness(times));
   const Eigen::MatrixXd byMode = wanted * modes.eigenvectors();
@@ -42,6 +44,7 @@ MotionFit fitSeries(const MotionRig& rig, const std::vector<SurfaceSeries>& seri
                     const FitOptions& options, Progress& progress) {
   assert(!series.empty() && series.front().phases.size() == times.count());
   const Eigen::Index n = rig.handles();
+  // Normal equations of the weighted least squares: N = W^T S W + bending B, R = W^T S (phase - rest).
   const Eigen::MatrixXd weighted = rig.weights().transpose() * rig.shares().asDiagonal();
   const Eigen::MatrixXd normal = weighted * rig.weights() + options.bending * rig.bending() +
                                  kFactorFloor * Eigen::MatrixXd::Identity(n, n);

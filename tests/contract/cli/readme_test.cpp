@@ -88,6 +88,19 @@ TEST_F(Readme, SaysTheErrorsOfCoordinatesAsTheyAreMeasured) {
   expectSaid(formatted(", %+.4f, none |", least));
 }
 
+/// The time depends on the machine, but not what follows from it.
+TEST_F(Readme, DividesTheTimeOfBindingByVerticesAndHandles) {
+  const std::string row = R"(binding the liver's 14,759 vertices \| )";
+  const double ms = numberSaid(row + R"(([0-9.]+) ms, that is [0-9.]+ ns a vertex and handle \|)");
+  const double ns = numberSaid(row + R"([0-9.]+ ms, that is ([0-9.]+) ns a vertex and handle \|)");
+  const double handles = numberSaid(R"(bunny, ([0-9]+) handles: identity error)");
+  runJson({"handles", "sample:liver", "-o", path("h.mrk.json"), "--count", "30", "--enclosing"});
+  const json bound = runJson({"bind", "sample:liver", "--handles", path("h.mrk.json")});
+  EXPECT_EQ(bound["vertices"], 14759);
+  EXPECT_EQ(bound["handles"], handles);
+  EXPECT_NEAR(ns, ms * 1e6 / (14759 * handles), 0.05 * ns);
+}
+
 TEST_F(Readme, SaysTheErrorOfALockedVolumeAsItIsMeasured) {
   const std::string rest = path("rest.mrk.json");
   runJson({"handles", "sample:liver", "-o", rest, "--count", "30", "--enclosing"});

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# validate.sh desktop|metainfo|mime FOLDER: ends with 77 where the validator is not installed.
+# validate.sh desktop|metainfo|mime|translations FOLDER: ends with 77 where the validator is not installed.
 set -euo pipefail
 readonly kind=$1 folder=$2
 
@@ -30,9 +30,29 @@ case $kind in
     [ -z "$said" ] || { echo "$said"; exit 1; }
     grep -q 'application/x-viscera-session+json:\*\.viscera' "$work/mime/globs2" ||
       { echo "*.viscera is no session"; exit 1; }
+    for glob in nifti:*.nii nifti:*.nii.gz nrrd:*.nrrd nrrd:*.nhdr metaimage:*.mha metaimage:*.mhd; do
+      grep -qF "application/x-viscera-$glob" "$work/mime/globs2" || { echo "$glob is described nowhere"; exit 1; }
+      grep -q "^MimeType=.*application/x-viscera-${glob%%:*};" "$folder/org.viscera.Viscera.desktop" ||
+        { echo "the desktop entry does not open $glob"; exit 1; }
+    done
+    grep -q '^MimeType=.*;application/dicom;' "$folder/org.viscera.Viscera.desktop" ||
+      { echo "the desktop entry does not open DICOM files"; exit 1; }
     # Each type that the desktop entry names and that is ours is described here.
     for type in $(grep '^MimeType=' "$folder/org.viscera.Viscera.desktop" | cut -d= -f2 | tr ';' '\n' | grep x-viscera); do
       grep -q "^$type$" "$work/mime/types" || { echo "$type is described nowhere"; exit 1; }
+    done
+    ;;
+  translations)
+    # Each text of the three files, in each language of the window.
+    for language in ca de es fr; do
+      for key in GenericName Comment Keywords; do
+        grep -q "^$key\[$language\]=" "$folder/org.viscera.Viscera.desktop" || { echo "$key has no $language"; exit 1; }
+      done
+      for text in mime:comment metainfo:summary metainfo:p; do
+        file=$folder/org.viscera.Viscera.${text%%:*}.xml tag=${text##*:}
+        all=$(grep -c "<$tag>" "$file") said=$(grep -c "<$tag xml:lang=\"$language\">" "$file") || true
+        [ "$all" = "$said" ] || { echo "$file: $said of $all <$tag> in $language"; exit 1; }
+      done
     done
     ;;
 esac

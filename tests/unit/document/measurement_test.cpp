@@ -324,7 +324,7 @@ TEST_F(MeasurementsInSessions, ThatAreDamagedAreRefusedWithThePlace) {
   EXPECT_THAT(failureOf([&](Json& list) {
                 point(list)["weights"] = {0.5, 0.5, 0.5};
               }),
-              HasSubstr("Its weights are no place in a triangle"));
+              HasSubstr("Barycentric weights must be at least 0 and sum to 1"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list).erase("weights"); }), HasSubstr("weights"));
   EXPECT_EQ(failureOf([&](Json& list) { point(list)["triangle"] = 127; }), "was opened");
 }

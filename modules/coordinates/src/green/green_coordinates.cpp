@@ -29,6 +29,8 @@ public:
 private:
   bool add(const Vec3& point, Values& weights, Points* gradients) const {
     constexpr double kWhole = 4 * std::numbers::pi;
+    // p = sum_i phi_i v_i + sum_t psi_t n_t: rows of the corners (phi), then of the triangles (psi), which
+    // meet the stretched normals of `CageNormals`.
     double angle = 0;
     Eigen::Index touched = -1;
     Vec3 foot = Vec3::Zero();

@@ -19,8 +19,7 @@ enum class Polyhedra { tetrahedra, convex };
 
 const Parameter kPartitions =
     choiceParameter("partitions", "Inner handles of each layer", {"nested", "independent"});
-const Parameter kPolyhedra =
-    choiceParameter("polyhedra", "What the hull is divided into", {"tetrahedra", "convex"});
+const Parameter kPolyhedra = choiceParameter("polyhedra", "Pieces of the hull", {"tetrahedra", "convex"});
 
 /// Of the handles' size: what lies in a plane, and what is outside.
 constexpr double kInLayer = 1e-9;

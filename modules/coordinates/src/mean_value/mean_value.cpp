@@ -57,6 +57,7 @@ private:
     for (Eigen::Index t = 0; t < cage_.rows(); ++t)
       if (addTriangle(t, point, weights, gradients))
         return Place::onCage;
+    // a_i = w_i / W with W = sum w_j; grad a_i = (grad w_i - a_i grad W) / W.
     const double sum = weights.sum();
     if (!(std::abs(sum) > 0))
       return Place::nowhere;

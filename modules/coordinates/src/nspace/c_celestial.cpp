@@ -15,10 +15,10 @@ namespace {
 
 enum class Sampling { hitAndRun, sphere, cube };
 
-const Parameter kSampling =
-    choiceParameter("sampling", "How positive balanced vectors are found", {"hit-and-run", "sphere", "cube"});
-const Parameter kSamplesAPoint = countParameter("samples", "Samples a point", 10, 1e6, 400);
-const Parameter kCelestialSeed = countParameter("seed", "Of the random numbers", 0, 1e6, 1);
+const Parameter kSampling = choiceParameter("sampling", "Method that finds positive balanced vectors",
+                                            {"hit-and-run", "sphere", "cube"});
+const Parameter kSamplesAPoint = countParameter("samples", "Number of samples for each point", 10, 1e6, 400);
+const Parameter kCelestialSeed = countParameter("seed", "Seed of the random numbers", 0, 1e6, 1);
 
 constexpr int kMostCelestialSteps = 100;
 constexpr double kConverged = 1e-10;

@@ -16,12 +16,12 @@ enum class Positivity { exact, free, localTest, globalTest, iterativeTest, itera
 enum class Shift { raised, lowered };
 
 const Parameter kTarget =
-    choiceParameter("target", "The numbers to stay near to", {"one", "inverse-distance", "closeness"});
+    choiceParameter("target", "Target weights", {"one", "inverse-distance", "closeness"});
 const Parameter kPositivity =
-    choiceParameter("positivity", "What is done about negative numbers",
+    choiceParameter("positivity", "Treatment of negative weights",
                     {"exact", "free", "local-test", "global-test", "iterative-test", "iterative"});
 const Parameter kShift =
-    choiceParameter("shift", "Where 'iterative' moves the target", {"raised", "lowered"});
+    choiceParameter("shift", "Direction in which 'iterative' moves the target", {"raised", "lowered"});
 
 /// Choices of handles without influence tried for one point.
 constexpr int kMostLocalChoices = 20000;

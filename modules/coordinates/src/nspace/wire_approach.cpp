@@ -15,7 +15,7 @@ enum class Connection { cycle, complete };
 const Parameter kPoints =
     choiceParameter("points", "The points of n-space that the wire connects", {"p1", "p2", "p3"});
 const Parameter kConnection =
-    choiceParameter("connection", "How the wire connects them", {"cycle", "complete"});
+    choiceParameter("connection", "Order in which the wire connects the points", {"cycle", "complete"});
 
 /// Columns are the projected ends of the wire.
 template <int Dim>

@@ -15,7 +15,7 @@ namespace {
 enum class Lift { one, norm };
 
 const Parameter kLift =
-    choiceParameter("k", "What is added to every weight when a handle comes in", {"one", "norm"});
+    choiceParameter("k", "Amount added to each weight when a handle is inserted", {"one", "norm"});
 
 class Increments {
 public:

@@ -116,6 +116,8 @@ std::unique_ptr<const PointSolver> prepareBiharmonic(const HandleSet& handles, c
                                      "bounded biharmonic weights", options, progress);
   SolidMesh scaled = domain.solid; // In units of its size, so that residuals mean the same for every organ.
   scaled.points /= boundsOf(scaled.points).diagonal();
+  // Least tr(W^T K^T M^-1 K W), K the stiffness and M the lumped mass, where each row of W is >= 0 and adds
+  // up to 1, and that of a handle is the handle's alone.
   SimplexProgram program;
   program.mass = lumpedMass(scaled);
   const SparseMatrix laplacian = stiffness(scaled);

@@ -88,6 +88,7 @@ std::unique_ptr<const PointSolver> prepareHarmonic(const HandleSet& handles, con
   Eigen::MatrixXd given(domain.onSurface, handles.positions.rows());
   for (Eigen::Index i = 0; i < domain.onSurface; ++i)
     given.row(i) = onCage(domain.solid.points.row(i).transpose(), handles.positions, cage);
+  // Laplace's equation with linear elements: K w = 0 at the points inside, w given on the cage.
   const Eigen::MatrixXd values =
       leastEnergy(stiffness(domain.solid), fixed, given, options.threads, progress);
   return std::make_unique<HarmonicSolver>(TetrahedraField(std::move(domain.solid), values));

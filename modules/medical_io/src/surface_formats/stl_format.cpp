@@ -10,8 +10,9 @@
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-// Own reader: VTK's takes the triangle count of a damaged header at its word, returns what there is of a file
-// that was cut off, and does not give the header of a binary file, in which 3D Slicer writes the axes.
+// Own reader: VTK's takes the triangle count of a damaged header at its word, returns the part that is left
+// of a file that was cut off, and does not give the header of a binary file, in which 3D Slicer writes the
+// axes.
 namespace viscera::medical_io {
 namespace {
 

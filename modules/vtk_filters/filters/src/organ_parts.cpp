@@ -311,7 +311,8 @@ Points OrganParts::restoreVolume(const KeptWeights& kept, double targetMm3) {
   constexpr int kMostSteps = 4;
   const std::vector<int> free = deformation::restingHandles(rig_.handles.positions, rig_.pose);
   if (free.empty())
-    throw UsageError("no handle is left to make up for the volume", "volume lock", "leave some at rest");
+    throw UsageError("no handle is left to compensate the change of volume", "volume lock",
+                     "leave some at rest");
   Points pose = rig_.pose;
   const double limit = boundsOf(rig_.handles.positions).diagonal();
   GlobalVolume now = volume();

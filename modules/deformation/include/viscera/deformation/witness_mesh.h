@@ -9,6 +9,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/geometry/triangle_mesh.h"
 
+/// A tetrahedral mesh of an organ's interior, at whose points distortion is measured.
 namespace viscera::deformation {
 
 /// `t x 4` corners of tetrahedra, row major. Positive: `(b - a) x (c - a) . (d - a) > 0`, the order that

@@ -5,7 +5,7 @@
 #include "viscera/circulation/parameters.h"
 #include "viscera/document/command.h"
 
-/// Commands that change what moves the heart.
+/// Commands that choose between the circulation and the textbook's beat, and change the circulation.
 namespace viscera::document {
 
 /// Lets the circulation move the heart, or the textbook's beat again. The circulation stays as it is.

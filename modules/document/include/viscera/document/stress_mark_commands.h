@@ -4,8 +4,8 @@
 
 #include "viscera/document/command.h"
 
-/// Commands that change what is marked in stress maps. All throw `UsageError` for marks and organs that are
-/// not there.
+/// Commands that add, join and remove the probes and profiles of stress maps. All throw `UsageError` for
+/// marks and organs that are not there.
 namespace viscera::document {
 
 /// Pins a probe to the tissue of an organ at a place at rest (mm, LPS). Its number is the first that is free.

@@ -12,9 +12,9 @@ inline constexpr double kFarthestMm = 1e9;
 /// No id is larger: JSON's numbers are whole up to twice as much.
 inline constexpr std::int64_t kLargestId = std::int64_t{1} << 52;
 
-/// Checks the rules that every document and every session file obeys: names that are there, of their own and
-/// UTF-8; numbers in their ranges; places that are finite and not farther than `kFarthestMm`; parts that name
-/// only what there is. Commands, the writer and the reader of sessions all ask here, so what a command
+/// Checks the rules that every document and every session file obeys: names that are not empty, unique and
+/// UTF-8; numbers in their ranges; places that are finite and not farther than `kFarthestMm`; references only
+/// to parts that exist. Commands, the writer and the reader of sessions all ask here, so what a command
 /// accepts can be saved, and what was saved can be read. Throws `DataError` that names the part and the
 /// fault.
 ///

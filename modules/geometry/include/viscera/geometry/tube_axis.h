@@ -5,7 +5,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// The middle line of a surface that is about a tube: stomach, bowel, vessel.
+/// The centreline of a surface that is about a tube: stomach, bowel, vessel.
 namespace viscera::geometry {
 
 /// The two ends of a tube as vertices.
@@ -23,13 +23,13 @@ TubeEnds tubeEnds(const TriangleMesh& mesh);
 /// ends beyond a place on it.
 int tipBeyond(const TriangleMesh& mesh, int vertex, int other);
 
-/// The middle line of a tube as points, with the areas of its cross-sections.
+/// The centreline of a tube as points, with the areas of its cross-sections.
 struct TubeAxis {
   std::vector<Vec3> points;  ///< In order, mm; the first and the last lie on the surface.
   std::vector<double> areas; ///< Of the slice through each point, mm^2; 0 at the ends.
 };
 
-/// The middle line from one vertex to another: centres of the slices in which a harmonic function on the
+/// The centreline from one vertex to another: centres of the slices in which a harmonic function on the
 /// surface, 0 around one end and 1 around the other, is constant. A side branch has no end of its own, so the
 /// function is level there and slices leave it out; of several loops the one around the largest area counts.
 /// `slices` at least 8. Deterministic. Throws `DataError` when the two are one place or not on one piece of

@@ -12,6 +12,7 @@
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
 
+/// Plans a lesson, a page for any browser, from a document, a motion and a view.
 namespace viscera::lesson {
 
 /// The most rates that `offeredRates` proposes for a lesson, so that the lesson stays short.

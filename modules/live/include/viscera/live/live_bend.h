@@ -11,6 +11,7 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/plugin/registry.h"
 
+/// Inverts the present deformation of space, so that a scan can be warped with the organs.
 namespace viscera::live {
 
 /// The accuracy that `LiveBend` aims at when it finds where a point of the posed space lies at rest, mm.

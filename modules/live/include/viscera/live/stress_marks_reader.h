@@ -10,7 +10,7 @@
 
 namespace viscera::live {
 
-/// A probe of the document with what it reads.
+/// A probe and its stress values.
 struct ReadProbe {
   document::StressProbe probe;
   StressReading reading;

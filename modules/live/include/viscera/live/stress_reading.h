@@ -9,7 +9,7 @@
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/live/stress_quantity.h"
 
-/// What a stress map says at places that are no witness points: at probes, and along lines.
+/// Interpolates a stress map at any point: at probes, and along profiles.
 namespace viscera::live {
 
 /// What happens to the tissue at one material point. Numbers are not finite where there is no tissue.

@@ -12,6 +12,7 @@
 #include "viscera/live/locked_motion.h"
 #include "viscera/live/posed_organs.h"
 
+/// Keeps the locked volumes of a document while handles are moved.
 namespace viscera::live {
 
 /// A handle mirrors another when it is this near to its image, as a part of the diagonal of all handles.

@@ -12,8 +12,8 @@
 
 namespace viscera::motion {
 
-/// All that the poses of a document's organs over one cycle depend on: what was computed for one is valid as
-/// long as it is equal to `causeOf` of the same runner.
+/// The inputs that determine the poses of one cycle of a document's organs. What was computed from one is
+/// valid as long as it is equal to `causeOf` of the same runner.
 struct MotionCause {
   std::uint64_t revision = 0; ///< Of the runner: sequence, rate and prescribed volume.
   std::shared_ptr<const document::Rig> rig;

@@ -8,6 +8,7 @@
 #include "viscera/norms/norms.h"
 #include "viscera/sample_organs/sample_organ.h"
 
+/// Compares the numbers that the program teaches with their normal ranges.
 namespace viscera::motion {
 
 /// A number that the program shows in teaching, with its row in the table of normal ranges.

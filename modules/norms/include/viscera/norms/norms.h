@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// The table of normal ranges of healthy adults that charts, the check of imported organs, the circulation,
-/// reports and lessons take their normal ranges from, each row with its source.
+/// A table of normal ranges of healthy adults, each row with its source. Charts, the check of imported
+/// organs, the circulation, reports and lessons read it.
 namespace viscera::norms {
 
 /// The sex for which a normal range is wanted.

@@ -10,7 +10,7 @@ namespace viscera::presentation {
 
 /// The zoom and centre of a slice.
 struct SliceFraming {
-  double rightMm = 0; ///< From the middle of what there is to the middle of the picture, to the right.
+  double rightMm = 0; ///< From the middle of the scan to the middle of the picture, to the right.
   double upMm = 0;    ///< The same upwards.
   double zoom = 1;    ///< 1: all of it is in the picture.
 
@@ -22,7 +22,7 @@ struct ScanLook {
   /// What the middle of the window shows: "3d" alone, "four" views at once, or one slice alone by the id of
   /// its direction (`slices::sliceDirections`).
   std::string layout = "3d";
-  std::optional<Vec3> focus; ///< Where the three slices meet, mm LPS; none: in the middle of what there is.
+  std::optional<Vec3> focus; ///< Where the three slices meet, mm LPS; none: in the middle of the scan.
   double level = 0;          ///< The value that is middle grey; only with `width`.
   double width = 0;          ///< From black to white; 0: as the scan proposes.
   double slabMm = 0;         ///< Thickness of the slices.

@@ -11,7 +11,7 @@
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/region_hulls.h"
 
-/// Computes what is drawn beside organs and handles: regions, cages and mirror planes.
+/// Computes the shapes that the 3D view draws beside organs and handles: regions, cages and mirror planes.
 namespace viscera::presentation {
 
 /// The current organ, to which commands and pictures refer: the selected one, else the first that is nobody's

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+/// Places labels along a line so that none overlaps another.
 namespace viscera::scene {
 
 /// Moves intervals apart until none overlaps, all lie in `[low, high]`, and together they are as near to

@@ -2,6 +2,7 @@
 
 #include "viscera/sequences/heartbeat.h"
 
+/// The heartbeat of a heart of which only the outer surface is known.
 namespace viscera::sequences {
 
 /// The part of its volume that a whole heart loses in systole: 8.2 %, 4.8 to 10.6 (doi
