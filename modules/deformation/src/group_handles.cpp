@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -28,6 +29,8 @@ constexpr Eigen::Index kAlong = 2;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A point up to this much farther from a second centre than from its nearest belongs to both.
 constexpr double kShared = 1.25;
+/// A handle this little outside another group's hull joins that group, of the organ's diagonal.
+constexpr double kRoom = 0.01;
 constexpr int kMeansRounds = 20;
 constexpr Eigen::Index kClusteredPoints = 4000;
 
@@ -162,6 +165,40 @@ std::vector<int> rowsNear(const Points& points, const Points& centers, int cente
   return rows;
 }
 
+/// The hull of a group; none of one that is flat.
+std::optional<geometry::ConvexHull> hullOf(const Points& handles, const std::vector<int>& members) {
+  try {
+    return geometry::ConvexHull(handles(members, Eigen::all));
+  } catch (const DataError&) {
+    return std::nullopt;
+  }
+}
+
+/// Lets handles just outside another group's hull join that group, until each lies in it or `room` away. The
+/// nearest handle outside the zones bounds the offset over which regions may blend. It ends, because groups
+/// only grow.
+void makeRoom(const Points& handles, double room, Grouping& grouping) {
+  Points all(handles.rows() + grouping.added.rows(), 3);
+  all << handles, grouping.added;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto& group : grouping.groups) {
+      const auto hull = hullOf(all, group.handles);
+      if (!hull)
+        continue;
+      const std::size_t before = group.handles.size();
+      for (int row = 0; row < static_cast<int>(all.rows()); ++row) {
+        const double outside = hull->signedDistance(all.row(row).transpose());
+        const auto own = group.handles.begin() + static_cast<std::ptrdiff_t>(before);
+        if (outside > 0 && outside < room && std::find(group.handles.begin(), own, row) == own)
+          group.handles.push_back(row);
+      }
+      changed = changed || group.handles.size() > before;
+      std::sort(group.handles.begin(), group.handles.end());
+    }
+  }
+}
+
 } // namespace
 
 Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap) {
@@ -211,6 +248,7 @@ Grouping groupsByCluster(const Points& handles, const Points& organPoints, int c
     addGroup(grouping, "cluster " + std::to_string(k + 1), handles, rowsNear(handles, centers, k), part,
              enclosingHandles(part, kBoxMargin));
   }
+  makeRoom(handles, kRoom * boundsOf(organPoints).diagonal(), grouping);
   return grouping;
 }
 

@@ -72,6 +72,7 @@ TEST_P(LocalisedOnOrgans, FourClustersOfFortyHandlesAreUsableAndLeaveAnOffset) {
   for (const Region& region : layout.regions()) {
     EXPECT_GT(region.offset, 0) << region.name;
     EXPECT_LT(region.offset, region.offsetBound) << region.name;
+    EXPECT_GT(region.offsetBound, 0.005 * boundsOf(organ->points).diagonal()) << region.name;
   }
   const auto report = bind(localised(), handles, organ->points)->report();
   EXPECT_TRUE(report.failures.empty()) << report.failures.size() << " vertices";

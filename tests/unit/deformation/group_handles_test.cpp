@@ -75,6 +75,26 @@ TEST(GroupHandles, ClustersAreNeverTooSmallToBeUsed) {
     }
 }
 
+TEST(GroupHandles, HandlesLieInAnotherClustersHullOrWellOutsideIt) {
+  const auto organ = longOrgan();
+  const double room = 0.01 * boundsOf(organ.points).diagonal();
+  for (const int placed : {20, 40, 60})
+    for (const int count : {2, 4, 8}) {
+      const Points handles = placeHandles(organ, {placed});
+      const auto grouping = groupsByCluster(handles, organ.points, count);
+      const Points all = allHandles(handles, grouping);
+      for (const auto& group : grouping.groups) {
+        EXPECT_TRUE(std::is_sorted(group.handles.begin(), group.handles.end()));
+        const geometry::ConvexHull hull(Points(all(group.handles, Eigen::all)));
+        for (Eigen::Index row = 0; row < all.rows(); ++row) {
+          const double outside = hull.signedDistance(all.row(row).transpose());
+          EXPECT_TRUE(outside < 1e-9 || outside >= room)
+              << outside << " mm from " << group.name << " of " << count << ", handle " << row;
+        }
+      }
+    }
+}
+
 TEST(GroupHandles, EveryOrganGetsTheHandlesNearestToIt) {
   auto left = tests::sphere(3, 20, {-50, 0, 0}), right = tests::sphere(3, 20, {50, 0, 0});
   Points handles(16, 3);

@@ -27,8 +27,9 @@ Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int c
 
 /// Clusters the organ into `count` parts by nearness (k-means of its points from farthest-point seeds, so
 /// that no group is without a part of the organ) and gives each the handles nearest to its middle; a handle
-/// about as near to a second cluster as to its own belongs to both. Throws as above, and `DataError` for
-/// fewer handles, or fewer points, than groups.
+/// about as near to a second cluster as to its own belongs to both, and so does one less than a hundredth of
+/// the organ's diagonal outside a group's hull, so that at least such an offset remains. Throws as above, and
+/// `DataError` for fewer handles, or fewer points, than groups.
 Grouping groupsByCluster(const Points& handles, const Points& organPoints, int count);
 
 /// Makes one group for each organ: the handles nearer to it than to any other. Throws `DataError` for an
