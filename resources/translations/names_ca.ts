@@ -5537,6 +5537,10 @@
         <translation>el sistema de coordenades %1 no és LPS ni RAS</translation>
     </message>
     <message>
+        <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
+        <translation>les coordenades es guarden en precisió simple; si no, ocuparien %1 MiB</translation>
+    </message>
+    <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
         <translation>les direccions i la separació dels seus vòxels no tanquen cap volum</translation>
     </message>

@@ -5537,6 +5537,10 @@
         <translation>das Koordinatensystem %1 ist weder LPS noch RAS</translation>
     </message>
     <message>
+        <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
+        <translation>die Koordinaten werden in einfacher Genauigkeit gehalten; sonst bräuchten sie %1 MiB</translation>
+    </message>
+    <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
         <translation>Richtungen und Abstände der Voxel umschließen kein Volumen</translation>
     </message>

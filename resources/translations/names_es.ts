@@ -5537,6 +5537,10 @@
         <translation>el sistema de coordenadas %1 no es LPS ni RAS</translation>
     </message>
     <message>
+        <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
+        <translation>las coordenadas se guardan en precisión simple; si no, ocuparían %1 MiB</translation>
+    </message>
+    <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
         <translation>las direcciones y la separación de sus vóxeles no encierran volumen</translation>
     </message>

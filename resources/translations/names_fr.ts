@@ -5537,6 +5537,10 @@
         <translation>le système de coordonnées %1 n’est ni LPS ni RAS</translation>
     </message>
     <message>
+        <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
+        <translation>les coordonnées sont gardées en simple précision ; sinon, elles prendraient %1 Mio</translation>
+    </message>
+    <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
         <translation>les directions et l’espacement de ses voxels n’enferment aucun volume</translation>
     </message>

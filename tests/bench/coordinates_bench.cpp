@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <fstream>
+#include <string>
+
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
@@ -49,6 +53,84 @@ BENCHMARK(bind<TCelestial>)
     ->ArgNames({"threads", "locality"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+/// Points spread evenly over an ellipsoid of 200 x 140 x 100 mm and `scale` times that, along a spiral.
+Points onEllipsoid(Eigen::Index count, double scale) {
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  Points points(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double height = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+    const double radius = std::sqrt(1 - height * height), angle = turn * static_cast<double>(i);
+    points.row(i) << 100 * scale * radius * std::cos(angle), 70 * scale * radius * std::sin(angle),
+        50 * scale * height;
+  }
+  return points;
+}
+
+/// A line of /proc/self/status in MiB, 0 where the system has none.
+double statusMiB(const std::string& name) {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(name + ':', 0) == 0)
+      return std::stod(line.substr(name.size() + 1)) / 1024;
+  return 0;
+}
+
+/// The most memory the process has from now on counts from here.
+void forgetPeakMemory() {
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/// Arguments: vertices, handles. The counters say what the binding adds to the process' peak of memory, the
+/// binding itself included; two threads.
+void bindLarge(benchmark::State& state) {
+  const Points points = onEllipsoid(state.range(0), 1);
+  HandleSet handles;
+  handles.positions = onEllipsoid(state.range(1), 1.3);
+  BindingReport report;
+  double peak = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    forgetPeakMemory();
+    const double before = statusMiB("VmRSS");
+    state.ResumeTiming();
+    Progress progress;
+    const auto binding = SCelestial().bind(handles, points, optionsOf(2, 0), progress);
+    state.PauseTiming();
+    peak = std::max(peak, statusMiB("VmHWM") - before);
+    report = binding->report();
+    state.ResumeTiming();
+  }
+  countPerWeight(state, points.rows(), handles.positions.rows());
+  state.counters["identity_error_mm"] = report.identityError;
+  state.counters["solver_seconds"] = report.seconds;
+  state.counters["peak_MiB"] = peak;
+}
+BENCHMARK(bindLarge)
+    ->Name("bind")
+    ->Args({62500, 200})
+    ->Args({250000, 200})
+    ->Args({1000000, 200})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// A pose of all 200 handles of 10^6 vertices, and one handle dragged. Argument: one handle only or not.
+void poseLarge(benchmark::State& state) {
+  const Points points = onEllipsoid(1000000, 1);
+  HandleSet handles;
+  handles.positions = onEllipsoid(200, 1.3);
+  Progress progress;
+  const auto binding = SCelestial().bind(handles, points, optionsOf(2, 0), progress);
+  Points posed = points;
+  for (auto _ : state) {
+    if (state.range(0) != 0)
+      binding->moveHandle(handles.positions, 7, Vec3(1, 2, 3), posed, {2});
+    else
+      binding->deform(handles.positions, posed, {2});
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(poseLarge)->Arg(0)->Arg(1)->ArgName("one")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Closed-form gradients of 20,000 points.
 void gradients(benchmark::State& state) {

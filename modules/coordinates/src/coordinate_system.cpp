@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace viscera::coordinates {
 namespace {
@@ -37,7 +38,9 @@ std::vector<int> failedPoints(const std::vector<int>& failedCopies) {
 CoordinateGradients CoordinateSystem::gradients(const HandleSet& handles, const Points& points,
                                                 const BindOptions& options, Progress& progress) const {
   const double step = kRelativeStep * boundsOf(handles.positions).diagonal();
-  const auto binding = bind(handles, displaced(points, step), options, progress);
+  BindOptions exact = options; // Differences would magnify the rounding of single precision.
+  exact.mostBytesInDoubles = std::numeric_limits<std::size_t>::max();
+  const auto binding = bind(handles, displaced(points, step), exact, progress);
   const Eigen::Index count = binding->handleCount();
   CoordinateGradients result;
   result.values.resize(points.rows() * count, 3);

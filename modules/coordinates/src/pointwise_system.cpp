@@ -64,12 +64,14 @@ std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const P
   const auto solver = solverFor(handles, points, options, progress);
   const auto lift = solver->lift();
   const Eigen::Index count = lift ? lift->rowCount() : handles.positions.rows();
-  TiledWeights weights(points.rows(), count);
+  // The rows of a lifted pose are not only positions, whose sum of weights is worth keeping.
+  TiledWeights weights = lift ? TiledWeights(points.rows(), count)
+                              : TiledWeights(points.rows(), count, options.mostBytesInDoubles);
   auto failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {
     Values row = Values::Zero(count);
     const bool found = solver->solve(points.row(point).transpose(), row) && row.allFinite();
-    for (Eigen::Index handle = 0; found && handle < count; ++handle)
-      weights.set(point, handle, row[handle]);
+    if (found)
+      weights.setRow(point, row);
     return found;
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -33,17 +34,59 @@ void forTiles(Eigen::Index begin, Eigen::Index end, Rows& points, const Body& bo
 } // namespace
 
 TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles)
-    : points_(points), handles_(handles),
-      data_(allocateZeroed(static_cast<std::size_t>(tiles() * TiledWeights::kTile * handles))) {}
+    : points_(points), handles_(handles), data_(allocateZeroed(doublesTaken())) {}
 
-TiledWeights::TiledWeights(const TiledWeights& other) : TiledWeights(other.points_, other.handles_) {
-  std::copy_n(other.tile(0), tiles() * TiledWeights::kTile * handles_, tile(0));
+TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles, std::size_t mostBytes)
+    : points_(points), handles_(handles), single_(bytesInDoubles(points, handles) > mostBytes),
+      data_(allocateZeroed(doublesTaken())) {}
+
+TiledWeights::TiledWeights(const TiledWeights& other)
+    : points_(other.points_), handles_(other.handles_), single_(other.single_),
+      data_(allocateZeroed(doublesTaken())) {
+  std::memcpy(data_.get(), other.data_.get(), bytes());
 }
 
 TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
   if (this != &other)
     *this = TiledWeights(other);
   return *this;
+}
+
+void TiledWeights::filled(Eigen::Index index, double* numbers) {
+  if (single_)
+    simd::tileKernels().round(numbers, handles_, ownSingleTile(index));
+}
+
+const double* TiledWeights::read(Eigen::Index index, double* room) const {
+  if (!single_)
+    return tile(index);
+  const float* own = singleTile(index);
+  for (Eigen::Index handle = 0; handle < handles_; ++handle)
+    for (int lane = 0; lane < kTile; ++lane)
+      room[handle * kTile + lane] = static_cast<double>(own[handle * kTile + lane]) * factorOf(own, lane);
+  return room;
+}
+
+void TiledWeights::setRow(Eigen::Index point, const Values& row) {
+  assert(row.size() == handles_);
+  if (!single_) {
+    for (Eigen::Index handle = 0; handle < handles_; ++handle)
+      set(point, handle, row[handle]);
+    return;
+  }
+  // As the kernel `round` does for 16 points.
+  float* own = ownSingleTile(point / kTile) + point % kTile;
+  double kept = 0, lost = 0;
+  for (Eigen::Index handle = 0; handle < handles_; ++handle) {
+    const double exact = row[handle];
+    const float rounded = std::abs(exact) < simd::kLeastSingle ? 0.0F : static_cast<float>(exact);
+    own[handle * kTile] = rounded;
+    kept += static_cast<double>(rounded);
+    lost += exact - static_cast<double>(rounded);
+  }
+  const bool usable =
+      std::abs(lost) < simd::kMostCorrection * std::abs(kept) && std::abs(lost / kept) >= simd::kLeastSingle;
+  own[handles_ * kTile] = usable ? static_cast<float>(lost / kept) : 0.0F;
 }
 
 /// `body(tile, rows)` for the tiles of each piece, as `forTiles` calls it.
@@ -59,15 +102,16 @@ PiecesOfWork TiledWeights::pieces(Points& points, Body body) const {
 PiecesOfWork TiledWeights::multiplyInPieces(const Points& pose, Points& points) const {
   assert(pose.rows() == handles_);
   points.resize(points_, 3);
-  return pieces(points, [this, &pose](Eigen::Index index, double* rows) {
-    simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
-  });
+  return pieces(points, [this, &pose](Eigen::Index index, double* rows) { multiplyTile(index, pose, rows); });
 }
 
 PiecesOfWork TiledWeights::addColumnInPieces(Eigen::Index handle, const Vec3& delta, Points& points) const {
   assert(points.rows() == points_ && handle >= 0 && handle < handles_);
   return pieces(points, [this, handle, delta](Eigen::Index index, double* rows) {
-    simd::tileKernels().addColumn(tile(index) + handle * TiledWeights::kTile, delta.data(), rows);
+    if (single_)
+      simd::tileKernels().addColumnSingle(singleTile(index), handle, handles_, delta.data(), rows);
+    else
+      simd::tileKernels().addColumn(tile(index) + handle * TiledWeights::kTile, delta.data(), rows);
   });
 }
 
@@ -77,7 +121,10 @@ void TiledWeights::multiply(const Points& pose, Points& points, Threads threads)
 
 void TiledWeights::multiplyTile(Eigen::Index index, const Points& pose, double* rows) const {
   assert(pose.rows() == handles_);
-  simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
+  if (single_)
+    simd::tileKernels().multiplySingle(singleTile(index), pose.data(), handles_, rows);
+  else
+    simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
 }
 
 void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const {
@@ -92,7 +139,10 @@ void TiledWeights::multiplyTransposed(const Points& rows, Points& out, Threads t
   parallelRanges(tiles(), kTilesOfAPiece, threads, [&](Eigen::Index begin, Eigen::Index end) {
     std::vector<double> lanes(numbers * simd::kSumLanes);
     forTiles(begin, end, rows, [&](Eigen::Index index, const double* tileRows) {
-      simd::tileKernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
+      if (single_)
+        simd::tileKernels().addTransposedSingle(singleTile(index), tileRows, handles_, lanes.data());
+      else
+        simd::tileKernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
     });
     double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesOfAPiece) * numbers;
     for (std::size_t number = 0; number < numbers; ++number)

@@ -1,5 +1,6 @@
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -138,12 +139,18 @@ py::object weightTiles(const std::shared_ptr<BoundPoints>& bound) {
   if (!own)
     return py::none();
   const auto& weights = own->weights();
-  constexpr py::ssize_t kTile = coordinates::TiledWeights::kTile, kNumber = sizeof(double);
-  py::array_t<double> tiles({py::ssize_t(weights.tiles()), py::ssize_t(weights.handles()), kTile},
-                            {weights.handles() * kTile * kNumber, kTile * kNumber, kNumber}, weights.tile(0),
-                            py::cast(bound));
-  tiles.attr("flags").attr("writeable") = false;
-  return tiles;
+  constexpr py::ssize_t kTile = coordinates::TiledWeights::kTile;
+  const auto shown = [&](const auto* first, py::ssize_t rows) {
+    using Number = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
+    constexpr py::ssize_t kNumber = sizeof(Number);
+    py::array_t<Number> tiles({py::ssize_t(weights.tiles()), py::ssize_t(weights.handles()), kTile},
+                              {rows * kTile * kNumber, kTile * kNumber, kNumber}, first, py::cast(bound));
+    tiles.attr("flags").attr("writeable") = false;
+    return py::object(std::move(tiles));
+  };
+  // In single precision each tile ends with the factors of its points.
+  return weights.single() ? shown(weights.singleTile(0), weights.handles() + 1)
+                          : shown(weights.tile(0), weights.handles());
 }
 
 py::array influence(const BoundPoints& bound, int handle) {
@@ -198,7 +205,8 @@ void addBinding(py::module_& module) {
           "weight_tiles", &weightTiles,
           "The same numbers where they lie, without a copy: t x h x 16 for points 16 t to 16 t + 15, the "
           "last "
-          "tile padded with zeros. None for systems whose points are not sums over the handles alone.")
+          "tile padded with zeros. None for systems whose points are not sums over the handles alone. Of 32 "
+          "bits where the report notes single precision: to be divided by their sum over the handles.")
       .def_property_readonly(
           "report", &report,
           "How exactly the binding reproduces what it was made from: identity_error (mm), "

@@ -81,6 +81,44 @@ TEST(Kernels, OfTilesAgreeBetweenInstructionSets) {
   }
 }
 
+TEST(Kernels, OfTilesInSinglePrecisionAgreeBetweenInstructionSets) {
+  // Positive, with the sum 1 at every point; point 5 has none, point 6 is at a handle.
+  Eigen::MatrixXd exact = randomNumbers(kTile, kHandles, 1).cwiseAbs();
+  exact.array().colwise() /= exact.rowwise().sum().array().eval();
+  exact.row(5).setZero();
+  exact.row(6) = Eigen::RowVectorXd::Unit(kHandles, 3);
+  exact(7, 2) = 1e-40;
+  const Points pose = tests::cloud(kHandles, 2), rows = tests::cloud(kTile, 3);
+  const Vec3 delta(1, -2, 3);
+  for (const TileKernels* kernels : usableTileKernels()) {
+    Eigen::MatrixXd tile = exact;
+    Eigen::MatrixXf single(kTile, kHandles + 1);
+    kernels->round(tile.data(), kHandles, single.data());
+    EXPECT_EQ(tile(7, 2), 0);
+    EXPECT_EQ(tile.row(6), exact.row(6));
+    EXPECT_EQ(tile.row(5), exact.row(5));
+    EXPECT_LT(((tile - exact).array().abs() - 1.2e-7 * exact.array()).maxCoeff(), 1e-39);
+    EXPECT_LT((tile.rowwise().sum() - exact.rowwise().sum()).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_GT((tile - exact).cwiseAbs().maxCoeff(), 1e-10);
+
+    Points points(kTile, 3), added = rows, moved = rows;
+    kernels->multiplySingle(single.data(), pose.data(), kHandles, points.data());
+    EXPECT_TRUE(points.isApprox(Points(tile * pose), 1e-14));
+    kernels->addColumnSingle(single.data(), 4, kHandles, delta.data(), added.data());
+    moved += tile.col(4) * delta.transpose();
+    EXPECT_TRUE(added.isApprox(moved, 1e-15));
+    std::vector<double> sums(kHandles * 3 * kSumLanes);
+    kernels->addTransposedSingle(single.data(), rows.data(), kHandles, sums.data());
+    const Points transposed = tile.transpose() * rows;
+    for (int i = 0; i < kHandles * 3; ++i) {
+      double sum = 0;
+      for (int lane = 0; lane < kSumLanes; ++lane)
+        sum += sums[std::size_t(i * kSumLanes + lane)];
+      EXPECT_NEAR(sum, transposed.data()[i], 1e-14);
+    }
+  }
+}
+
 TEST(Kernels, OfCelestialCoordinatesAgreeBetweenInstructionSets) {
   for (const CelestialCase& each : {CelestialCase{"S", &CelestialKernels::s3, 3, 0, 0},
                                     CelestialCase{"S soft", &CelestialKernels::s3, 3, 3, 0.5},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "celestial/celestial_function.h"
+#include "rest_errors.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {
@@ -62,11 +63,54 @@ void gather(const PointsOf<Dim>& points, Eigen::Index tile, double* byAxis) {
   }
 }
 
-/// Zero in the last tile's columns past the end.
-void clearPadding(TiledWeights& weights) {
-  for (Eigen::Index point = weights.points(); point < weights.tiles() * TiledWeights::kTile; ++point)
-    for (Eigen::Index handle = 0; handle < weights.handles(); ++handle)
-      weights.set(point, handle, 0);
+/// Zero in the tile's columns past the last of the `points`.
+void clearPadding(double* numbers, Eigen::Index handles, Eigen::Index tile, Eigen::Index points) {
+  for (Eigen::Index lane = std::min<Eigen::Index>(points - tile * TiledWeights::kTile, TiledWeights::kTile);
+       lane < TiledWeights::kTile; ++lane)
+    for (Eigen::Index handle = 0; handle < handles; ++handle)
+      numbers[handle * TiledWeights::kTile + lane] = 0;
+}
+
+/// The points whose bits are set, ascending.
+std::vector<int> pointsWithBits(const std::vector<std::uint16_t>& failed, Eigen::Index points) {
+  std::vector<int> list;
+  for (Eigen::Index point = 0; point < points; ++point)
+    if (failed[static_cast<std::size_t>(point / TiledWeights::kTile)] >> (point % TiledWeights::kTile) & 1)
+      list.push_back(static_cast<int>(point));
+  return list;
+}
+
+/// Fills `weights` on several threads, and calls `take(tile, numbers, x, failed)` for each tile while it is
+/// in the cache: the numbers as they are kept (`handles x 16`), the solutions x (`Dim x 16`) and a bit for
+/// each failed point. Gives the failed points, ascending.
+template <int Dim, class Take>
+std::vector<int> solveTiles(const CelestialFunction& function, const PointsOf<Dim>& handles,
+                            const PointsOf<Dim>& points, const CelestialOptions& options, Progress& progress,
+                            TiledWeights& weights, const Take& take) {
+  const Eigen::Matrix<double, Dim, -1, 1> byAxis = handles.transpose();
+  const simd::CelestialProblem problem = problemOf<Dim>(handles, byAxis, options);
+  const simd::SolveCelestialTile kernel = Dim == 2 ? function.solve2 : function.solve3;
+  const Eigen::Index tiles = weights.tiles();
+  std::vector<std::uint16_t> failed(static_cast<std::size_t>(tiles));
+  std::atomic<Eigen::Index> done{0};
+  progress.throwIfCancelled();
+  parallelRanges(tiles, kTilesPerSolution, options.threads, [&](Eigen::Index begin, Eigen::Index end) {
+    progress.throwIfCancelled();
+    const auto count = static_cast<std::size_t>(problem.count);
+    std::vector<double> scratch(count * simd::kCelestialScratch), room(count * TiledWeights::kTile);
+    for (Eigen::Index tile = begin; tile < end; ++tile) {
+      double in[Dim * TiledWeights::kTile], x[Dim * TiledWeights::kTile];
+      gather<Dim>(points, tile, in);
+      double* numbers = weights.toFill(tile, room.data());
+      const unsigned without = kernel(problem, in, scratch.data(), numbers, x);
+      clearPadding(numbers, problem.count, tile, points.rows());
+      weights.filled(tile, numbers);
+      failed[static_cast<std::size_t>(tile)] = static_cast<std::uint16_t>(without);
+      take(tile, numbers, x, without);
+    }
+    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(tiles));
+  });
+  return pointsWithBits(failed, points.rows());
 }
 
 CelestialOptions optionsFrom(const CelestialSystem& system, const BindOptions& options) {
@@ -83,37 +127,16 @@ template <int Dim>
 CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, const PointsOf<Dim>& points,
                                               const CelestialOptions& options, Progress& progress) const {
   requireUsableHandles<Dim>(handles);
-  const Eigen::Matrix<double, Dim, -1, 1> byAxis = handles.transpose();
-  const simd::CelestialProblem problem = problemOf<Dim>(handles, byAxis, options);
-  const simd::SolveCelestialTile kernel = Dim == 2 ? function_().solve2 : function_().solve3;
-
   CelestialSolution<Dim> solution{
       TiledWeights(points.rows(), handles.rows()), PointsOf<Dim>(points.rows(), Dim), {}};
-  std::vector<std::uint16_t> failed(static_cast<std::size_t>(solution.weights.tiles()));
-  std::atomic<Eigen::Index> done{0};
-  progress.throwIfCancelled();
-  parallelRanges(
-      solution.weights.tiles(), kTilesPerSolution, options.threads,
-      [&](Eigen::Index begin, Eigen::Index end) {
-        progress.throwIfCancelled();
-        std::vector<double> scratch(static_cast<std::size_t>(problem.count) * simd::kCelestialScratch);
-        for (Eigen::Index tile = begin; tile < end; ++tile) {
-          double in[Dim * TiledWeights::kTile], x[Dim * TiledWeights::kTile];
-          gather<Dim>(points, tile, in);
-          failed[static_cast<std::size_t>(tile)] =
-              static_cast<std::uint16_t>(kernel(problem, in, scratch.data(), solution.weights.tile(tile), x));
-          for (Eigen::Index point = tile * TiledWeights::kTile;
-               point < std::min((tile + 1) * TiledWeights::kTile, points.rows()); ++point)
-            for (int axis = 0; axis < Dim; ++axis)
-              solution.x(point, axis) = x[axis * TiledWeights::kTile + point % TiledWeights::kTile];
-        }
-        progress.report(static_cast<double>(done += end - begin) /
-                        static_cast<double>(solution.weights.tiles()));
-      });
-  clearPadding(solution.weights);
-  for (Eigen::Index point = 0; point < points.rows(); ++point)
-    if (failed[static_cast<std::size_t>(point / TiledWeights::kTile)] >> (point % TiledWeights::kTile) & 1)
-      solution.failures.push_back(static_cast<int>(point));
+  const auto keepX = [&](Eigen::Index tile, const double*, const double* x, unsigned) {
+    for (Eigen::Index point = tile * TiledWeights::kTile;
+         point < std::min((tile + 1) * TiledWeights::kTile, points.rows()); ++point)
+      for (int axis = 0; axis < Dim; ++axis)
+        solution.x(point, axis) = x[axis * TiledWeights::kTile + point % TiledWeights::kTile];
+  };
+  solution.failures =
+      solveTiles<Dim>(function_(), handles, points, options, progress, solution.weights, keepX);
   return solution;
 }
 
@@ -125,10 +148,23 @@ template CelestialSolution<3> CelestialSystem::solve<3>(const PointsOf<3>&, cons
 std::unique_ptr<Binding> CelestialSystem::bind(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const {
   const auto start = std::chrono::steady_clock::now();
-  auto solution = solve<3>(handles.positions, points, optionsFrom(*this, options), progress);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return std::make_unique<WeightsBinding>(std::move(solution.weights), handles.positions, points,
-                                          std::move(solution.failures), seconds.count(), options.threads);
+  const CelestialOptions celestial = optionsFrom(*this, options);
+  requireUsableHandles<3>(handles.positions);
+  TiledWeights weights(points.rows(), handles.positions.rows(), options.mostBytesInDoubles);
+  std::vector<RestErrors> ranges(
+      static_cast<std::size_t>((weights.tiles() + kTilesPerSolution - 1) / kTilesPerSolution));
+  const auto measure = [&](Eigen::Index tile, const double* numbers, const double*, unsigned failed) {
+    RestErrors errors;
+    errors.addTile(numbers, handles.positions, points, tile, failed);
+    ranges[static_cast<std::size_t>(tile / kTilesPerSolution)].add(errors);
+  };
+  BindingReport report;
+  report.failures =
+      solveTiles<3>(function_(), handles.positions, points, celestial, progress, weights, measure);
+  tellErrors(ranges, points.rows(), report);
+  report.threads = options.threads.resolved();
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::make_unique<WeightsBinding>(std::move(weights), points, std::move(report));
 }
 
 CoordinateGradients CelestialSystem::gradients(const HandleSet& handles, const Points& points,

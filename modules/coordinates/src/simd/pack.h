@@ -31,6 +31,20 @@ inline void store(double* to, Pack pack) {
   __builtin_memcpy(to, &pack, sizeof pack);
 }
 
+/// As many numbers in single precision, in memory only: packs that are computed with are doubles.
+typedef float SinglePack __attribute__((vector_size(kWidth * sizeof(float))));
+
+inline Pack load(const float* from) {
+  SinglePack pack;
+  __builtin_memcpy(&pack, from, sizeof pack);
+  return __builtin_convertvector(pack, Pack);
+}
+
+inline void store(float* to, Pack pack) {
+  const SinglePack rounded = __builtin_convertvector(pack, SinglePack);
+  __builtin_memcpy(to, &rounded, sizeof rounded);
+}
+
 inline Pack splat(double value) {
   return Pack{} + value;
 }
@@ -44,6 +58,10 @@ inline Pack smaller(Pack a, Pack b) {
 }
 inline Pack larger(Pack a, Pack b) {
   return a > b ? a : b;
+}
+
+inline Pack magnitude(Pack value) {
+  return larger(value, -value);
 }
 
 inline Pack squareRoot(Pack value) {

@@ -24,16 +24,30 @@ inline void separate(const double* rows, Pack (&xyz)[3]) {
   }
 }
 
-void multiply(const double* tile, const double* pose, long handles, double* points) {
+/// What the numbers of a tile's points are to be multiplied by.
+inline Pack factors(const double*, long, int) {
+  return splat(1);
+}
+inline Pack factors(const float* tile, long handles, int first) {
+  return load(tile + handles * kTile + first) + 1.0;
+}
+
+template <class Number>
+void multiply(const Number* tile, const double* pose, long handles, double* points) {
   for (int first = 0; first < kTile; first += 2 * kWidth) {
     Pack low[3] = {}, high[3] = {};
-    const double* column = tile + first;
+    const Number* column = tile + first;
     for (long handle = 0; handle < handles; ++handle, column += kTile) {
       const Pack a = load(column), b = load(column + kWidth);
       for (int axis = 0; axis < 3; ++axis) {
         low[axis] += a * pose[3 * handle + axis];
         high[axis] += b * pose[3 * handle + axis];
       }
+    }
+    const Pack lowFactor = factors(tile, handles, first), highFactor = factors(tile, handles, first + kWidth);
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] *= lowFactor;
+      high[axis] *= highFactor;
     }
     interleave(low, points + 3 * first);
     interleave(high, points + 3 * (first + kWidth));
@@ -46,12 +60,26 @@ void addColumn(const double* column, const double* delta, double* points) {
       points[3 * lane + axis] += column[lane] * delta[axis];
 }
 
-void addTransposed(const double* tile, const double* rows, long handles, double* sums) {
+void addColumnSingle(const float* tile, long handle, long handles, const double* delta, double* points) {
+  const float *column = tile + handle * kTile, *more = tile + handles * kTile;
+  for (int lane = 0; lane < kTile; ++lane) {
+    const double weight = static_cast<double>(column[lane]) * (1.0 + static_cast<double>(more[lane]));
+    for (int axis = 0; axis < 3; ++axis)
+      points[3 * lane + axis] += weight * delta[axis];
+  }
+}
+
+template <class Number>
+void addTransposed(const Number* tile, const double* rows, long handles, double* sums) {
   for (int first = 0; first < kSumLanes; first += kWidth) {
     Pack low[3], high[3];
     separate(rows + 3 * first, low);
     separate(rows + 3 * (first + kSumLanes), high);
-    const double* column = tile + first;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] *= factors(tile, handles, first);
+      high[axis] *= factors(tile, handles, first + kSumLanes);
+    }
+    const Number* column = tile + first;
     double* sum = sums + first;
     for (long handle = 0; handle < handles; ++handle, column += kTile)
       for (int axis = 0; axis < 3; ++axis, sum += kSumLanes)
@@ -78,9 +106,32 @@ void measure(const double* tile, const double* positions, long handles, const do
   }
 }
 
+void roundTile(double* tile, long handles, float* single) {
+  for (int first = 0; first < kTile; first += kWidth) {
+    Pack kept{}, lost{};
+    for (long handle = 0; handle < handles; ++handle) {
+      const Pack exact = load(tile + handle * kTile + first);
+      float* rounded = single + handle * kTile + first;
+      store(rounded, select(magnitude(exact) < kLeastSingle, Pack{}, exact));
+      const Pack back = load(rounded);
+      kept += back;
+      lost += exact - back;
+    }
+    const Pack more = lost / kept;
+    const Mask usable =
+        (magnitude(lost) < kMostCorrection * magnitude(kept)) & (magnitude(more) >= kLeastSingle);
+    store(single + handles * kTile + first, select(usable, more, Pack{}));
+    const Pack factor = factors(single, handles, first);
+    for (long handle = 0; handle < handles; ++handle)
+      store(tile + handle * kTile + first, load(single + handle * kTile + first) * factor);
+  }
+}
+
 } // namespace
 
 extern const TileKernels kTileKernels;
-const TileKernels kTileKernels = {multiply, addColumn, addTransposed, measure};
+const TileKernels kTileKernels = {multiply<double>, addColumn,           addTransposed<double>,
+                                  measure,          roundTile,           multiply<float>,
+                                  addColumnSingle,  addTransposed<float>};
 
 } // namespace viscera::coordinates::simd::VISCERA_ISA

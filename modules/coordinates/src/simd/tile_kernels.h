@@ -7,6 +7,14 @@ namespace viscera::coordinates::simd {
 /// Independent partial sums that `TileKernels::addTransposed` keeps for each number.
 inline constexpr int kSumLanes = 8;
 
+/// Numbers below this become zero in single precision: still smaller ones cost a hundred times as much to
+/// read.
+inline constexpr double kLeastSingle = 1.2e-38;
+
+/// Rows whose sum rounding changes by this part of it or more keep what rounding made of them: they add up to
+/// nothing, or are no weights.
+inline constexpr double kMostCorrection = 1e-6;
+
 struct TileKernels {
   /// Rows 0 to 15 of `points` (16 x 3) become the tile times `pose` (`handles x 3`).
   void (*multiply)(const double* tile, const double* pose, long handles, double* points);
@@ -22,6 +30,18 @@ struct TileKernels {
   /// with `sum a_i (v_i - p)` (three rows), `sum a_i`, and the smallest a_i.
   void (*measure)(const double* tile, const double* positions, long handles, const double* points,
                   double* found);
+
+  // Tiles in single precision are `(handles + 1) x 16`: the last row says by how much more than 1 each
+  // point's numbers are to be multiplied, which gives them back the sum that they had before they were
+  // rounded.
+
+  /// Rounds the tile (`handles x 16`) into `single`; it becomes what `single` stands for.
+  void (*round)(double* tile, long handles, float* single);
+
+  /// As the three above, for a tile in single precision. Everything is computed in double precision.
+  void (*multiplySingle)(const float* tile, const double* pose, long handles, double* points);
+  void (*addColumnSingle)(const float* tile, long handle, long handles, const double* delta, double* points);
+  void (*addTransposedSingle)(const float* tile, const double* rows, long handles, double* sums);
 };
 
 namespace baseline {

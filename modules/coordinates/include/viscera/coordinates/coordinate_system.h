@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -47,6 +48,10 @@ struct BindOptions {
   /// For systems whose traits say `needsTetrahedra`; empty: they throw a `UsageError` that says so.
   /// `deformation` brings TetGen's.
   Tetrahedraliser tetrahedralise = {};
+  /// Coordinates that would take more memory are kept in single precision by the systems that can (the
+  /// point-based ones): half of it, and 1e-7 of the handles' size for the identity, which the report
+  /// measures.
+  std::size_t mostBytesInDoubles = std::size_t{512} << 20;
 };
 
 /// The interface of all coordinate systems: it binds points to handles, which means that it computes their

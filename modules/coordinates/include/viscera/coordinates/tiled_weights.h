@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cassert>
+#include <cstddef>
+
 #include "viscera/coordinates/zeroed_memory.h"
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
@@ -10,6 +13,11 @@ namespace viscera::coordinates {
 /// which a pose costs least (see docs/performance.md), and in which one handle's column is still read in
 /// whole cache lines. The products run as AVX-512, AVX2 or plain code, chosen by what the processor has when
 /// the program runs.
+///
+/// Large matrices may be kept in single precision, with half the memory: each number then has a relative
+/// error below 1.3e-7. Each point also keeps a factor that gives its numbers the sum they had, so that a pose
+/// is off by that part of the handles' size, however far from the origin they are. All sums are in double
+/// precision.
 class TiledWeights {
 public:
   static constexpr int kTile = 16;
@@ -18,6 +26,8 @@ public:
   /// All zero. O(points x handles) memory, whose pages the first writer brings in: a parallel solver does
   /// that in parallel. Throws `std::bad_alloc`.
   TiledWeights(Eigen::Index points, Eigen::Index handles);
+  /// In single precision where doubles would take more than `mostBytes`.
+  TiledWeights(Eigen::Index points, Eigen::Index handles, std::size_t mostBytes);
   TiledWeights(const TiledWeights& other);
   TiledWeights(TiledWeights&& other) noexcept = default;
   TiledWeights& operator=(const TiledWeights& other);
@@ -27,17 +37,56 @@ public:
   Eigen::Index handles() const { return handles_; }
   Eigen::Index tiles() const { return (points_ + kTile - 1) / kTile; }
 
+  /// Whether the numbers are kept in single precision.
+  bool single() const { return single_; }
+  std::size_t bytes() const { return doublesTaken() * sizeof(double); }
+  static std::size_t bytesInDoubles(Eigen::Index points, Eigen::Index handles) {
+    return static_cast<std::size_t>((points + kTile - 1) / kTile * kTile * handles) * sizeof(double);
+  }
+
   /// The tile's `handles x 16` numbers, handle by handle, aligned to a cache line; the last tile is padded
-  /// with zeros, and whoever writes it keeps them zero.
-  double* tile(Eigen::Index tile) { return data_.get() + tile * kTile * handles_; }
-  const double* tile(Eigen::Index tile) const { return data_.get() + tile * kTile * handles_; }
+  /// with zeros, and whoever writes it keeps them zero. Only in double precision.
+  double* tile(Eigen::Index tile) {
+    assert(!single_);
+    return data_.get() + tile * kTile * handles_;
+  }
+  const double* tile(Eigen::Index tile) const {
+    assert(!single_);
+    return data_.get() + tile * kTile * handles_;
+  }
+  /// The same in single precision: `(handles + 1) x 16`. What is added to 1 in the last row is the factor of
+  /// all numbers of its point.
+  const float* singleTile(Eigen::Index tile) const {
+    assert(single_);
+    return reinterpret_cast<const float*>(data_.get()) + tile * kTile * (handles_ + 1);
+  }
+
+  /// Where to write a tile's `handles x 16` numbers: its own memory, or in single precision `room` (as many
+  /// numbers). `filled` is to follow. Several threads may fill different tiles.
+  double* toFill(Eigen::Index tile, double* room) { return single_ ? room : this->tile(tile); }
+  /// Keeps what was written to `numbers`, which in single precision become the numbers that are kept.
+  void filled(Eigen::Index tile, double* numbers);
+  /// A tile's `handles x 16` numbers: its own memory, or in single precision `room`, filled with them.
+  const double* read(Eigen::Index tile, double* room) const;
 
   double operator()(Eigen::Index point, Eigen::Index handle) const {
-    return tile(point / kTile)[handle * kTile + point % kTile];
+    const Eigen::Index index = handle * kTile + point % kTile;
+    if (!single_)
+      return tile(point / kTile)[index];
+    const float* own = singleTile(point / kTile);
+    return static_cast<double>(own[index]) * factorOf(own, point);
   }
+  /// In single precision the point's sum is afterwards as rounding leaves it; `setRow` keeps it.
   void set(Eigen::Index point, Eigen::Index handle, double value) {
-    tile(point / kTile)[handle * kTile + point % kTile] = value;
+    const Eigen::Index index = handle * kTile + point % kTile;
+    if (!single_)
+      tile(point / kTile)[index] = value;
+    else
+      ownSingleTile(point / kTile)[index] =
+          static_cast<float>(value / factorOf(singleTile(point / kTile), point));
   }
+  /// All `handles` numbers of a point.
+  void setRow(Eigen::Index point, const Values& row);
 
   /// `points = W pose`, resized to `points x 3`; `pose` is `handles x 3`. Bitwise independent of the number
   /// of threads.
@@ -59,9 +108,18 @@ public:
 private:
   template <class Body>
   PiecesOfWork pieces(Points& points, Body body) const;
+  float* ownSingleTile(Eigen::Index tile) { return const_cast<float*>(singleTile(tile)); }
+  double factorOf(const float* tile, Eigen::Index point) const {
+    return 1.0 + static_cast<double>(tile[handles_ * kTile + point % kTile]);
+  }
+  std::size_t doublesTaken() const {
+    const std::size_t rows = static_cast<std::size_t>(single_ ? handles_ + 1 : handles_);
+    return static_cast<std::size_t>(tiles() * kTile) * rows / (single_ ? 2 : 1);
+  }
 
   Eigen::Index points_;
   Eigen::Index handles_;
+  bool single_ = false;
   ZeroedMemory data_;
 };
 

@@ -14,6 +14,8 @@ public:
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
                  std::vector<int> failures, double seconds, Threads threads,
                  std::vector<std::string> notes = {});
+  /// For systems that measured their weights while they made them, and save a pass over all of them.
+  WeightsBinding(TiledWeights&& weights, const Points& restPoints, BindingReport measured);
 
   Eigen::Index handleCount() const override { return weights_.handles(); }
   Eigen::Index pointCount() const override { return weights_.points(); }
@@ -33,6 +35,9 @@ public:
 
 private:
   void restoreFailed(Eigen::Index begin, Eigen::Index end, Points& points) const;
+  static BindingReport reportOf(const TiledWeights& weights, const Points& restHandles,
+                                const Points& restPoints, std::vector<int> failures, double seconds,
+                                Threads threads, std::vector<std::string> notes);
 
   TiledWeights weights_;
   Points failedRest_; ///< Rest positions of the points in `report_.failures`.
