@@ -771,14 +771,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::Comparison</name>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Rate of the second view</source>
         <translation>Frequenz der zweiten Ansicht</translation>
     </message>
@@ -811,10 +803,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Zurück zu einer Ansicht</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view A</source>
-        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht A färben</translation>
-    </message>
-    <message>
         <source>Open beside the first organ</source>
         <translation>Neben dem ersten Organ öffnen</translation>
     </message>
@@ -833,6 +821,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>The same organ in the present pose, kept</source>
         <translation>Dasselbe Organ in der jetzigen Pose, festgehalten</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1</source>
+        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht 1 färben</translation>
+    </message>
+    <message>
+        <source>The second view of the session is not shown: %1 is not installed here.</source>
+        <translation>Die zweite Ansicht der Sitzung wird nicht gezeigt: %1 ist hier nicht installiert.</translation>
     </message>
 </context>
 <context>
@@ -1121,8 +1117,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::DifferenceMap</name>
     <message>
-        <source>Distance to A</source>
-        <translation>Abstand zu A</translation>
+        <source>Distance to view 1</source>
+        <translation>Abstand zu Ansicht 1</translation>
     </message>
 </context>
 <context>
@@ -3930,14 +3926,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 / min, ein Zyklus %2 s</translation>
     </message>
     <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -5943,6 +5931,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Volumes over the cycle</source>
         <translation>Volumina über den Zyklus</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumePanel</name>
@@ -5961,14 +5953,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
         <translation>Volumina im Zeitverlauf werden hier gezeichnet, während eine Sequenz läuft (Leertaste) oder Griffe gezogen werden (3).</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>
