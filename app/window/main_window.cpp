@@ -132,8 +132,8 @@ void MainWindow::makeThemeActions() {
 }
 
 void MainWindow::makeSession() {
-  sessionView_ = std::make_unique<SessionView>(
-      SessionView::Window{workspace_, playback_, view_, *picture_, *modes_, play_->measured()});
+  sessionView_ = std::make_unique<SessionView>(SessionView::Window{
+      workspace_, playback_, view_, *picture_, *modes_, play_->measured(), play_->comparison()});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);

@@ -32,7 +32,7 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   bar->addWidget(hint_, 1);
   makeJob();
   bar->addPermanentWidget(job_);
-  connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
+  connect(&volumes, &VolumeMonitor::shown, this, &StatusLine::syncVolume);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs()) // A pose's volumes are said together with the list's and the chart's.
       syncVolume();

@@ -778,14 +778,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::Comparison</name>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Rate of the second view</source>
         <translation>Freqüència de la segona vista</translation>
     </message>
@@ -818,10 +810,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Torna a una vista</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view A</source>
-        <translation>Acoloreix cada vèrtex segons la distància al mateix vèrtex de la vista A</translation>
-    </message>
-    <message>
         <source>Open beside the first organ</source>
         <translation>Obre al costat del primer òrgan</translation>
     </message>
@@ -844,6 +832,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>The errors of both coordinate systems</source>
         <translation>Els errors de tots dos sistemes de coordenades</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1</source>
+        <translation>Acoloreix cada vèrtex segons la distància al mateix vèrtex de la vista 1</translation>
+    </message>
+    <message>
+        <source>The second view of the session is not shown: %1 is not installed here.</source>
+        <translation>La segona vista de la sessió no es mostra: %1 no és instal·lat aquí.</translation>
     </message>
 </context>
 <context>
@@ -1124,8 +1120,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::DifferenceMap</name>
     <message>
-        <source>Distance to A</source>
-        <translation>Distància a A</translation>
+        <source>Distance to view 1</source>
+        <translation>Distància a la vista 1</translation>
     </message>
 </context>
 <context>
@@ -3997,14 +3993,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 / min, un cicle %2 s</translation>
     </message>
     <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6030,6 +6018,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Volumes over the cycle</source>
         <translation>Volums al llarg del cicle</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumePanel</name>
@@ -6048,14 +6040,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
         <translation>Els volums al llarg del temps es dibuixen aquí mentre es reprodueix una seqüència (Espai) o s’arrosseguen tiradors (3).</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>

@@ -778,14 +778,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::Comparison</name>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Rate of the second view</source>
         <translation>Frequenz der zweiten Ansicht</translation>
     </message>
@@ -818,10 +810,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Zurück zu einer Ansicht</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view A</source>
-        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht A färben</translation>
-    </message>
-    <message>
         <source>Open beside the first organ</source>
         <translation>Neben dem ersten Organ öffnen</translation>
     </message>
@@ -844,6 +832,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>The errors of both coordinate systems</source>
         <translation>Die Fehler beider Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1</source>
+        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht 1 färben</translation>
+    </message>
+    <message>
+        <source>The second view of the session is not shown: %1 is not installed here.</source>
+        <translation>Die zweite Ansicht der Sitzung wird nicht gezeigt: %1 ist hier nicht installiert.</translation>
     </message>
 </context>
 <context>
@@ -1124,8 +1120,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::DifferenceMap</name>
     <message>
-        <source>Distance to A</source>
-        <translation>Abstand zu A</translation>
+        <source>Distance to view 1</source>
+        <translation>Abstand zu Ansicht 1</translation>
     </message>
 </context>
 <context>
@@ -3997,14 +3993,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 / min, ein Zyklus %2 s</translation>
     </message>
     <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6030,6 +6018,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Volumes over the cycle</source>
         <translation>Volumina über den Zyklus</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumePanel</name>
@@ -6048,14 +6040,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
         <translation>Volumina im Zeitverlauf werden hier gezeichnet, während eine Sequenz läuft (Leertaste) oder Griffe gezogen werden (3).</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>

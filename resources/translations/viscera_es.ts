@@ -778,14 +778,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::Comparison</name>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Rate of the second view</source>
         <translation>Frecuencia de la segunda vista</translation>
     </message>
@@ -818,10 +810,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Volver a una vista</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view A</source>
-        <translation>Colorear cada vértice según su distancia al mismo vértice de la vista A</translation>
-    </message>
-    <message>
         <source>Open beside the first organ</source>
         <translation>Abrir junto al primer órgano</translation>
     </message>
@@ -844,6 +832,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>The errors of both coordinate systems</source>
         <translation>Los errores de ambos sistemas de coordenadas</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1</source>
+        <translation>Colorear cada vértice según su distancia al mismo vértice de la vista 1</translation>
+    </message>
+    <message>
+        <source>The second view of the session is not shown: %1 is not installed here.</source>
+        <translation>La segunda vista de la sesión no se muestra: %1 no está instalado aquí.</translation>
     </message>
 </context>
 <context>
@@ -1124,8 +1120,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::DifferenceMap</name>
     <message>
-        <source>Distance to A</source>
-        <translation>Distancia a A</translation>
+        <source>Distance to view 1</source>
+        <translation>Distancia a la vista 1</translation>
     </message>
 </context>
 <context>
@@ -3997,14 +3993,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1 / min, un ciclo %2 s</translation>
     </message>
     <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6030,6 +6018,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Volumes over the cycle</source>
         <translation>Volúmenes en el ciclo</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumePanel</name>
@@ -6048,14 +6040,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
         <translation>Los volúmenes en el tiempo se dibujan aquí mientras se reproduce una secuencia (Espacio) o se arrastran tiradores (3).</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>

@@ -778,14 +778,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::Comparison</name>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Rate of the second view</source>
         <translation>Fréquence de la seconde vue</translation>
     </message>
@@ -818,10 +810,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Revenir à une vue</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view A</source>
-        <translation>Colorer chaque sommet selon sa distance au même sommet de la vue A</translation>
-    </message>
-    <message>
         <source>Open beside the first organ</source>
         <translation>Ouvrir à côté du premier organe</translation>
     </message>
@@ -844,6 +832,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>The errors of both coordinate systems</source>
         <translation>Les erreurs des deux systèmes de coordonnées</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1</source>
+        <translation>Colorer chaque sommet selon sa distance au même sommet de la vue 1</translation>
+    </message>
+    <message>
+        <source>The second view of the session is not shown: %1 is not installed here.</source>
+        <translation>La seconde vue de la session n’est pas affichée&#x202f;: %1 n’est pas installé ici.</translation>
     </message>
 </context>
 <context>
@@ -1124,8 +1120,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::DifferenceMap</name>
     <message>
-        <source>Distance to A</source>
-        <translation>Distance à A</translation>
+        <source>Distance to view 1</source>
+        <translation>Distance à la vue 1</translation>
     </message>
 </context>
 <context>
@@ -3997,14 +3993,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 / min, un cycle %2 s</translation>
     </message>
     <message>
-        <source>A: %1</source>
-        <translation>A&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B&#x202f;: %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6030,6 +6018,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Volumes over the cycle</source>
         <translation>Volumes sur le cycle</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumePanel</name>
@@ -6048,14 +6040,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
         <translation>Les volumes au cours du temps sont tracés ici pendant la lecture d’une séquence (Espace) ou le glissement de poignées (3).</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>

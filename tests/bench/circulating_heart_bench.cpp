@@ -57,7 +57,6 @@ public:
   void follow() { sequence_ = heart_.follow(course(), progress_); }
   void charts() {
     panels_.setPanels(presentation::circulationStrip(shown_, &shown_, kWidth, kHeight));
-    panels_.setCursor(0.2);
     panels_.update();
     window_.window()->Render();
   }

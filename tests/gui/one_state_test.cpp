@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QSpinBox>
 
 #include <ostream>
 #include <random>
@@ -273,7 +274,6 @@ TEST_F(OneState, APausedComparisonShowsTheInstantThatItsHeadersName) {
   waitForSecond();
   for (const double seconds : {0.07, 0.31, 0.5}) {
     playAndPause(seconds);
-    QTest::qWait(250); // Headers are written ten times a second.
     EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "") << seconds;
     EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "") << seconds;
     EXPECT_NEAR(
@@ -294,8 +294,9 @@ TEST_F(OneState, APausedComparisonShowsTheInstantThatItsHeadersName) {
 TEST_F(OneState, APausedComparisonComesBackAtItsInstant) {
   key(Qt::Key_2, Qt::ControlModifier);
   waitForSecond();
+  find<QSpinBox>("secondRate").setValue(110);
   playAndPause(0.3);
-  const double volume = volumeOf("LV");
+  const double volume = volumeOf("LV"), beside = volumeIn(second(), "LV");
   const double fraction = window().playback().player().fraction();
   bool done = false;
   window().sessions().saveTo(path(QStringLiteral("two.viscera")), false, [&] { done = true; });
@@ -307,6 +308,13 @@ TEST_F(OneState, APausedComparisonComesBackAtItsInstant) {
   EXPECT_NEAR(volumeOf("LV"), volume, 1e-6);
   EXPECT_NEAR(window().playback().player().fraction(), fraction, 1e-12);
   EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");
+  ASSERT_TRUE(parts().comparison().on()) << "the second view belongs to the session";
+  waitForSecond();
+  EXPECT_EQ(secondPlayback().player().ratePerMinute(), 110);
+  EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "");
+  EXPECT_NEAR(secondPlayback().player().secondsInCycle(),
+              std::fmod(window().playback().player().secondsInCycle(), 60.0 / 110), 1e-9);
+  EXPECT_NEAR(volumeIn(second(), "LV"), beside, 1e-6);
 }
 
 TEST_F(OneState, AViewThatComesBesideAnotherInDeformStandsAtItsInstantInPlay) {

@@ -94,6 +94,8 @@ TEST_F(Track, ALabelSeriesBecomesARecordedSequenceWithWhatWasMeasured) {
   EXPECT_EQ(measured().phaseNow(), 3U);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(volumeOf(i) / measured().present()->series->volumesMl[3][i], 1, 1e-4);
+  EXPECT_TRUE(window().volumes().beats(1)) << "measured, and so no keys by hand";
+  EXPECT_FALSE(window().volumes().normals(1, {}).empty());
   const auto indices = window().volumes().indices(1);
   ASSERT_TRUE(indices);
   EXPECT_NEAR(indices->ejectionFraction, measured().present()->motion->indices.at("LV").ejectionFraction,

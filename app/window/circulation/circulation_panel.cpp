@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -37,7 +39,8 @@ std::size_t sampleAt(const circulation::Beat& beat, double fraction) {
 CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, VolumeMonitor& volumes,
                                    ViewModel& view, QWidget* parent)
     : QWidget(parent), model_(model), playback_(playback), panels_(std::make_unique<scene::CurvePanels>()),
-      chart_(new QVTKOpenGLNativeWidget(this)), numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
+      chart_(new QVTKOpenGLNativeWidget(this)), cursor_(new ChartCursor(*chart_)),
+      numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   panels_->setDecimalMark(decimalMark());
@@ -65,8 +68,8 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
     numbers_->setPerson(view.state().person);
     rebuild();
   });
-  // At ten a second, and when the timeline is moved.
-  connect(&volumes, &VolumeMonitor::updated, this, &CirculationPanel::draw);
+  connect(&volumes, &VolumeMonitor::shown, this, &CirculationPanel::placeInstant);
+  connect(&playback, &Playback::stateChanged, this, &CirculationPanel::placeInstant);
 }
 
 CirculationPanel::~CirculationPanel() {
@@ -77,6 +80,7 @@ void CirculationPanel::setTheme(const Theme& theme) {
   scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
   colors.panel = {theme.panel.redF(), theme.panel.greenF(), theme.panel.blueF()};
   panels_->setTheme(colors);
+  cursor_->setColor(theme.text);
   numbers_->setTheme(theme);
   rebuild();
 }
@@ -111,28 +115,43 @@ void CirculationPanel::rebuild() {
   std::vector<scene::CurvePanel> panels;
   if (present)
     panels = presentation::circulationStrip(*present, kept, chart_->width(), chart_->height());
-  panelCount_ = panels.size();
+  places_ = panels;
+  for (scene::CurvePanel& place : places_)
+    place.curves.clear();
   panels_->setPanels(std::move(panels));
   numbers_->setIndices(present ? &present->indices : nullptr, kept ? &kept->indices : nullptr);
   legend_->setText(legendText());
   draw();
 }
 
+ChartCursor::Ring CirculationPanel::placeIn(const scene::CurvePanel& panel, double x, double y) {
+  const auto between = [](double from, double to, const std::optional<scene::ValueRange>& range,
+                          double value) {
+    return range && range->high > range->low
+               ? from + (to - from) * (value - range->low) / (range->high - range->low)
+               : from;
+  };
+  return {between(panel.left, panel.right, panel.xRange, x),
+          between(panel.bottom, panel.top, panel.yRange, y)};
+}
+
 /// Where the heart is in the beat that is drawn.
 void CirculationPanel::placeInstant() {
+  ChartCursor::Marks marks;
   const CirculationModel::Shown* present = model_.present();
-  if (!present || panelCount_ < kLoops)
-    return;
-  const bool shown = playback_.showing() && model_.hasHeart();
-  const double fraction = playback_.player().fraction();
-  panels_->setCursor(shown ? std::optional(fraction * present->beat.period) : std::nullopt);
-  const std::size_t sample = sampleAt(present->beat, fraction);
-  std::size_t panel = panelCount_ - kLoops;
-  for (const Compartment ventricle : {Compartment::lv, Compartment::rv}) {
-    const scene::CurvePoint now{present->beat.volumeOf(ventricle)[sample],
-                                present->beat.pressureOf(ventricle)[sample]};
-    panels_->setMark(panel++, shown ? std::optional(now) : std::nullopt);
+  if (present && playback_.showing() && model_.hasHeart() && places_.size() >= kLoops) {
+    const double fraction = playback_.player().fraction();
+    for (const scene::CurvePanel& panel : places_)
+      if (panel.cursor)
+        marks.lines.push_back(
+            {placeIn(panel, fraction * present->beat.period, 0).x, panel.bottom, panel.top});
+    const std::size_t sample = sampleAt(present->beat, fraction);
+    std::size_t panel = places_.size() - kLoops;
+    for (const Compartment ventricle : {Compartment::lv, Compartment::rv})
+      marks.rings.push_back(placeIn(places_[panel++], present->beat.volumeOf(ventricle)[sample],
+                                    present->beat.pressureOf(ventricle)[sample]));
   }
+  cursor_->setMarks(std::move(marks));
 }
 
 void CirculationPanel::draw() {

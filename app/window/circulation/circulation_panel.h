@@ -4,10 +4,12 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 #include "viscera/scene/curve_panels.h"
 #include "window/circulation/circulation_model.h"
 #include "window/style/theme.h"
+#include "window/timeline/chart_cursor.h"
 #include "window/timeline/volume_monitor.h"
 
 class QLabel;
@@ -19,7 +21,8 @@ class ViewModel;
 
 /// A panel with the charts of the circulation: Wiggers's diagram over one beat with a cursor at the instant
 /// that is shown, the pressure-volume loops of both ventricles with a mark at that instant, and their
-/// numbers; dashed and in a column of its own what was kept to compare with.
+/// numbers; dashed and in a column of its own what was kept to compare with. Cursor and marks follow every
+/// frame; the charts are drawn anew when the circulation is another one.
 class CirculationPanel final : public QWidget {
   Q_OBJECT
 
@@ -39,6 +42,8 @@ protected:
 private:
   void rebuild();
   void placeInstant();
+  /// Where a point of the panel's axes is in the chart.
+  static ChartCursor::Ring placeIn(const scene::CurvePanel& panel, double x, double y);
   void draw();
   QString legendText() const;
 
@@ -46,9 +51,10 @@ private:
   Playback& playback_;
   std::unique_ptr<scene::CurvePanels> panels_;
   QVTKOpenGLNativeWidget* chart_;
+  ChartCursor* cursor_;
   NumbersTable* numbers_;
   QLabel* legend_;
-  std::size_t panelCount_ = 0;
+  std::vector<scene::CurvePanel> places_; ///< The panels that are drawn, without their curves.
 };
 
 } // namespace viscera::app

@@ -10,7 +10,9 @@
 #include <QVBoxLayout>
 #include <QWidgetAction>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "window/compare/compared_stress.h"
 #include "window/compare/compared_system.h"
@@ -27,6 +29,17 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+
+/// Whether the two have the same shapes at rest, bound in the same way to the same handles.
+bool sameButPosed(const document::DocumentState& a, const document::DocumentState& b) {
+  const auto sameMesh = [](const auto& one, const auto& other) { return one->mesh == other->mesh; };
+  return std::equal(a.organs->begin(), a.organs->end(), b.organs->begin(), b.organs->end(), sameMesh) &&
+         a.pose->rows() == b.pose->rows() && a.rig->restPositions() == b.rig->restPositions() &&
+         a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all();
+}
+
+} // namespace
 
 /// Everything that belongs to the second view; the widgets in the window go by themselves.
 struct Comparison::Second {
@@ -55,7 +68,6 @@ struct Comparison::Second {
 };
 
 Comparison::Comparison(const First& first, QObject* parent) : QObject(parent), first_(first) {
-  connect(&first.playback, &Playback::advanced, this, &Comparison::syncHeaders);
   connect(&first.playback, &Playback::stateChanged, this, [this] {
     if (!on())
       return;
@@ -65,7 +77,7 @@ Comparison::Comparison(const First& first, QObject* parent) : QObject(parent), f
     second_->view->scheduleRender();
     syncHeaders();
   });
-  connect(&first.volumes, &VolumeMonitor::updated, this, &Comparison::syncHeaders);
+  connect(&first.volumes, &VolumeMonitor::shown, this, &Comparison::syncHeaders);
 }
 
 Comparison::~Comparison() {
@@ -91,9 +103,21 @@ const Picture& Comparison::picture() const {
 void Comparison::begin() {
   if (on())
     return;
+  open();
+  // Half as wide now, the view would cut the organ off; it knows its new size only later.
+  QTimer::singleShot(0, this, [this] {
+    first_.area.view()->view().frame();
+    first_.area.view()->scheduleRender();
+  });
+}
+
+/// The first view's camera stays as it is.
+void Comparison::open() {
+  if (on())
+    return;
   second_ = std::make_unique<Second>(first_, first_.area.window());
   Second& second = *second_;
-  firstHeader_ = new SideHeader(tr("A"));
+  firstHeader_ = new SideHeader(1);
   first_.area.splitView(firstHeader_, makeSecondPane());
   setTheme(theme_);
   second.stress = std::make_unique<ComparedStress>(
@@ -101,7 +125,6 @@ void Comparison::begin() {
       ComparedStress::Side{second.workspace, second.playback, *second.picture}, first_.view);
   connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
-  connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeRate);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
   connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
@@ -110,18 +133,13 @@ void Comparison::begin() {
       mirror();
   }));
   first_.volumes.setSecond(&second.workspace, &second.playback);
-  // Half as wide now, the view would cut the organ off; it knows its new size only later.
-  QTimer::singleShot(0, this, [this] {
-    first_.area.view()->view().frame();
-    first_.area.view()->scheduleRender();
-  });
   Q_EMIT toggled(true);
 }
 
 QWidget* Comparison::makeSecondPane() {
   auto* pane = new QWidget;
   auto* column = makeLayout<QVBoxLayout>(pane, 0);
-  secondHeader_ = new SideHeader(tr("B"), pane);
+  secondHeader_ = new SideHeader(2, pane);
   fillHeader(*secondHeader_);
   column->addWidget(secondHeader_);
   second_->view->setObjectName(QStringLiteral("secondView3d"));
@@ -168,6 +186,7 @@ ComparedSystem* Comparison::comparedSystem() const {
 
 void Comparison::showOtherCoordinates() {
   begin();
+  what_ = presentation::Compared::What::coordinates;
   if (second_->system)
     return;
   same_ = true;
@@ -192,7 +211,7 @@ void Comparison::showOtherCoordinates() {
 
 QToolButton* Comparison::makeDifferenceButton() {
   auto* button = makeIconButton(
-      "influence", tr("Colour each vertex by its distance to the same vertex in view A"), nullptr);
+      "influence", tr("Colour each vertex by its distance to the same vertex in view 1"), nullptr);
   button->setObjectName(QStringLiteral("differences"));
   button->setCheckable(true);
   connect(button, &QToolButton::toggled, second_->differences.get(), &DifferenceMap::setOn);
@@ -231,6 +250,7 @@ void Comparison::showSameOrgan() {
   begin();
   dropSystem();
   same_ = true;
+  what_ = presentation::Compared::What::rate;
   mirror();
   const motion::Player& first = first_.playback.player();
   if (first_.playback.sequence()) {
@@ -245,11 +265,15 @@ void Comparison::showSameOrgan() {
 }
 
 void Comparison::showKeptPose() {
+  showPose(first_.workspace.live().shownPose());
+}
+
+void Comparison::showPose(const Points& pose) {
   begin();
   dropSystem();
   same_ = false;
+  what_ = presentation::Compared::What::pose;
   document::DocumentState state = first_.workspace.state();
-  const Points& pose = first_.workspace.live().shownPose();
   if (pose.rows() == state.pose->rows())
     state.pose = std::make_shared<const Points>(pose);
   second_->playback.forgetAll();
@@ -268,12 +292,16 @@ void Comparison::showSample(const QString& name) {
   begin();
   dropSystem();
   same_ = false;
+  what_ = presentation::Compared::What::sample;
+  sample_ = name;
+  wantedRate_ = 0;
   second_->samples.load(name, false);
 }
 
 void Comparison::showFiles(const QStringList& files) {
   begin();
   dropSystem();
+  what_.reset();
   if (same_) { // These organs go; they are not compared with what is opened.
     same_ = false;
     second_->playback.forgetAll();
@@ -300,6 +328,7 @@ void Comparison::end() {
   same_ = false;
   if (secondHeader_) // Its table reads the second document, which goes with `second`.
     delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
+  what_.reset();
   // The picture lets go of the view's renderer before the view goes.
   second->differences.reset();
   second->system.reset();
@@ -309,6 +338,73 @@ void Comparison::end() {
   second->picture.reset();
   first_.area.joinViews();
   Q_EMIT toggled(false);
+}
+
+std::optional<presentation::Compared> Comparison::compared() const {
+  if (!on() || !what_ || second_->workspace.document().organs().empty())
+    return std::nullopt;
+  using What = presentation::Compared::What;
+  presentation::Compared compared;
+  compared.what = *what_;
+  if (*what_ == What::pose) {
+    if (!sameButPosed(first_.workspace.state(), second_->workspace.state()))
+      return std::nullopt;
+    compared.pose = second_->workspace.document().pose();
+  }
+  if (*what_ == What::coordinates)
+    compared.name = second_->system->system();
+  if (*what_ == What::sample)
+    compared.name = sample_.toStdString();
+  if (second_->playback.sequence())
+    compared.ratePerMinute = second_->playback.player().ratePerMinute();
+  return compared;
+}
+
+/// Coordinates of a plugin, or samples, may be missing here.
+bool Comparison::hasWhatIsIn(const presentation::Compared& compared) const {
+  using What = presentation::Compared::What;
+  bool there = true;
+  if (compared.what == What::coordinates)
+    there = first_.workspace.registry().contains(compared.name);
+  if (compared.what == What::sample) {
+    there = false;
+    first_.workspace.guarded([&] { there = second_->samples.names().contains(text(compared.name)); });
+  }
+  return there;
+}
+
+void Comparison::restore(const presentation::Compared& compared) {
+  using What = presentation::Compared::What;
+  const bool posed =
+      compared.what != What::pose || compared.pose.rows() == first_.workspace.document().pose().rows();
+  if (first_.workspace.document().organs().empty() || !posed)
+    return;
+  open();
+  if (!hasWhatIsIn(compared)) {
+    end();
+    first_.workspace.say({Message::Severity::warning,
+                          tr("The second view of the session is not shown: %1 is not installed here.")
+                              .arg(text(compared.name)),
+                          {},
+                          0});
+    return;
+  }
+  switch (compared.what) {
+  case What::rate:
+    showSameOrgan();
+    break;
+  case What::coordinates:
+    showOtherCoordinates();
+    second_->system->choose(compared.name);
+    break;
+  case What::pose:
+    return showPose(compared.pose);
+  case What::sample:
+    showSample(text(compared.name));
+    wantedRate_ = compared.ratePerMinute;
+    return;
+  }
+  setSecondRate(compared.ratePerMinute);
 }
 
 void Comparison::setTheme(const Theme& theme) {
@@ -335,14 +431,20 @@ void Comparison::syncMotion() {
     second_->playback.setSequence(shown, motion.organ);
 }
 
-/// At the first view's rate, where its own sequence can be as fast and as slow.
+/// At the first view's rate, or at that of a session.
 void Comparison::takeRate() {
+  const double wanted = std::exchange(wantedRate_, 0);
+  if (wanted > 0)
+    setSecondRate(wanted);
+  else if (first_.playback.sequence())
+    setSecondRate(first_.playback.player().ratePerMinute());
+}
+
+/// Where the second view's sequence can be as fast and as slow.
+void Comparison::setSecondRate(double perMinute) {
   const sequences::Sequence* second = second_->playback.sequence();
-  if (!second || !first_.playback.sequence())
-    return;
-  const double rate = first_.playback.player().ratePerMinute();
-  if (rate >= second->lowestRatePerMinute() && rate <= second->highestRatePerMinute())
-    second_->playback.setRate(rate);
+  if (second && perMinute >= second->lowestRatePerMinute() && perMinute <= second->highestRatePerMinute())
+    second_->playback.setRate(perMinute);
 }
 
 void Comparison::linkCameras() {

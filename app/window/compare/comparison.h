@@ -4,7 +4,9 @@
 #include <QPointer>
 
 #include <memory>
+#include <optional>
 
+#include "viscera/presentation/view_state.h"
 #include "window/settings.h"
 #include "window/style/theme.h"
 #include "window/timeline/playback.h"
@@ -61,6 +63,13 @@ public:
   /// One view again.
   void end();
 
+  /// What is compared with, for a session. None of files, of what has not come yet, and of a kept pose whose
+  /// organs, handles or coordinates are no longer the document's.
+  std::optional<presentation::Compared> compared() const;
+  /// Compares with that again, with the first view as it is: its organs, its motion and its camera. Says so
+  /// when what is asked for is not there.
+  void restore(const presentation::Compared& compared);
+
   void setTheme(const Theme& theme);
 
   /// Of the second view; only while `on`.
@@ -81,6 +90,10 @@ private:
   struct Second;
 
   void begin();
+  void open();
+  void showPose(const Points& pose);
+  void setSecondRate(double perMinute);
+  bool hasWhatIsIn(const presentation::Compared& compared) const;
   QWidget* makeSecondPane();
   void fillHeader(SideHeader& header);
   void mirror();
@@ -102,6 +115,9 @@ private:
   Theme theme_;
   std::shared_ptr<const sequences::Sequence> beside_;
   bool same_ = false;
+  std::optional<presentation::Compared::What> what_; ///< None: files, or nothing yet.
+  QString sample_;                                   ///< The one that was asked for.
+  double wantedRate_ = 0; ///< Of the sample that is being loaded, a minute; 0: as fast as the first view's.
 };
 
 } // namespace viscera::app

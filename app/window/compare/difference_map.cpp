@@ -59,7 +59,7 @@ void DifferenceMap::followSoon() {
 void DifferenceMap::follow() {
   presentation::SurfaceMap map;
   map.colors = scene::viridis();
-  map.title = tr("Distance to A").toStdString();
+  map.title = tr("Distance to view 1").toStdString();
   map.unit = "mm";
   greatest_ = 0;
   for (const auto& organ : second_.document().organs()) {

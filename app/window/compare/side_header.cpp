@@ -7,7 +7,7 @@ constexpr int kHeaderHeight = 36;
 constexpr int kNarrowestHeader = 160;
 } // namespace
 
-SideHeader::SideHeader(const QString& letter, QWidget* parent)
+SideHeader::SideHeader(int number, QWidget* parent)
     : QFrame(parent), row_(new QHBoxLayout(this)), title_(new QLabel(this)), phase_(new ElidedLabel(this)),
       volumes_(new ElidedLabel(this)) {
   setObjectName(QStringLiteral("sideHeader"));
@@ -16,8 +16,8 @@ SideHeader::SideHeader(const QString& letter, QWidget* parent)
   setMinimumWidth(kNarrowestHeader);
   row_->setContentsMargins(12, 0, 4, 0);
   row_->setSpacing(8);
-  auto* badge = new QLabel(letter, this);
-  badge->setObjectName(QStringLiteral("sideLetter"));
+  auto* badge = new QLabel(QString::number(number), this);
+  badge->setObjectName(QStringLiteral("sideNumber"));
   badge->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Maximum);
   QFont bold = title_->font();
   bold.setBold(true);

@@ -7,13 +7,13 @@
 
 namespace viscera::app {
 
-/// The heading of one of two compared views: its letter, what moves there and how fast, the phase and the
+/// The heading of one of two compared views: its number, what moves there and how fast, the phase and the
 /// volumes.
 class SideHeader final : public QFrame {
   Q_OBJECT
 
 public:
-  SideHeader(const QString& letter, QWidget* parent = nullptr);
+  explicit SideHeader(int number, QWidget* parent = nullptr);
 
   void setTitle(const QString& title) { title_->setText(title); }
   /// What changes with every frame.

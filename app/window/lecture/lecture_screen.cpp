@@ -64,7 +64,7 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   dark->setEnabled(false);
   connect(this, &QObject::destroyed, dark_, &QObject::deleteLater);
   connect(&parts_.slides, &Slides::changed, this, &LectureScreen::sync);
-  connect(&parts_.volumes, &VolumeMonitor::updated, this, &LectureScreen::sync);
+  connect(&parts_.volumes, &VolumeMonitor::shown, this, &LectureScreen::sync);
   connect(&parts_.playback, &Playback::stateChanged, this, &LectureScreen::sync);
   connect(shown_, &QAction::toggled, &actions, &Actions::sync);
 }

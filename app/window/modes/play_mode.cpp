@@ -47,6 +47,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
       recorded_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
       measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
+  parts.volumes.setMeasured(*measured_);
   connect(recorder_.get(), &MovieRecorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);

@@ -103,7 +103,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
                 [percent](document::OrganLook& look) { look.opacity = percent / 100; });
   });
   connect(opacity_, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
-  connect(&volumes, &VolumeMonitor::updated, this, &OrganPanel::updateVolumes);
+  connect(&volumes, &VolumeMonitor::shown, this, &OrganPanel::updateVolumes);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       rebuild();

@@ -54,6 +54,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   makeOwnMotions(parts);
   finish();
   connect(&playback_, &Playback::stateChanged, this, &PlayPage::syncState);
+  connect(&volumes_, &VolumeMonitor::shown, this, &PlayPage::syncPhase);
   connect(&volumes_, &VolumeMonitor::updated, this, &PlayPage::syncTable);
   connect(&volumes_, &VolumeMonitor::linesChanged, this, &PlayPage::syncTable);
   connect(&view_, &ViewModel::changed, this, &PlayPage::syncIndices);
@@ -76,6 +77,7 @@ void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
   connect(offer_, &FitOffer::sampleChosen, &mode_, &PlayMode::chooseSequence);
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
+  phase_->setObjectName(QStringLiteral("playPhase"));
   addCheck(actions["play.loop"]);
   addButton(actions["play.motionFromSeries"]);
 }
@@ -124,6 +126,7 @@ void PlayPage::makeTable() {
     walls_.back()->setObjectName(QStringLiteral("wall%1").arg(QLatin1String(range.name)));
   }
   normal_ = addRemark(QString());
+  normal_->setObjectName(QStringLiteral("normalRanges"));
 }
 
 /// Of a heart that keeps its own motion: its volumes choose the circulation.
@@ -200,11 +203,16 @@ void PlayPage::syncState() {
                                 .arg(formatNumber(player.ratePerMinute(), 0))
                                 .arg(formatNumber(player.periodSeconds(), 2))
                           : nothing());
-  phase_->setText(sequence ? inWords(player.phase()) : nothing());
+  syncPhase();
+  syncIndices(); // Normal ranges belong to the motion.
   record_->setName(
       sequence
           ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(formatNumber(player.ratePerMinute(), 0))
           : QString());
+}
+
+void PlayPage::syncPhase() {
+  phase_->setText(playback_.sequence() ? inWords(playback_.player().phase()) : nothing());
 }
 
 void PlayPage::fillRow(std::size_t line) {
@@ -212,10 +220,7 @@ void PlayPage::fillRow(std::size_t line) {
   const auto range = volumes_.range(line);
   const auto indices = volumes_.indices(line);
   const auto number = [](bool known, double value) { return known ? formatNumber(value, 1) : nothing(); };
-  const QString name = !volumes_.hasSecond() ? shown.name
-                       : shown.side == 0     ? tr("A: %1").arg(shown.name)
-                                             : tr("B: %1").arg(shown.name);
-  const QStringList cells = {name, number(range.has_value(), range ? range->high : 0),
+  const QStringList cells = {volumes_.nameOf(shown), number(range.has_value(), range ? range->high : 0),
                              number(range.has_value(), range ? range->low : 0),
                              number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
                              indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0))
@@ -231,7 +236,6 @@ void PlayPage::syncTable() {
   const auto& lines = volumes_.lines();
   if (!isVisible() && table_->rowCount() == static_cast<int>(lines.size()))
     return;
-  phase_->setText(playback_.sequence() ? inWords(playback_.player().phase()) : nothing());
   table_->setRowCount(static_cast<int>(lines.size()));
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
@@ -284,7 +288,7 @@ void PlayPage::syncIndices() {
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const motion::NormalRange& range : motion::normalRanges(lines[best].label, view_.state().person)) {
+    for (const motion::NormalRange& range : volumes_.normals(best, view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
                            .arg(inWords(range.name))

@@ -33,6 +33,7 @@ private:
   void makeRecording(Settings& settings);
   void makeOwnMotions(const ModeParts& parts);
   void syncState();
+  void syncPhase();
   void syncTable();
   void fillRow(std::size_t line);
   void syncIndices();

@@ -8,6 +8,7 @@
 
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
+#include "window/compare/comparison.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -27,6 +28,7 @@ struct SessionView::Wanted {
   };
   std::vector<Motion> motions;
   std::optional<presentation::Playing> playing;
+  std::optional<presentation::Compared> compared;
   Points shownPose; ///< As the picture was saved.
 };
 
@@ -52,6 +54,7 @@ std::string SessionView::gather() const {
   if (const auto& stress = window_.picture.presenter().stressValues(); stress.ready())
     state.stress.range = stress.range();
   gatherMotions(state);
+  state.compared = window_.comparison.compared();
   if (window_.playback.showing())
     state.shownPose = window_.workspace.live().shownPose();
   const std::string view = presentation::toJson(state);
@@ -92,6 +95,7 @@ void SessionView::apply(const std::string& text) {
     wanted.motions.push_back(
         {window_.workspace.document().organ(motion.organ), std::move(motion.recipe), nullptr});
   wanted.playing = std::exchange(state.playing, std::nullopt);
+  wanted.compared = std::exchange(state.compared, std::nullopt);
   const auto camera = std::exchange(state.camera, std::nullopt);
   const presentation::SelectionState selection = std::exchange(state.selection, {});
   state.motions.clear();
@@ -133,20 +137,26 @@ void SessionView::show(const Wanted& wanted) {
   for (const Wanted::Motion& motion : wanted.motions)
     if (motion.sequence && window_.workspace.document().organ(motion.organ->id))
       playback.offer(motion.sequence, motion.organ->id, motion.recipe);
-  if (wanted.playing) {
-    const presentation::Playing& playing = *wanted.playing;
-    if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.motions.size()))
-      playback.choose(wanted.motions[static_cast<std::size_t>(playing.motion)].sequence.get());
-    if (playback.sequence() && playing.ratePerMinute > 0) {
-      // A heart that follows a circulation gets the rate of that.
-      playback.setRate(std::clamp(playing.ratePerMinute, playback.sequence()->lowestRatePerMinute(),
-                                  playback.sequence()->highestRatePerMinute()));
-      playback.setSpeed(playing.speed);
-      playback.setLooping(playing.loop);
-      if (playing.shown) {
-        playback.seek(playing.fraction);
-        sayWhatMovesOtherwise(wanted.shownPose);
-      }
+  if (wanted.playing)
+    play(wanted);
+  if (wanted.compared) // It shows the present motion, too.
+    window_.comparison.restore(*wanted.compared);
+}
+
+void SessionView::play(const Wanted& wanted) {
+  Playback& playback = window_.playback;
+  const presentation::Playing& playing = *wanted.playing;
+  if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.motions.size()))
+    playback.choose(wanted.motions[static_cast<std::size_t>(playing.motion)].sequence.get());
+  if (playback.sequence() && playing.ratePerMinute > 0) {
+    // A heart that follows a circulation gets the rate of that.
+    playback.setRate(std::clamp(playing.ratePerMinute, playback.sequence()->lowestRatePerMinute(),
+                                playback.sequence()->highestRatePerMinute()));
+    playback.setSpeed(playing.speed);
+    playback.setLooping(playing.loop);
+    if (playing.shown) {
+      playback.seek(playing.fraction);
+      sayWhatMovesOtherwise(wanted.shownPose);
     }
   }
 }

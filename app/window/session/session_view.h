@@ -13,9 +13,11 @@
 
 namespace viscera::app {
 
-/// Saves and restores the view of a session: gathers camera, selection and motions from the parts of the
-/// window into the view's state, and brings the window to a state that was saved. The theme and the panels
-/// are not in it: they are the user's, not the session's.
+class Comparison;
+
+/// Saves and restores the view of a session: gathers camera, selection, motions and the second view from the
+/// parts of the window into the view's state, and brings the window to a state that was saved. The theme and
+/// the panels are not in it: they are the user's, not the session's.
 class SessionView final : public QObject {
   Q_OBJECT
 
@@ -28,6 +30,7 @@ public:
     const Picture& picture;
     ModeController& modes;
     MeasuredMotion& measured;
+    Comparison& comparison;
   };
 
   explicit SessionView(Window window, QObject* parent = nullptr);
@@ -54,6 +57,7 @@ private:
   void recallMeasured(const std::string& text);
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
+  void play(const Wanted& wanted);
   void sayWhatMovesOtherwise(const Points& saved);
 
   Window window_;

@@ -6,7 +6,9 @@
 #include <QPointer>
 
 #include "viscera/presentation/presenter.h"
+#include "viscera/sequences/heartbeat.h"
 #include "window/language.h"
+#include "window/track/measured_motion.h"
 
 namespace viscera::app {
 namespace {
@@ -38,9 +40,15 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
 
 void VolumeMonitor::setSecond(Workspace* workspace, Playback* playback) {
   sides_[1] = {workspace, playback, {}, {}, {}};
+  ++cycles_;
   if (workspace)
     watch(sides_[1]);
   rebuild();
+}
+
+void VolumeMonitor::setMeasured(const MeasuredMotion& measured) {
+  measured_ = &measured;
+  connect(&measured, &MeasuredMotion::changed, this, &VolumeMonitor::update);
 }
 
 void VolumeMonitor::watch(Side& side) {
@@ -125,6 +133,7 @@ void VolumeMonitor::refresh() {
 void VolumeMonitor::update() {
   throttle_.stop();
   refresh();
+  Q_EMIT shown();
   Q_EMIT updated();
 }
 
@@ -142,6 +151,8 @@ void VolumeMonitor::measure(int index) {
     workspace.jobs().cancelSlot(kCycleSlot);
     ++side.ticket;
     side.cause.reset();
+    if (side.curves)
+      ++cycles_;
     side.curves.reset();
     return;
   }
@@ -150,6 +161,7 @@ void VolumeMonitor::measure(int index) {
     return;
   side.cause = cause;
   side.curves.reset();
+  ++cycles_;
   auto work = [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](
                   Progress& progress) { return motion::measureCycle(ahead->runner(), progress); };
   auto done = [self = QPointer(this), index, mine = ++side.ticket](JobResult<motion::CycleCurves> result) {
@@ -159,6 +171,7 @@ void VolumeMonitor::measure(int index) {
     if (result.cancelled()) // The next occasion measures again.
       measured.cause.reset();
     measured.curves = std::move(result.value);
+    ++self->cycles_;
     if (result.error)
       measured.workspace->report(*result.error);
     Q_EMIT self->updated();
@@ -169,6 +182,7 @@ void VolumeMonitor::measure(int index) {
 
 void VolumeMonitor::sample() {
   refresh();
+  Q_EMIT shown();
   // Organs that are not bound yet stand still: that is no part of the beat.
   for (const Side& side : sides_)
     if (side.workspace && side.workspace->live().busy())
@@ -212,6 +226,10 @@ void VolumeMonitor::sampleDrag(bool goesOn) {
     throttle_.start();
 }
 
+QString VolumeMonitor::nameOf(const Line& line) const {
+  return hasSecond() ? tr("%1: %2").arg(line.side + 1).arg(line.name) : line.name;
+}
+
 VolumeMonitor::Curve VolumeMonitor::cycle(std::size_t line) const {
   const Side& side = sides_[lines_[line].side];
   // A sequence may be gone before the next measurement begins: a session is opened while the heart beats.
@@ -230,6 +248,25 @@ std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
     return std::nullopt;
   const auto [low, high] = std::minmax_element(curve.milliliters.begin(), curve.milliliters.end());
   return scene::ValueRange{*low, *high};
+}
+
+bool VolumeMonitor::beats(std::size_t line) const {
+  const sequences::Sequence* sequence = playbackOf(line).sequence();
+  if (!sequence)
+    return false;
+  // A motion that was measured is in the document as keys. The second view has it when it shows the same.
+  const bool measured =
+      measured_ && measured_->surfaceOf(lines_[line].organ) && sequence == sides_[0].playback->sequence();
+  return measured || sequences::isHeartbeat(*sequence);
+}
+
+std::vector<motion::NormalRange> VolumeMonitor::normals(std::size_t line, const norms::Person& person) const {
+  std::vector<motion::NormalRange> ranges = motion::normalRanges(lines_[line].label, person);
+  if (!beats(line))
+    std::erase_if(ranges, [](const motion::NormalRange& range) {
+      return range.quantity != motion::NormalRange::Quantity::volumeMl;
+    });
+  return ranges;
 }
 
 std::optional<sequences::WallMotion> VolumeMonitor::wall() const {

@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 
 #include <array>
@@ -19,10 +20,13 @@
 
 namespace viscera::app {
 
+class MeasuredMotion;
+
 /// Measures the volumes of the tracked organs: now, over the time of a sequence, and over the time in which
 /// handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker, so that
 /// curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a second view
-/// can be followed beside them. Tells at most ten times a second that there is something new.
+/// can be followed beside them. Tells of every frame of a sequence, for texts, and at most ten times a second
+/// that there is something new, for pictures.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 
@@ -45,9 +49,13 @@ public:
   /// live until then.
   void setSecond(Workspace* workspace, Playback* playback);
   bool hasSecond() const { return sides_[1].workspace != nullptr; }
+  /// Knows from now on which organs move as a heart was measured to.
+  void setMeasured(const MeasuredMotion& measured);
 
   /// The first view's organs come first.
   const std::vector<Line>& lines() const { return lines_; }
+  /// A line's name; of two views with the number of its own before it.
+  QString nameOf(const Line& line) const;
   /// The record of the sequence as played; one column a line, the time is the first view's.
   const motion::VolumeRecord& record() const { return record_; }
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
@@ -61,12 +69,19 @@ public:
   /// A line over one cycle of its sequence at the present rate, with the present handles, coordinates and
   /// locks. Empty while there is no sequence that moves it, and for the moment in which it is measured.
   Curve cycle(std::size_t line) const;
+  /// Another number whenever a `cycle` is another one, or gone.
+  int cycles() const { return cycles_; }
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
   /// Of a cavity, from `cycle`; none while that is empty.
   std::optional<motion::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
+  /// Whether a line's organ has a heartbeat to follow: the textbook's, one that was fitted, computed by a
+  /// circulation or measured. Keys that were recorded by hand are none.
+  bool beats(std::size_t line) const;
+  /// The normal ranges of a line for that person. What holds for a beat is not said of an organ without one.
+  std::vector<motion::NormalRange> normals(std::size_t line, const norms::Person& person) const;
   /// How the walls of the first view's heart move over the cycle; none of other organs, and while the cycle
   /// is measured.
   std::optional<sequences::WallMotion> wall() const;
@@ -77,7 +92,10 @@ public:
 Q_SIGNALS:
   /// Other organs are followed: everything that was recorded is gone.
   void linesChanged();
-  /// New volumes, at most ten times a second.
+  /// The volumes of `lines` are those of the organs as they are shown: after every frame of a sequence, and
+  /// with `updated`. For texts: pictures take too long for it.
+  void shown();
+  /// New volumes or another measured cycle, at most ten times a second.
   void updated();
 
 private:
@@ -101,9 +119,11 @@ private:
   void measure(int side);
 
   std::array<Side, 2> sides_;
+  int cycles_ = 0;
   std::vector<Line> lines_;
   motion::VolumeRecord record_;
   motion::VolumeRecord drags_;
+  QPointer<const MeasuredMotion> measured_;
   QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
   bool dragging_ = false;
   QTimer throttle_;

@@ -17,6 +17,7 @@
 #include "viscera/motion/clinical_numbers.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
+#include "window/timeline/chart_cursor.h"
 #include "window/timeline/person_box.h"
 #include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
@@ -68,7 +69,7 @@ constexpr int kDelay = 40;
 VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent)
     : QWidget(parent), monitor_(monitor), playback_(playback), view_(view),
       chart_(std::make_unique<scene::VolumeChart>()), chartWidget_(new QVTKOpenGLNativeWidget(this)),
-      stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
+      cursor_(new ChartCursor(*chartWidget_)), stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   chart_->setDecimalMark(decimalMark());
@@ -86,7 +87,8 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
   row->addLayout(column_, 1);
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
-  connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
+  connect(&monitor, &VolumeMonitor::shown, this, &VolumePanel::followFrame);
+  connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refreshIfNew);
   connect(&playback, &Playback::stateChanged, this, &VolumePanel::syncPrescribed);
   connect(&view, &ViewModel::changed, this, [this] {
     if (std::exchange(person_, view_.state().person) == person_)
@@ -132,6 +134,7 @@ void VolumePanel::setTheme(const Theme& theme) {
   scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
   colors.panel = {theme.panel.redF(), theme.panel.greenF(), theme.panel.blueF()};
   chart_->setTheme(colors);
+  cursor_->setColor(theme.text);
   refresh();
 }
 
@@ -149,10 +152,11 @@ void VolumePanel::showEvent(QShowEvent* event) {
   refresh();
 }
 
-QString VolumePanel::nameOf(const VolumeMonitor::Line& line) const {
-  if (!monitor_.hasSecond())
-    return line.name;
-  return line.side == 0 ? tr("A: %1").arg(line.name) : tr("B: %1").arg(line.name);
+/// The cursor is placed when the chart is drawn at its new size.
+void VolumePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (!drawing_.isActive())
+    drawing_.start();
 }
 
 void VolumePanel::rebuild() {
@@ -169,7 +173,7 @@ void VolumePanel::rebuild() {
     tiles_.push_back(addTile(line));
     // A whole organ is so much larger than its cavities that on one axis neither would be seen to move.
     const bool right = cavities && !line.cavity;
-    const QString name = right ? tr("%1 (right axis)").arg(nameOf(line)) : nameOf(line);
+    const QString name = right ? tr("%1 (right axis)").arg(monitor_.nameOf(line)) : monitor_.nameOf(line);
     lines.push_back({name.toStdString(), line.color, {}, right, line.side == 1});
   }
   dots_.clear();
@@ -192,7 +196,8 @@ void VolumePanel::rebuild() {
     }
   prescribed_ = prescribedLine();
   if (prescribed_ < monitor_.lines().size()) {
-    const std::string name = tr("%1 prescribed").arg(nameOf(monitor_.lines()[prescribed_])).toStdString();
+    const std::string name =
+        tr("%1 prescribed").arg(monitor_.nameOf(monitor_.lines()[prescribed_])).toStdString();
     lines.push_back({name, lines[prescribed_].color, {}, lines[prescribed_].rightAxis, true});
   }
   if (tiles_.empty()) {
@@ -288,23 +293,28 @@ void VolumePanel::drawMeasured(double length) {
 VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   auto* grid = static_cast<QGridLayout*>(tileBox_->layout());
   const int index = static_cast<int>(tiles_.size());
+  const QString called = monitor_.nameOf(line);
   auto* box = new QWidget(tileBox_);
   auto* column = makeLayout<QVBoxLayout>(box, 0);
   auto* name = new QToolButton(box);
   name->setObjectName(QStringLiteral("tileName"));
   // A long name must not push the second column out of sight.
   box->setFixedWidth(kTileWidth);
-  name->setText(
-      name->fontMetrics().elidedText(nameOf(line), Qt::ElideRight, kTileWidth - 2 * kLineSwatch - 8));
+  name->setText(name->fontMetrics().elidedText(called, Qt::ElideRight, kTileWidth - 2 * kLineSwatch - 8));
   name->setIcon(swatch(line.color));
   name->setIconSize(QSize(kLineSwatch, kLineSwatch));
   name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  name->setToolTip(tr("%1: show its normal range in the chart").arg(nameOf(line)));
+  name->setToolTip(tr("%1: show its normal range in the chart").arg(called));
   connect(name, &QToolButton::clicked, this,
           [this, index] { setNormalsOf(static_cast<std::size_t>(index)); });
   Tile tile{new QLabel(box), new QLabel(box)};
   embolden(tile.value, 1.25);
+  tile.value->setObjectName(QStringLiteral("tileValue"));
   tile.detail->setObjectName(QStringLiteral("muted"));
+  for (QLabel* label : {tile.value, tile.detail}) { // Another number in every frame lays out nothing anew.
+    label->ensurePolished();
+    label->setFixedSize(kTileWidth, label->sizeHint().height());
+  }
   column->addWidget(name);
   column->addWidget(tile.value);
   column->addWidget(tile.detail);
@@ -319,10 +329,12 @@ void VolumePanel::setNormalsOf(std::size_t line) {
 }
 
 void VolumePanel::syncNormals() {
+  const bool any = normalsOf_ < monitor_.lines().size();
+  normalsBeat_ = any && monitor_.beats(normalsOf_);
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const motion::NormalRange& range : motion::normalRanges(monitor_.lines()[line].label, person_))
+      for (const motion::NormalRange& range : monitor_.normals(line, person_))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -336,7 +348,7 @@ QString VolumePanel::normalsText() const {
   const VolumeMonitor::Line& line = monitor_.lines()[normalsOf_];
   QStringList parts;
   QString from;
-  for (const motion::NormalRange& range : motion::normalRanges(line.label, person_)) {
+  for (const motion::NormalRange& range : monitor_.normals(normalsOf_, person_)) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
@@ -369,18 +381,27 @@ void VolumePanel::take(const motion::VolumeRecord* record) {
   charted_ = 0;
 }
 
-void VolumePanel::refreshTiles() {
+void VolumePanel::followFrame() {
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
     tiles_[line].value->setText(formatMilliliters(monitor_.lines()[line].nowMl));
     tiles_[line].detail->setText(detailOf(line));
   }
+  placeCursor();
+}
+
+void VolumePanel::refreshIfNew() {
+  const bool known = cycleDrawn() && shown_ == nullptr && drawnCycles_ == monitor_.cycles() &&
+                     (normalsOf_ >= monitor_.lines().size() || monitor_.beats(normalsOf_) == normalsBeat_);
+  known ? followFrame() : refresh();
 }
 
 void VolumePanel::refresh() {
-  refreshTiles();
+  if (normalsOf_ < monitor_.lines().size() && monitor_.beats(normalsOf_) != normalsBeat_)
+    syncNormals();
+  followFrame();
   if (!isVisible())
     return;
-  const bool cycle = cycleShown_ && !dragsShown();
+  const bool cycle = cycleDrawn();
   bool anything = dragsShown() || monitor_.record().rows() >= 2;
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
     anything = anything || !monitor_.cycle(line).fractions.empty();
@@ -393,15 +414,31 @@ void VolumePanel::refresh() {
 }
 
 void VolumePanel::draw() {
-  if (isVisible())
-    chartWidget_->renderWindow()->Render();
+  if (!isVisible())
+    return;
+  chartWidget_->renderWindow()->Render();
+  placeCursor();
+}
+
+/// Of a cycle. Of what went by, the cursor is the end of the curves and drawn with them.
+void VolumePanel::placeCursor() {
+  ChartCursor::Marks marks;
+  if (cycleDrawn() && playback_.showing())
+    if (const auto place = chart_->placeOf(playback_.player().fraction() * cycleLength()))
+      marks.lines.push_back({place->x, place->low, place->high});
+  cursor_->setMarks(std::move(marks));
+}
+
+/// On the chart's axis: seconds, or parts of the cycle in per cent.
+double VolumePanel::cycleLength() const {
+  return monitor_.hasSecond() ? kPercent : std::max(playback_.player().periodSeconds(), 1e-3);
 }
 
 /// Of two views the curves lie over one another by their part of the cycle, whatever their rates.
 void VolumePanel::drawCycle() {
   take(nullptr);
-  const motion::Player& player = playback_.player();
-  const double length = monitor_.hasSecond() ? kPercent : std::max(player.periodSeconds(), 1e-3);
+  drawnCycles_ = monitor_.cycles();
+  const double length = cycleLength();
   if (monitor_.hasSecond())
     chart_->setAxes(tr("Part of the cycle").toStdString(), "%", tr("Volume").toStdString(), "ml");
   else
@@ -415,10 +452,7 @@ void VolumePanel::drawCycle() {
   }
   drawPrescribed(length);
   drawMeasured(length);
-  if (playback_.showing())
-    chart_->setCursor(player.fraction() * length);
-  else
-    chart_->hideCursor();
+  chart_->hideCursor();
 }
 
 void VolumePanel::drawRecord() {

@@ -19,6 +19,7 @@ class QVBoxLayout;
 
 namespace viscera::app {
 
+class ChartCursor;
 class ElidedLabel;
 class MeasuredMotion;
 class ViewModel;
@@ -52,6 +53,7 @@ Q_SIGNALS:
 
 protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   struct Tile {
@@ -63,10 +65,16 @@ private:
   void makeChart();
   void rebuild();
   void refresh();
+  /// As `refresh`, without drawing the same cycle again.
+  void refreshIfNew();
+  /// What follows every frame: the numbers, and the cursor.
+  void followFrame();
+  void placeCursor();
+  double cycleLength() const;
+  bool cycleDrawn() const { return cycleShown_ && !dragsShown(); }
   /// Whether the last drags are in the chart: no sequence is on show.
   bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
   void take(const motion::VolumeRecord* record);
-  void refreshTiles();
   void draw();
   void drawCycle();
   void drawRecord();
@@ -77,7 +85,6 @@ private:
   void syncMeasured();
   void drawMeasured(double length);
   Tile addTile(const VolumeMonitor::Line& line);
-  QString nameOf(const VolumeMonitor::Line& line) const;
   QString detailOf(std::size_t line) const;
 
   VolumeMonitor& monitor_;
@@ -85,6 +92,7 @@ private:
   ViewModel& view_;
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* chartWidget_;
+  ChartCursor* cursor_;
   QVBoxLayout* column_ = nullptr; ///< The chart and what is under it.
   QStackedLayout* stack_;         ///< A hint, or the chart.
   ElidedLabel* source_ = nullptr; ///< What the stripes are.
@@ -94,7 +102,9 @@ private:
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
   const motion::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
+  int drawnCycles_ = -1;                        ///< Of the monitor, whose curves the chart has.
   std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
+  bool normalsBeat_ = false;                    ///< That line had a beat when they were.
   std::size_t prescribed_ = 0; ///< The line whose prescribed volume is drawn; behind the last one: none.
   /// A line of measured volumes in the chart.
   struct Dots {

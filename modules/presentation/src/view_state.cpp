@@ -19,8 +19,10 @@ using nlohmann::ordered_json;
 
 constexpr int kFormat = 2;
 constexpr double kShortestNormal = 1e-6;
+constexpr double kFastestRate = 1e6; ///< Of a sequence, a minute: its range has the last word.
 constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
 constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
+constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
 
 /// A named value of an enumeration; the first for a name that is none of them.
@@ -364,11 +366,52 @@ Slide slideFrom(const ordered_json& item) {
   return slide;
 }
 
+ordered_json rowsOf(const Points& points) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& row : points.rowwise())
+    rows.push_back(listOf(row.transpose()));
+  return rows;
+}
+
 Points rowsFrom(const ordered_json& rows) {
   Points points(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
     points.row(static_cast<Eigen::Index>(i)) = vectorOf(rows[i]).transpose();
   return points;
+}
+
+ordered_json comparedJson(const Compared& compared) {
+  ordered_json item = {{"what", kCompared[static_cast<std::size_t>(compared.what)]}};
+  if (!compared.name.empty())
+    item["name"] = compared.name;
+  if (compared.ratePerMinute > 0)
+    item["ratePerMinute"] = compared.ratePerMinute;
+  if (compared.pose.rows() > 0)
+    item["pose"] = rowsOf(compared.pose);
+  return item;
+}
+
+/// None for what only a newer version can compare with, and where what it is about is missing.
+std::optional<Compared> comparedFrom(const ordered_json& item) {
+  const std::string what = item.at("what").get<std::string>();
+  if (std::find(kCompared.begin(), kCompared.end(), what) == kCompared.end())
+    return std::nullopt;
+  Compared compared;
+  compared.what = fromName<Compared::What>(kCompared, item.at("what"));
+  using What = Compared::What;
+  if (compared.what == What::coordinates || compared.what == What::sample) {
+    take(item, "name", compared.name);
+    if (compared.name.empty())
+      return std::nullopt;
+  }
+  if (compared.what == What::pose) {
+    compared.pose = rowsFrom(item.value("pose", ordered_json::array()));
+    if (compared.pose.rows() == 0 || !compared.pose.allFinite())
+      return std::nullopt;
+  }
+  take(item, "ratePerMinute", compared.ratePerMinute);
+  compared.ratePerMinute = within(compared.ratePerMinute, 0, kFastestRate, 0);
+  return compared;
 }
 
 norms::Person personFrom(const ordered_json& item) {
@@ -391,6 +434,8 @@ ViewState viewFrom(const ordered_json& item) {
     view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
   if (item.contains("playing"))
     view.playing = playingFrom(item.at("playing"));
+  if (item.contains("compared"))
+    view.compared = comparedFrom(item.at("compared"));
   if (item.contains("cut"))
     view.cut = cutFrom(item.at("cut"));
   if (item.contains("organsSeen"))
@@ -418,14 +463,19 @@ ViewState viewFrom(const ordered_json& item) {
 
 } // namespace
 
+bool Compared::operator==(const Compared& other) const {
+  return what == other.what && name == other.name && ratePerMinute == other.ratePerMinute &&
+         pose.rows() == other.pose.rows() && pose == other.pose;
+}
+
 bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
                     view.chartOfCycle, view.circulationChart, view.beatSigns, view.valves, view.stress,
-                    view.cut, view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan,
-                    view.selection, view.motions, view.playing, view.slides);
+                     view.cut, view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan,
+                     view.selection, view.motions, view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -475,15 +525,14 @@ std::string toJson(const ViewState& state) {
         {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
   if (view.playing)
     visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
+  if (view.compared)
+    item["compared"] = comparedJson(*view.compared);
   if (!view.slides.empty())
     item["slides"] = ordered_json::array();
   for (const Slide& slide : view.slides)
     item["slides"].push_back(slideJson(slide));
-  if (view.shownPose.rows() > 0) {
-    item["shownPose"] = ordered_json::array();
-    for (const auto& row : view.shownPose.rowwise())
-      item["shownPose"].push_back(listOf(row.transpose()));
-  }
+  if (view.shownPose.rows() > 0)
+    item["shownPose"] = rowsOf(view.shownPose);
   return item.dump();
 }
 

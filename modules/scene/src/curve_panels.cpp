@@ -15,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
-#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -36,8 +35,6 @@ namespace {
 
 constexpr int kPanelFontSize = 12;
 constexpr int kTitleSize = 14;
-constexpr float kPanelCursorWidth = 1.5;
-constexpr float kMarkSize = 9;
 constexpr double kPanelRoom = 0.06; ///< Above and below the curves, as a part of their range.
 constexpr double kGrid = 0.22;
 
@@ -74,9 +71,6 @@ ValueRange rangeOf(const CurvePanel& panel, std::vector<double> PanelCurve::*val
 struct Panel {
   CurvePanel wanted;
   vtkSmartPointer<vtkChartXY> chart;
-  vtkPlot* cursor = nullptr;
-  vtkPlot* mark = nullptr;
-  ValueRange y;
 };
 
 void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels, int mostTicks,
@@ -152,7 +146,6 @@ struct CurvePanels::Parts {
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
   std::vector<Panel> panels;
-  std::optional<double> cursor;
 
   void show(const Panel& panel);
 };
@@ -168,14 +161,6 @@ void CurvePanels::Parts::show(const Panel& panel) {
   for (const PanelCurve& curve : p.curves)
     if (curve.x.size() >= 2)
       panel.chart->GetPlot(plot++)->SetWidth(ratio * curve.width);
-  const bool shown = p.cursor && cursor;
-  panel.cursor->SetVisible(shown);
-  panel.cursor->SetWidth(ratio * kPanelCursorWidth);
-  setPen(panel.cursor->GetPen(), theme.text, 0.8);
-  setPen(panel.mark->GetPen(), theme.text, 1);
-  vtkPlotPoints::SafeDownCast(panel.mark)->SetMarkerSize(ratio * kMarkSize);
-  const double x = cursor.value_or(0);
-  panel.cursor->SetInputData(tableOf("", {x, x}, {panel.y.low, panel.y.high}), 0, 1);
   applyTheme(panel.chart, theme);
   panel.chart->RecalculateBounds();
 }
@@ -219,34 +204,17 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
   p.actor->GetScene()->ClearItems();
   p.panels.clear();
   for (CurvePanel& wanted : panels) {
-    Panel panel{std::move(wanted), nullptr, nullptr, nullptr, {}};
+    Panel panel{std::move(wanted), nullptr};
     panel.chart = chartOf(panel.wanted);
-    panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kPanelRoom));
+    const ValueRange y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kPanelRoom));
     const ValueRange x = panel.wanted.xRange.value_or(rangeOf(panel.wanted, &PanelCurve::x, 0));
     setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels,
             panel.wanted.mostXTicks, p.decimalMark);
-    setAxis(panel.chart->GetAxis(vtkAxis::LEFT), panel.y, panel.wanted.yTitle, panel.wanted.yLabels,
+    setAxis(panel.chart->GetAxis(vtkAxis::LEFT), y, panel.wanted.yTitle, panel.wanted.yLabels,
             panel.wanted.mostYTicks, p.decimalMark);
-    panel.cursor = panel.chart->AddPlot(vtkChart::LINE);
-    panel.cursor->SetLegendVisibility(false);
-    panel.mark = panel.chart->AddPlot(vtkChart::POINTS);
-    panel.mark->SetLegendVisibility(false);
-    panel.mark->SetVisible(false);
-    vtkPlotPoints::SafeDownCast(panel.mark)->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     p.actor->GetScene()->AddItem(panel.chart);
     p.panels.push_back(std::move(panel));
   }
-}
-
-void CurvePanels::setCursor(std::optional<double> x) {
-  parts_->cursor = x;
-}
-
-void CurvePanels::setMark(std::size_t panel, std::optional<CurvePoint> point) {
-  Panel& marked = parts_->panels.at(panel);
-  marked.mark->SetVisible(point.has_value());
-  if (point)
-    marked.mark->SetInputData(tableOf("", {point->x}, {point->y}), 0, 1);
 }
 
 void CurvePanels::update() {

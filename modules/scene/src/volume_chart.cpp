@@ -461,6 +461,22 @@ void VolumeChart::hideCursor() {
   parts_->cursor.reset();
 }
 
+std::optional<VolumeChart::Upright> VolumeChart::placeOf(double seconds) const {
+  const auto& p = *parts_;
+  const int* low = p.chart->GetPoint1();
+  const int* high = p.chart->GetPoint2();
+  const int* size = p.window ? p.window->GetSize() : nullptr;
+  auto* axis = p.chart->GetAxis(vtkAxis::BOTTOM);
+  const double begin = axis->GetMinimum(), length = axis->GetMaximum() - begin;
+  if (!size || high[0] <= low[0] || high[0] > size[0] || high[1] > size[1] || !(length > 0))
+    return std::nullopt;
+  const double part = (seconds - begin) / length;
+  if (!(part >= 0 && part <= 1))
+    return std::nullopt;
+  return Upright{(low[0] + part * (high[0] - low[0])) / size[0], static_cast<double>(low[1]) / size[1],
+                 static_cast<double>(high[1]) / size[1]};
+}
+
 void VolumeChart::update() {
   auto& p = *parts_;
   const ValueRange times = p.timeRange(), values = p.valueRange(false), right = p.valueRange(true);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -150,6 +151,35 @@ TEST(VolumeChart, CursorAndBandAreSeen) {
   const double cursor = comparePictures(without, drawn.picture()).differing;
   EXPECT_GT(cursor, 0.001);
   EXPECT_LT(cursor, 0.03);
+}
+
+TEST(VolumeChart, TheCursorIsDrawnWhereItsPlaceIsSaidToBe) {
+  DrawnChart drawn({kRed}, 10, 400, lightTheme());
+  VolumeChart& chart = drawn.chart;
+  EXPECT_FALSE(VolumeChart().placeOf(5)) << "never drawn";
+  for (const double time : {0.0, 5.0, 10.0})
+    chart.append(time, Values::Constant(1, 50));
+  const auto without = drawn.picture();
+  for (const double time : {1.0, 5.0, 9.0}) {
+    chart.setCursor(time);
+    const auto with = drawn.picture();
+    const auto place = chart.placeOf(time);
+    ASSERT_TRUE(place);
+    double columns = 0, sum = 0, lowest = 200, highest = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 400; ++x)
+        if (*static_cast<unsigned char*>(with->GetScalarPointer(x, y, 0)) + 40 <
+            *static_cast<unsigned char*>(without->GetScalarPointer(x, y, 0))) {
+          ++columns;
+          sum += x + 0.5;
+          lowest = std::min<double>(lowest, y);
+          highest = std::max<double>(highest, y);
+        }
+    EXPECT_NEAR(400 * place->x, sum / columns, 1) << time;
+    EXPECT_NEAR(200 * place->low, lowest, 2);
+    EXPECT_NEAR(200 * place->high, highest, 2);
+  }
+  EXPECT_FALSE(chart.placeOf(11)) << "beyond the axis";
 }
 
 TEST(VolumeChart, ACurveMayHaveTimesOfItsOwnUntilItIsCleared) {

@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "simple_heart.h"
 #include "viscera/core/error.h"
+#include "viscera/sequences/keyframes.h"
+#include "viscera/sequences/scaled_sequence.h"
 
 namespace viscera::sequences {
 namespace {
@@ -53,6 +56,17 @@ protected:
   CavityHeartbeat heartbeat_{fitWith({}), cycle_};
   Points pose_;
 };
+
+TEST_F(CavityHeartbeatTest, IsAHeartbeatAtEverySizeAndRecordedPosesOfItAreNone) {
+  EXPECT_TRUE(isHeartbeat(heartbeat_));
+  const auto same = std::make_shared<CavityHeartbeat>(fitWith({}), cycle_);
+  EXPECT_TRUE(isHeartbeat(ScaledSequence(same, 1.2)));
+  KeyframedSequence::Track track;
+  track.restHandles = heartbeat_.restHandles();
+  heartbeat_.poseAt(0.2, 75, pose_);
+  track.keys = {{0, track.restHandles}, {0.5, pose_}};
+  EXPECT_FALSE(isHeartbeat(KeyframedSequence(track)));
+}
 
 TEST_F(CavityHeartbeatTest, CavitiesHoldWhatTheCycleSaysAtAnyTimeAndRate) {
   double left = 0;

@@ -66,6 +66,22 @@ struct Playing {
   bool operator==(const Playing&) const = default;
 };
 
+/// What a second view shows beside the organs. Files that it shows are in no session.
+struct Compared {
+  enum class What {
+    rate,        ///< The same organs at a rate of their own.
+    coordinates, ///< The same organs and handles with another coordinate system.
+    pose,        ///< The same organs in a pose that was kept.
+    sample,      ///< A sample organ.
+  };
+  What what = What::rate;
+  std::string name;         ///< The id of the coordinates, or the sample's; empty for the others.
+  double ratePerMinute = 0; ///< Of the sequence in the second view; 0: none is played there.
+  Points pose;              ///< The kept one, `n x 3` mm; empty for the others.
+
+  bool operator==(const Compared& other) const;
+};
+
 /// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
 struct OrganCut {
   bool on = false;
@@ -147,7 +163,8 @@ struct ViewState {
   SelectionState selection;
   std::vector<MotionChoice> motions;
   std::optional<Playing> playing;
-  std::vector<Slide> slides; ///< In the order in which they are shown.
+  std::optional<Compared> compared; ///< None: one view.
+  std::vector<Slide> slides;        ///< In the order in which they are shown.
   /// Where the handles were seen when it is not the document's pose, `n x 3` mm; empty otherwise.
   Points shownPose;
 

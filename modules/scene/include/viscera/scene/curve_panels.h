@@ -22,12 +22,6 @@ struct PanelCurve {
   bool dashed = false;
 };
 
-/// A point in the coordinates of a chart's axes.
-struct CurvePoint {
-  double x = 0;
-  double y = 0;
-};
-
 /// A chart with its axes and curves, and its place in a window.
 struct CurvePanel {
   std::string title; ///< Above it; may be empty.
@@ -43,7 +37,7 @@ struct CurvePanel {
   int mostXTicks = 6; ///< Of a small panel fewer, so that labels do not run into each other.
   int mostYTicks = 6;
   bool legend = false;
-  bool cursor = false; ///< Whether it shows the line of `setCursor`.
+  bool cursor = false; ///< Whether its x is the time on which the present instant is marked over it.
 };
 
 /// Draws several charts in one window, for curves that are known as a whole: those of one cycle over time,
@@ -63,10 +57,6 @@ public:
   void setDecimalMark(char mark);
   /// Replaces all panels. Throws `UsageError` when a curve has not as many x as y. O(points); some ms.
   void setPanels(std::vector<CurvePanel> panels);
-  /// A vertical line at this x in every panel that wants it; nothing: no line.
-  void setCursor(std::optional<double> x);
-  /// A point in one panel: where a loop is at this instant. Nothing: none.
-  void setMark(std::size_t panel, std::optional<CurvePoint> point);
 
   /// Fits the panels into the window as large as it is now; called by the caller before it renders.
   void update();

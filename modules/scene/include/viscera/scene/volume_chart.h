@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,17 @@ public:
   /// A vertical line at a time, s.
   void setCursor(double seconds);
   void hideCursor();
+  /// An upright line in the window: `x` is a part of its width from the left, `low` and `high` are parts of
+  /// its height from below.
+  struct Upright {
+    double x = 0;
+    double low = 0;
+    double high = 1;
+  };
+  /// Where `setCursor` would draw a line, in the window as it was rendered last: for who draws the cursor
+  /// over the picture, for every frame of a sequence, in place of rendering the chart. Nothing before the
+  /// first picture, and for a time beyond the axis. O(1).
+  std::optional<Upright> placeOf(double seconds) const;
 
   /// Brings the axes up to date with the points; called by the caller before it renders. O(points).
   void update();

@@ -8,6 +8,10 @@
 
 namespace viscera::sequences {
 
+/// Whether the sequence is a heart's beat: the textbook's, one fitted to another heart, or a computed course.
+/// Poses that were recorded are none, whatever they show.
+bool isHeartbeat(const Sequence& sequence);
+
 /// The base of all sequences of a beating heart: cycle, phases and groups of handles.
 class Heartbeat : public Sequence {
 public:

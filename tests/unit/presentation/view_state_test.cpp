@@ -1,0 +1,48 @@
+#include "viscera/presentation/view_state.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::presentation {
+namespace {
+
+using What = Compared::What;
+
+Compared back(const Compared& compared) {
+  ViewState view;
+  view.compared = compared;
+  return viewFromJson(toJson(view)).compared.value();
+}
+
+ViewState withCompared(const std::string& item) {
+  return viewFromJson(R"({"format": 2, "mode": "play", "compared": )" + item + "}");
+}
+
+TEST(ViewStateJson, WhatIsComparedComesBack) {
+  EXPECT_EQ(back({What::rate, "", 137.25, {}}), (Compared{What::rate, "", 137.25, {}}));
+  EXPECT_EQ(back({What::coordinates, "green", 0, {}}), (Compared{What::coordinates, "green", 0, {}}));
+  EXPECT_EQ(back({What::sample, "stomach", 3, {}}), (Compared{What::sample, "stomach", 3, {}}));
+  Points pose(2, 3);
+  pose << 1, 2.5, -3, 0.1, 0, 7;
+  EXPECT_EQ(back({What::pose, "", 0, pose}), (Compared{What::pose, "", 0, pose}));
+  EXPECT_FALSE(back({What::pose, "", 0, pose}) == (Compared{What::pose, "", 0, Points(2 * pose)}));
+  EXPECT_FALSE(viewFromJson(toJson(ViewState())).compared) << "one view";
+  EXPECT_EQ(toJson(ViewState()).find("compared"), std::string::npos);
+}
+
+TEST(ViewStateJson, WhatCannotBeComparedIsLeftOut) {
+  EXPECT_FALSE(withCompared(R"({"what": "of a newer version"})").compared);
+  EXPECT_FALSE(withCompared(R"({"what": "coordinates"})").compared);
+  EXPECT_FALSE(withCompared(R"({"what": "sample", "name": ""})").compared);
+  EXPECT_FALSE(withCompared(R"({"what": "pose", "pose": []})").compared);
+  EXPECT_EQ(withCompared(R"({"what": "rate", "ratePerMinute": -4})").compared->ratePerMinute, 0);
+  EXPECT_EQ(withCompared(R"({"what": "rate", "ratePerMinute": 1e300})").compared->ratePerMinute, 0);
+  EXPECT_THROW(withCompared(R"({"what": "pose", "pose": [[1, 2]]})"), DataError);
+  EXPECT_THROW(withCompared("[]"), DataError);
+}
+
+} // namespace
+} // namespace viscera::presentation
