@@ -73,8 +73,8 @@ public:
           organ, bindOrgan(coordinates::SCelestial(), handles_, organ->points, {{}, threads}, progress),
           handles_.positions, threads);
     }
-    for (Deformer& organ : organs_)
-      all_.push_back(&organ);
+    for (Deformer& bound : organs_)
+      all_.push_back(&bound);
   }
 
   /// The next pose of all handles, or of handle 12 alone, and all volumes: in one loop, or in two an organ.

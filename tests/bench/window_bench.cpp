@@ -161,7 +161,7 @@ BENCHMARK(firstPicture)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseManua
 
 /// Whether something of the colour of a heart is in the middle of the screen.
 bool heartIsOnTheScreen() {
-  const QScreen* screen = QGuiApplication::primaryScreen();
+  QScreen* screen = QGuiApplication::primaryScreen();
   const QPoint middle = screen->geometry().center();
   const QImage image = screen->grabWindow(0, middle.x() - 150, middle.y() - 150, 300, 300).toImage();
   int red = 0;

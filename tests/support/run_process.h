@@ -32,7 +32,8 @@ struct ProcessOptions {
   std::map<std::string, std::optional<std::string>> environment; ///< Set, or unset where there is no value.
   std::optional<std::chrono::milliseconds> interruptAfter;       ///< Sends `signal` then.
   int signal = SIGINT;                                           ///< Ctrl+C.
-  std::optional<std::size_t> addressSpace; ///< The most that it may map, bytes, as `ulimit -v` says it.
+  std::optional<std::size_t> addressSpace =
+      std::nullopt; ///< The most that it may map, bytes, as `ulimit -v` says it.
 };
 
 namespace detail {
