@@ -1,7 +1,11 @@
 // What every mode promises, whichever it is.
+#include <memory>
+
 #include <QAction>
+#include <QLabel>
 #include <QToolButton>
 
+#include "click_mode.h"
 #include "play_fixture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/modes/mode_controller.h"
@@ -55,6 +59,24 @@ TEST_F(Modes, ADragEndsAndIsTakenBackWhenTheModeChanges) {
   EXPECT_EQ(document().pose(), before);
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 20));
   EXPECT_FALSE(window().workspace().undo().canUndo() && window().workspace().undo().stepOpen());
+}
+
+/// The parts that the window's modes have.
+struct PartsOfModes : app::Mode {
+  static const app::ModeParts& of(const app::Mode& mode) { return mode.*(&PartsOfModes::parts_); }
+};
+
+TEST_F(Modes, TheExampleOfTheDeveloperGuideSaysWhereAnOrganWasClicked) {
+  open(sphereFile());
+  app::ClickMode mode(PartsOfModes::of(window().modes().present()));
+  const std::unique_ptr<QWidget> page(mode.makePage(window().actions()));
+  const auto* said = qobject_cast<QLabel*>(page.get());
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->text(), "Nothing was clicked");
+  const app::ClickedPlace place{document().organs().front()->id, Vec3(1.5, -2, 30.5)};
+  mode.click(&place);
+  EXPECT_EQ(said->text(), "1.5, -2.0, 30.5 mm (LPS)");
+  EXPECT_EQ(window().workspace().selection().organ(), place.organ);
 }
 
 using ModesOfAMotion = PlayMode;

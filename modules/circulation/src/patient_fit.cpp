@@ -147,6 +147,7 @@ private:
   static Unknowns stepFor(Eigen::Matrix3d slope, const Eigen::Vector3d& errors, const Unknowns& at,
                           double damping) {
     for (int pass = 0; pass < 3; ++pass) {
+      // Levenberg and Marquardt: (J^T J + damping diag(J^T J) + 1e-9 I) step = -J^T e.
       Eigen::Matrix3d normal = slope.transpose() * slope;
       normal.diagonal() += (damping * normal.diagonal()).eval() + Eigen::Vector3d::Constant(1e-9);
       Unknowns step = -normal.ldlt().solve(slope.transpose() * errors);
@@ -235,6 +236,7 @@ PatientFit fitToVentricle(const MeasuredVentricle& measured, Progress& progress,
   resize(parameters, "lv", measured.edvMl / lv.edvMl);
   resize(parameters, "rv", measured.edvMl * measured.ef / lv.svMl);
   const double pressure = measured.meanAorticMmHg > 0 ? measured.meanAorticMmHg : indices.aorta.mean;
+  // Start: Ees = 1.1 P / (ESV - V0) and R = 0.95 P / (EDV EF rate / 60).
   // What a windkessel and an elastance alone would need: a start, not the answer.
   const double esvMl = measured.edvMl * (1 - measured.ef);
   const double flowMlS = measured.edvMl * measured.ef * measured.ratePerMinute / 60;

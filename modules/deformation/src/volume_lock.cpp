@@ -218,6 +218,7 @@ double VolumeLock::cubicStep(const Points& pose, const Points& direction, double
   const double longest = longestRow(direction);
   if (longest == 0)
     return std::nan("");
+  // The root of V(pose + s direction) - target nearest to s = 0.
   std::array<double, 4> cubic = along(pose, direction);
   cubic[0] -= surfaces_.front().targetMm3;
   return nearestCubicRoot(cubic, -limitMm / longest, limitMm / longest).value_or(std::nan(""));
@@ -232,6 +233,7 @@ bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const Re
     gradients.push_back(gradient(k, pose));
     directions.push_back(model.direction(pose, gradients.back(), free));
   }
+  // sum_j <g_k, d_j> s_j = target_k - V_k for each surface k, then pose += sum_j s_j d_j.
   Eigen::MatrixXd system(count, count);
   Values missing(count);
   for (Eigen::Index k = 0; k < count; ++k) {

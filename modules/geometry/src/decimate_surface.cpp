@@ -31,6 +31,7 @@ struct Quadric {
   double weight = 0;
 
   void addPlane(const Vec3& unitNormal, const Vec3& point, double area) {
+    // area (n.x + d)^2 = x^T (area n n^T) x + 2 (area d n).x + area d^2.
     const double d = -unitNormal.dot(point);
     a += area * unitNormal * unitNormal.transpose();
     b += area * d * unitNormal;
@@ -107,6 +108,7 @@ private:
     sum += quadric(b);
     Candidate candidate{.a = a, .b = b, .stamps = {stamp(a), stamp(b)}};
     candidate.place = middle_ + bestPlace(sum, surface_.point(a) - middle_, surface_.point(b) - middle_);
+    // Cost: Q_a(p) + Q_b(p) + evenness (weight_a + weight_b) |ab|^2.
     candidate.cost =
         std::max(0.0, sum.at(candidate.place - middle_)) + kEvenness * sum.weight * surface_.length2({a, b});
     queue_.push(candidate);
@@ -117,6 +119,7 @@ private:
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions;
     directions.computeDirect(quadric.a, Eigen::EigenvaluesOnly);
     if (directions.eigenvalues()[0] > kFlatSquare * directions.eigenvalues()[2]) {
+      // The gradient 2 (A x + b) is zero at x = -A^-1 b.
       const Vec3 best = -quadric.a.ldlt().solve(quadric.b);
       if ((best - 0.5 * (a + b)).squaredNorm() <= 4 * (a - b).squaredNorm())
         return best;

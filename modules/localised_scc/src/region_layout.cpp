@@ -98,6 +98,8 @@ void RegionLayout::makeRegions(const coordinates::HandleSet& handles) {
 
 void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
   auto parts = pairwiseIntersections(regions_);
+  // A zone is a connected component of the parts H_i n H_j (H: hulls of the regions); two parts are joined
+  // where they meet.
   DisjointSets components(parts.size());
   for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b)
@@ -142,6 +144,7 @@ void RegionLayout::boundOffsets(const coordinates::HandleSet& handles, double of
           region.offsetBound = std::min(region.offsetBound, distance);
       }
     }
+    // h_i < min |v - Z| over the handles v of the region that lie off the zones Z: no blend reaches them.
     region.offset = std::min(offset, kBelowBound * region.offsetBound);
     if (region.offset < offset)
       notes_.push_back(
@@ -170,6 +173,7 @@ void RegionLayout::blendWithZones(int own, const Vec3& point, std::vector<Share>
   const double offset = regions_[std::size_t(own)].offset;
   std::vector<BlendValue> blends; // Takes no memory as long as no zone is near.
   for (std::size_t k = 0; k < zones_.size(); ++k) {
+    // d_k = min |point - closest point of Z|, over the parts of zone k that lie in this region.
     double distance = offset;
     Vec3 away = Vec3::Zero();
     for (const auto& part : zones_[k].parts) {

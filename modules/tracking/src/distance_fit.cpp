@@ -63,6 +63,8 @@ public:
       const Offsets offsets = offsetsAt(rig_, targets, pose, threads_);
       const Values weights = weightsOf(offsets);
       factorise(offsets, weights, bending, pull.weight);
+      // Right side of the step: -(W^T (w d n) + bending B P + pull (P - to)), with coordinates W, distances d
+      // along unit normals n, weights w and the pose P.
       const Points pushed = weights.cwiseProduct(offsets.distance).asDiagonal() * offsets.normal;
       Points gradient = -(rig_.weights().transpose() * pushed) - bending * (rig_.bending() * pose);
       if (pull.weight > 0)
@@ -96,6 +98,8 @@ private:
         {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}};
     const Eigen::Index n = rig_.handles();
     matrix_.resize(3 * n, 3 * n);
+    // Block (r, c) of the normal matrix: W^T diag(w ((1 - sliding) n_r n_c + sliding delta_rc)) W, and in the
+    // diagonal blocks bending B + (floor + pull) I.
     parallelRanges(6, 1, threads_, [&](Eigen::Index begin, Eigen::Index) {
       const auto [row, column] = kBlocks[static_cast<std::size_t>(begin)];
       Values scale =

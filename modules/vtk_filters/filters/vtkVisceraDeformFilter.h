@@ -13,6 +13,12 @@
  * These are of the whole organ on every rank; a piece is no organ. Output 1: the handles of the pose, changed
  * by the volume lock where that is on; they lie on the first rank. Cost: O(points x handles) once, then a
  * fifth of it or less for another pose.
+ *
+ *     vtkNew<vtkVisceraDeformFilter> filter;
+ *     filter->SetInputData(organ);
+ *     filter->SetRestHandlesData(rest);
+ *     filter->SetPosedHandlesData(posed);
+ *     filter->Update();
  */
 class VTKVISCERAFILTERS_EXPORT vtkVisceraDeformFilter : public vtkVisceraHandleFilter {
 public:

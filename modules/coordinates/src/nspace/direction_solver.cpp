@@ -35,6 +35,7 @@ BalancedSpace<Dim>::BalancedSpace(const PointsOf<Dim>& units) : units_(units) {
 
 template <int Dim>
 Values BalancedSpace<Dim>::projectAxis(Eigen::Index index) const {
+  // Projection of the axis e_k onto { beta : U^T beta = 0 }: e_k - U (U^T U)^-1 u_k.
   Values projected = -units_ * (inverse_ * units_.row(index).transpose());
   projected[index] += 1;
   return projected;
@@ -44,6 +45,8 @@ template class BalancedSpace<2>;
 template class BalancedSpace<3>;
 
 bool weigh(const Values& distances, Values& weights) {
+  // a_i = (beta_i / r_i) / sum_j (beta_j / r_j): with sum beta_i u_i = 0 and u_i = (v_i - p) / r_i also
+  // sum a_i (v_i - p) = 0.
   weights.array() /= distances.array();
   const double sum = weights.sum();
   if (!(sum > kSamePlace * weights.cwiseAbs().sum()))

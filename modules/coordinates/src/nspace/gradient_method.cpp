@@ -52,6 +52,8 @@ public:
         outer += unit * unit.transpose();
       }
     }
+    // With s = sum of the k tied u_i and G = sum of the free u_i u_i^T + s s^T / k, the way is
+    // -u_i.G^-1 s for a free number and 1 - s.G^-1 s / k for all tied ones; it keeps sum beta_i u_i = 0.
     outer += sum * sum.transpose() / count;
     Matrix inverse;
     double determinant = 0;

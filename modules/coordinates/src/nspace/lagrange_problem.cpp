@@ -75,6 +75,7 @@ bool LagrangeProblem<Dim>::solve(const std::vector<Eigen::Index>& dead, Values& 
   outer.computeInverseAndDetWithCheck(inverse, determinant, invertible, kFlatProblem);
   if (!invertible)
     return false;
+  // Among those that are not dead: beta = t - U (U^T U)^-1 U^T t.
   beta = target_ - units_ * (inverse * pull);
   for (const Eigen::Index handle : dead)
     beta[handle] = 0;
@@ -84,6 +85,8 @@ bool LagrangeProblem<Dim>::solve(const std::vector<Eigen::Index>& dead, Values& 
 template <int Dim>
 bool LagrangeProblem<Dim>::solveExactly(Values& beta) const {
   Vector multipliers = Vector::Zero();
+  // beta_i = max(0, t_i + u_i.m); the multipliers m minimise the dual |beta|^2 / 2, whose gradient is
+  // sum beta_i u_i and whose Hessian is sum u_i u_i^T over beta_i > 0.
   const auto numbersAt = [&](const Vector& at) -> Values { return (target_ + units_ * at).cwiseMax(0); };
   for (int step = 0; step < kMostLagrangeSteps; ++step) {
     beta = numbersAt(multipliers);

@@ -47,6 +47,8 @@ public:
       const double k = lift_ == Lift::one ? 1 : fixedLength(own, lifted);
       if (!(k > 0))
         return false;
+      // beta_i += u_i.d + k for those present and beta_next = 1, with G d = -(u_next + k sum u_i), where G is
+      // sum u_i u_i^T: what is added is balanced.
       const Vec3 d = own + k * lifted;
       for (const Eigen::Index handle : present)
         beta[handle] += sight.units.row(handle).dot(d) + k;

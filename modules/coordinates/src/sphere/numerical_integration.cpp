@@ -83,6 +83,8 @@ struct Integral {
       const double volume = frame.determinant();
       if (std::abs(volume) < kFlatWithPoint)
         continue;
+      // Each direction w = sum_i shares_i u_i by the three corners of a face; it is seen where no share is
+      // negative, and counts by the squared determinant.
       shares.noalias() = frame.inverse() * samples.directions;
       for (Eigen::Index sample = 0; sample < count; ++sample)
         if (shares.col(sample).minCoeff() >= -kDirectionOnEdge) {
@@ -92,6 +94,7 @@ struct Integral {
     }
     if (!(total.minCoeff() > 0))
       return false;
+    // beta_i += area_w (det_f^2 / sum of det^2 over the faces that w sees) shares_i.
     for (const SeenFace& one : seen)
       for (int i = 0; i < 3; ++i)
         beta[faces(one.face, i)] +=

@@ -39,6 +39,11 @@ State guessedState(const Parameters& parameters);
 /// Takes 5 to 20 ms. Throws `UsageError` for parameters out of range, `Cancelled`. Thread-safe; the result
 /// does not depend on the number of threads. A circulation that never settles is no error: `converged` is
 /// false.
+///
+///     const Parameters parameters = scenarioParameters("aortic-stenosis");
+///     Progress progress;
+///     const PeriodicState found = findPeriodicState(parameters, progress);
+///     const double gradient = indicesOf(parameters, found.beat).aorticMeanGradient;
 PeriodicState findPeriodicState(const Parameters& parameters, Progress& progress,
                                 const SolverOptions& options = {}, const State* nearby = nullptr);
 

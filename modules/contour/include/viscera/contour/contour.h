@@ -13,6 +13,10 @@ namespace viscera::contour {
 /// The surface on which `values` pass `level`: they lie x fastest at `origin` + `spacing` (i, j, k), as many
 /// as the product of `size`. `Value` is float or unsigned char. Empty where nothing passes. Without colours;
 /// which way triangles face depends on the values. O(values). For any thread.
+///
+///     const std::vector<float> values = {-1, 1, -1, 1, -1, 1, -1, 1};
+///     const geometry::TriangleMesh plane = contourOf(values, {2, 2, 2}, 0.0);
+///     const double x = plane.points(0, 0); // 0.5
 template <class Value>
 geometry::TriangleMesh contourOf(const std::vector<Value>& values, const std::array<int, 3>& size,
                                  double level, const Vec3& origin = Vec3::Zero(), double spacing = 1);

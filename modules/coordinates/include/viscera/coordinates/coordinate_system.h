@@ -56,6 +56,11 @@ struct BindOptions {
 
 /// The interface of all coordinate systems: it binds points to handles, which means that it computes their
 /// coordinates. Stateless; every member may be called from several threads.
+///
+///     Progress progress;
+///     const auto binding = system->bind(handles, mesh.points, {}, progress);
+///     Points points;
+///     binding->deform(pose, points);
 class CoordinateSystem {
 public:
   virtual ~CoordinateSystem() = default;

@@ -18,6 +18,12 @@ struct Threads {
 /// several threads, in no particular order. The ranges do not depend on the number of threads. The first
 /// exception that a body throws is rethrown here after all threads have stopped; none crosses the parallel
 /// region.
+///
+///     Eigen::VectorXd lengths(points.rows());
+///     parallelRanges(points.rows(), 1024, {}, [&](Eigen::Index begin, Eigen::Index end) {
+///       for (Eigen::Index i = begin; i < end; ++i)
+///         lengths[i] = points.row(i).norm();
+///     });
 void parallelRanges(Eigen::Index count, Eigen::Index grain, Threads threads,
                     const std::function<void(Eigen::Index begin, Eigen::Index end)>& body);
 

@@ -14,6 +14,10 @@ struct NewPose;
 /// Computes a bound surface in any pose of its handles: points, and on demand normals, volume and the
 /// volume's gradient. The arrays stay at the same address from one pose to the next, so that VTK may look at
 /// them without a copy. For use by one thread at a time; works itself on several.
+///
+///     Deformer deformer(mesh, binding, handles.positions);
+///     deformer.setPose(pose);
+///     const double ml = deformer.volumeMm3() / 1000;
 class Deformer {
 public:
   /// `rest` is the surface that was bound, `restHandles` (`n x 3`) the handles it was bound to.

@@ -12,6 +12,11 @@ namespace viscera::document {
 
 /// Performs commands on a document, and undoes and redoes them, which is the only way to change it, without a
 /// limit but memory (a step of a drag keeps one pose). For the document's thread.
+///
+///     Document document;
+///     UndoStack undo(document);
+///     undo.perform(addOrgans({{makeOrgan("Ball", mesh), -1}}));
+///     undo.undo();
 class UndoStack {
 public:
   /// What the steps may keep in memory, bytes; beyond it the oldest ones are forgotten.

@@ -9,6 +9,13 @@ namespace viscera::geometry {
 
 /// A triangle surface. An organ's surface is closed and its triangles are counter-clockwise seen from
 /// outside.
+///
+///     TriangleMesh mesh;
+///     mesh.points.resize(4, 3);
+///     mesh.points << 0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10;
+///     mesh.triangles.resize(4, 3);
+///     mesh.triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2;
+///     requireValid(mesh, "corner");
 struct TriangleMesh {
   Points points;       ///< `n x 3`, mm, LPS.
   Triangles triangles; ///< `m x 3` indices into `points`.

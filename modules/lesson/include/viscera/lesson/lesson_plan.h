@@ -95,6 +95,10 @@ struct LessonPlan {
 /// bands of healthy people, the document's measurements, the session's slides before those of `spec`, and
 /// what `spec` says instead. Throws `UsageError` when no organ is shown, and for a language, names and phases
 /// in `spec` that there are not.
+///
+///     LessonSource source{document.state()};
+///     LessonPlan plan = planLesson(source, {});
+///     plan.title = "The liver in a breath";
 LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
 
 /// The texts and slides that the program has for the sample organ that a document shows: names of its parts,

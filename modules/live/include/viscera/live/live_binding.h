@@ -50,6 +50,11 @@ struct LiveEvent {
 /// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is not given
 /// up: it arrives, and the next one begins with what is wanted then, so that the organ follows however long a
 /// binding takes. It never changes the document. For the document's thread.
+///
+///     const double always = std::numeric_limits<double>::infinity(); // No event loop.
+///     LiveBinding live(document, registry, jobs, {always, {}});
+///     undo.perform(document::setPose(pose));
+///     const Points& points = live.points(organ);
 class LiveBinding final : public PosedOrgans {
 public:
   struct Options {

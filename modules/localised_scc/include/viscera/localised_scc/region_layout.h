@@ -42,6 +42,11 @@ struct SwappingZone {
 /// of regions, the same for everyone. Between several zones of one region the weights are `rho_k prod_{l !=
 /// k} (1 - rho_l)` and, for the region itself, `prod (1 - rho_l)`, divided by their sum. Immutable,
 /// thread-safe.
+///
+///     const RegionLayout layout(handles, 5);
+///     double sum = 0; // 1
+///     for (const RegionLayout::Share& share : layout.shares(point))
+///       sum += share.weight;
 class RegionLayout {
 public:
   /// Without groups all handles form one region. `offset` (mm, > 0) is cut down to a region's bound where it

@@ -78,6 +78,10 @@ const std::vector<Norm>& table();
 const Norm& norm(std::string_view id);
 
 /// Computes the normal range for a person. What the row does not know of, it leaves aside.
+///
+///     const Norm& volume = norm("lv.edv");
+///     const Range range = rangeOf(volume, {Sex::women, 1.8});
+///     const bool usual = range.holds(120);
 Range rangeOf(const Norm& norm, const Person& person = {});
 
 /// How `rangeOf` comes about: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".

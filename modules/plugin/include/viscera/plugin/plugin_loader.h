@@ -34,6 +34,10 @@ std::vector<std::filesystem::path> pluginSearchPath(const std::vector<std::files
 /// `registry` with the file as their source. Never throws: each file fails alone, with its reason, and the
 /// others go on. A file that was named itself is reported when it is missing; a folder that does not exist is
 /// reported once.
+///
+///     Registry registry = builtInRegistry();
+///     const auto reports = loadPlugins(pluginSearchPath({"plugins"}, {}), registry);
+///     const auto system = registry.find("s-celestial");
 std::vector<PluginReport> loadPlugins(const std::vector<std::filesystem::path>& searchPath,
                                       Registry& registry);
 

@@ -87,6 +87,10 @@ struct Report {
 /// Nothing that says where files lie comes into it. Needs no display. Throws `UsageError` when there are no
 /// organs, `Error` when there is nothing to draw with, what posing throws, and `Cancelled`. About a second
 /// for the pictures of 100,000 vertices. For the thread of the organs, which may be any.
+///
+///     const ReportSource source{document.state(), viewState, &live, &registry};
+///     const Report report = makeReport(source, {}, progress);
+///     writeReport("liver.pdf", report);
 Report makeReport(const ReportSource& source, Threads threads, Progress& progress);
 
 } // namespace viscera::report

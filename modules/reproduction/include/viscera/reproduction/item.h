@@ -38,6 +38,10 @@ std::vector<Item> chosenItems(const std::vector<std::string>& names);
 
 /// Reproduces all items, one after the other; milliseconds to half a minute each. What goes wrong with one is
 /// its `Result::problem` and stops no other one. Throws `Cancelled`.
+///
+///     const plugin::Registry systems = plugin::builtInRegistry();
+///     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
+///     const auto results = makeAll(chosenItems({"3.14"}), {systems, samples}, progress);
 std::vector<Result> makeAll(const std::vector<Item>& items, const Bench& bench, Progress& progress);
 
 } // namespace viscera::reproduction

@@ -55,6 +55,10 @@ std::vector<std::string> sampleNames(const SampleLibrary& library);
 /// (it names those there are), `NoInputError` for a definition that cannot be read, `DataError` for a faulty
 /// one (it names file, node and field), `Cancelled`. The same definition gives the same surface, whatever the
 /// number of threads.
+///
+///     const SampleLibrary library = standardLibrary();
+///     const SampleOrgan liver = sampleOrgan(library, "liver", Resolution::low, progress);
+///     const geometry::TriangleMesh& mesh = *liver.surfaces.front().mesh;
 SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, Resolution resolution,
                         Progress& progress, Threads threads = {});
 

@@ -36,6 +36,10 @@ struct HandleGroup {
 
 /// The interface of all sequences, which give a pose of the handles at every instant of a cycle. Immutable;
 /// may be asked from several threads.
+///
+///     const double rate = sequence.standardRatePerMinute();
+///     Points pose;
+///     sequence.poseAt(60 / rate, rate, pose); // As at the beginning.
 class Sequence {
 public:
   virtual ~Sequence() = default;

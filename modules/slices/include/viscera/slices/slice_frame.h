@@ -47,6 +47,10 @@ struct SliceFrame {
 };
 
 /// A picture of `width x height` pixels with `center` in its middle, `mmPerPixel` fine.
+///
+///     const SliceFrame frame = frameAround(sliceDirection("axial"), center, 0.5, 401, 301);
+///     const Vec3 corner = frame.at(0, 0);
+///     const Eigen::Vector2d pixel = frame.pixelOf(center); // 200, 150
 SliceFrame frameAround(const SliceDirection& direction, const Vec3& center, double mmPerPixel, int width,
                        int height);
 

@@ -49,6 +49,13 @@ Mask betweenSlices(const Mask& mask);
 
 /// The voxels of `grid` whose centres lie within a closed surface (mm LPS); a ray along i crosses it an odd
 /// number of times. O(triangles x the rows that they touch + voxels).
+///
+///     Mask grid;
+///     grid.size = {20, 20, 20};
+///     grid.inside.resize(20 * 20 * 20);
+///     grid.indexToLps.translation() = Vec3(-9.5, -9.5, -9.5);
+///     const Mask filled = voxelised(surface, grid);
+///     const double ml = filled.volumeMl();
 Mask voxelised(const geometry::TriangleMesh& surface, const Mask& grid);
 
 /// How well two masks on one grid agree: 2 |A and B| / (|A| + |B|), 1 for two empty ones. O(voxels).
