@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <set>
 
-#include "viscera/plugin/registry.h"
 #include "window/phrase_translator.h"
 
 namespace viscera::app {

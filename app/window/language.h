@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-class QTranslator;
+#include "viscera/plugin/registry.h"
 
-namespace viscera::plugin {
-class Registry;
-} // namespace viscera::plugin
+class QTranslator;
 
 namespace viscera::app {
 
