@@ -6632,8 +6632,8 @@
         <translation>el curs no abasta un batec</translation>
     </message>
     <message>
-        <source>the course tells of its valves at other instants than of its volumes</source>
-        <translation>el curs dona les seves vàlvules en instants diferents dels dels seus volums</translation>
+        <source>valves and volumes of the heartbeat have different times</source>
+        <translation>les vàlvules i els volums del batec tenen temps diferents</translation>
     </message>
     <message>
         <source>calibrating the heartbeat</source>

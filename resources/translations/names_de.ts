@@ -6632,8 +6632,8 @@
         <translation>der Verlauf umfasst keinen ganzen Schlag</translation>
     </message>
     <message>
-        <source>the course tells of its valves at other instants than of its volumes</source>
-        <translation>der Verlauf nennt seine Klappen zu anderen Zeitpunkten als seine Volumina</translation>
+        <source>valves and volumes of the heartbeat have different times</source>
+        <translation>Klappen und Volumen des Herzschlags haben verschiedene Zeiten</translation>
     </message>
     <message>
         <source>calibrating the heartbeat</source>

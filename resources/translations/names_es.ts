@@ -6632,8 +6632,8 @@
         <translation>el curso no abarca un latido</translation>
     </message>
     <message>
-        <source>the course tells of its valves at other instants than of its volumes</source>
-        <translation>el curso da sus válvulas en instantes distintos de los de sus volúmenes</translation>
+        <source>valves and volumes of the heartbeat have different times</source>
+        <translation>las válvulas y los volúmenes del latido tienen tiempos distintos</translation>
     </message>
     <message>
         <source>calibrating the heartbeat</source>

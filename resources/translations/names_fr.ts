@@ -6632,8 +6632,8 @@
         <translation>le cours ne couvre pas un battement</translation>
     </message>
     <message>
-        <source>the course tells of its valves at other instants than of its volumes</source>
-        <translation>le cours donne ses valves à d’autres instants que ses volumes</translation>
+        <source>valves and volumes of the heartbeat have different times</source>
+        <translation>les valves et les volumes du battement ont des temps différents</translation>
     </message>
     <message>
         <source>calibrating the heartbeat</source>

@@ -115,7 +115,9 @@ TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
   EXPECT_FALSE(window().isFullScreen());
   EXPECT_FALSE(window().menuBar()->isHidden());
   EXPECT_TRUE(shown("timeline") && shown("organs"));
-  EXPECT_TRUE(waitUntil([&] { return view().size() == before; }));
+  EXPECT_TRUE(waitUntil([&] { return view().size() == before; }))
+      << view().width() << " x " << view().height() << ", " << before.width() << " x " << before.height()
+      << " before";
 }
 
 TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {

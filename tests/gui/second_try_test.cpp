@@ -98,7 +98,7 @@ TEST_F(SmallFaultsOfAFile, AModeKeyDuringADragSaysThatTheDragIsTakenBack) {
   QTest::qWait(50);
   key(Qt::Key_1);
   EXPECT_TRUE(document::atRest(window().workspace().state()));
-  EXPECT_TRUE(message().contains(QStringLiteral("taken back"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("cancelled the drag"))) << message().toStdString();
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at);
 }
 

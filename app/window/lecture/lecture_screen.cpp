@@ -39,6 +39,8 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   embolden(numbers_, kNumbersFactor);
   auto* room = new QWidget(&parts_.area);
   room->setAttribute(Qt::WA_TransparentForMouseEvents);
+  // However wide its margins are, the view and the panels beside it keep their sizes.
+  room->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   makeLayout<QVBoxLayout>(room, 0, {kCorner, 0, kCorner, kScaleBar})->addWidget(card_);
   parts_.area.addCard(room, Qt::AlignBottom | Qt::AlignHCenter);
   room->hide();

@@ -266,7 +266,8 @@ void OrganPanel::makeRows() {
 void OrganPanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const document::OrganList& organs = workspace_.document().organs();
-  if (!sameRows())
+  const bool rowsStay = sameRows();
+  if (!rowsStay)
     makeRows();
   for (const auto& organ : organs)
     updateRow(*organ, items_[organ->id]);
@@ -278,7 +279,10 @@ void OrganPanel::rebuild() {
   if (systems_.empty())
     search_->clear(); // A field that nobody sees hides no row.
   updateVolumes();
-  syncSelection();
+  // Rows that stay are chosen as they were: what was done to them may be followed by something else.
+  if (!rowsStay || list_->selectedItems().isEmpty())
+    syncSelection();
+  syncOpacity();
   giveNamesRoom();
 }
 
@@ -403,6 +407,11 @@ void OrganPanel::syncSelection() {
   if (list_->currentItem() != wanted)
     list_->setCurrentItem(wanted, kOrganName,
                           QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  syncOpacity();
+}
+
+void OrganPanel::syncOpacity() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
   if (const auto organ = workspace_.currentOrgan())
     opacity_->setValue(100 * organ->look.opacity);
 }

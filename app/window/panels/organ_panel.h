@@ -59,6 +59,7 @@ private:
   void updateLock(const document::Organ& organ, QTreeWidgetItem* item);
   void updateVolumes();
   void syncSelection();
+  void syncOpacity();
   void giveNamesRoom();
   void remove(const std::vector<document::OrganId>& organs);
   void onClicked(QTreeWidgetItem* item, int column);

@@ -9,7 +9,7 @@ namespace {
 using deformation::LockedSurface;
 using deformation::VolumeLock;
 
-const char* const kLockSlot = "volume lock";
+const char* const kLockSlot = "lock";
 
 } // namespace
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -89,7 +88,11 @@ TEST_P(ShortOfMemory, EndsWithAResultOrASentence) {
       break;
     refused = true;
     ASSERT_LT(result.exitCode, 126) << "a signal ended it, or it could not begin";
-    ASSERT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "not one sentence";
+    // VTK may have told of it before, in its own words.
+    const std::size_t sentence = result.err.rfind("viscera: ");
+    ASSERT_NE(sentence, std::string::npos) << "nothing was said";
+    ASSERT_EQ(result.err.find("viscera: "), sentence) << "said twice";
+    ASSERT_EQ(result.err.find('\n', sentence), result.err.size() - 1) << "not one sentence";
     ASSERT_NE(result.err.find("memory"), std::string::npos);
     ASSERT_LT(bytes, std::size_t{16} << 30U);
   }
