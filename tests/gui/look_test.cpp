@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -216,6 +217,17 @@ TEST_F(WindowTest, QuestionMarkShowsTheShortcutsAndEscapeHidesThem) {
   EXPECT_TRUE(shown());
   key(Qt::Key_Escape);
   EXPECT_FALSE(shown());
+}
+
+TEST_F(WindowTest, AnIconWithoutRoomIsDrawnAsNothingAndInSilence) {
+  QPixmap ground(8, 8);
+  testing::internal::CaptureStderr();
+  {
+    QPainter painter(&ground);
+    app::icon("lock").paint(&painter, QRect());
+    EXPECT_TRUE(app::icon("lock").pixmap(QSize(0, 0)).isNull());
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(WindowTest, EveryIconDrawsSomethingAtSixteenPixels) {

@@ -18,11 +18,15 @@ public:
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     const qreal ratio = painter->device() ? painter->device()->devicePixelRatioF() : 1.0;
     QPixmap drawn = pixmap(rect.size() * ratio, mode, state);
+    if (drawn.isNull())
+      return;
     drawn.setDevicePixelRatio(ratio);
     painter->drawPixmap(rect, drawn);
   }
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    if (size.isEmpty()) // A widget without room yet.
+      return {};
     const QColor color = colorFor(mode, state);
     const QString key = QStringLiteral("viscera:%1:%2x%3:%4")
                             .arg(file_)
