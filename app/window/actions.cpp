@@ -45,7 +45,7 @@ QAction* Actions::addToggle(const char* id, const Description& description, bool
 }
 
 void Actions::enableWhile(const std::vector<const char*>& ids, std::function<bool()> allowed) {
-  whenSynced([this, ids, allowed = std::move(allowed)] {
+  onSync([this, ids, allowed = std::move(allowed)] {
     const bool enabled = allowed();
     for (const char* id : ids)
       (*this)[id]->setEnabled(enabled);

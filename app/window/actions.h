@@ -33,7 +33,7 @@ public:
   /// These can be used while `allowed` says so; `sync` asks it.
   void enableWhile(const std::vector<const char*>& ids, std::function<bool()> allowed);
   /// Calls `bring` whenever actions are to be as things are now.
-  void whenSynced(std::function<void()> bring) { syncs_.push_back(std::move(bring)); }
+  void onSync(std::function<void()> bring) { syncs_.push_back(std::move(bring)); }
   /// Brings all actions to what things are now; after every change that they may depend on.
   void sync();
   /// Asserts that it exists.

@@ -10,7 +10,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
-#include "window/import/arrival.h"
+#include "window/import/arriving_surfaces.h"
 #include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
@@ -122,10 +122,10 @@ void FileActions::open(const QStringList& files, bool check) {
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  const Arrival::Ticket arriving = arrival_ ? arrival_->begin(replacesPresent()) : nullptr;
+  const ArrivingSurfaces::Ticket arriving = arriving_ ? arriving_->begin(replacesPresent()) : nullptr;
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
-      [paths, arrives = Arrival::listener(arriving)](Progress& progress) {
+      [paths, arrives = ArrivingSurfaces::listener(arriving)](Progress& progress) {
         Read read;
         read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
         if (read.several)
@@ -138,8 +138,8 @@ void FileActions::open(const QStringList& files, bool check) {
         return read;
       },
       [this, files, check, arriving](JobResult<Read> result) {
-        if (arrival_)
-          arrival_->end(arriving, result.value.has_value());
+        if (arriving_)
+          arriving_->end(arriving, result.value.has_value());
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
@@ -157,7 +157,7 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
   if (read.scan)
     takeScan(*read.scan, files, !others);
   if (others || !read.scan)
-    checkOrTake(std::move(read.draft), files, check);
+    reviewOrImport(std::move(read.draft), files, check);
   if (!failures.isEmpty()) // Last: a message takes the place of the one before it.
     workspace_.say({Message::Severity::error, failures.join(QLatin1Char('\n')), {}, 0});
 }
@@ -180,7 +180,7 @@ void FileActions::takeScan(const document::ScanItem& scan, const QStringList& fi
   Q_EMIT scanOpened();
 }
 
-void FileActions::checkOrTake(document::ImportDraft draft, const QStringList& files, bool check) {
+void FileActions::reviewOrImport(document::ImportDraft draft, const QStringList& files, bool check) {
   const bool odd = draft.questionable();
   if (checker_ && !draft.organs.empty() && (odd || check))
     return checker_(std::move(draft), files);
@@ -290,7 +290,7 @@ void FileActions::loadCage(const QString& file) {
 void FileActions::takeCage(const document::GivenCage& cage, const QString& file) {
   const int vertices = static_cast<int>(cage.mesh->points.rows());
   workspace_.note( // First: what binding to it has to say counts more.
-      document::standAt(workspace_.document().rig(), *cage.mesh)
+      document::handlesAtAllVertices(workspace_.document().rig(), *cage.mesh)
           ? tr("The handles at the vertices of %1 are now the corners of the cage.").arg(text(cage.name))
           : tr("The %n {vertex|vertices} of %1 are now the handles.", nullptr, vertices)
                 .arg(text(cage.name)));

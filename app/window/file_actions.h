@@ -17,7 +17,7 @@ class QWidget;
 
 namespace viscera::app {
 
-class Arrival;
+class ArrivingSurfaces;
 
 /// The actions that open and save files. A worker reads and writes, so the window stays usable; a failure
 /// leaves the document unchanged and shows one message.
@@ -37,7 +37,7 @@ public:
 
   /// Who shows organs while their files are still being read. Without anybody they are seen when all are
   /// there.
-  void setArrival(Arrival* arrival) { arrival_ = arrival; }
+  void setArrivingSurfaces(ArrivingSurfaces* arriving) { arriving_ = arriving; }
 
   /// Takes what opens a session file, which replaces everything. Without one, sessions are refused.
   void setSessionOpener(std::function<void(const QString& file)> opener) { openSession_ = std::move(opener); }
@@ -88,7 +88,7 @@ private:
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(const document::OpenedFiles& opened, const QStringList& files);
-  void checkOrTake(document::ImportDraft draft, const QStringList& files, bool check);
+  void reviewOrImport(document::ImportDraft draft, const QStringList& files, bool check);
   /// Gives organs that are named after a tissue its colour.
   void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
@@ -100,7 +100,7 @@ private:
   Settings& settings_;
   QWidget* window_;
   Checker checker_;
-  Arrival* arrival_ = nullptr;
+  ArrivingSurfaces* arriving_ = nullptr;
   std::function<void(const QString&)> openSession_;
 };
 

@@ -15,7 +15,7 @@
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
 #include "window/help.h"
-#include "window/import/arrival.h"
+#include "window/import/arriving_surfaces.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
 #include "window/lecture/lecture_screen.h"
@@ -66,8 +66,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   picture_->setValves([this] { return playback_.valves(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportController>(workspace_, *files_, *picture_, nullptr);
-  arrival_ = new Arrival(playback_, *picture_, this);
-  files_->setArrival(arrival_);
+  arriving_ = new ArrivingSurfaces(playback_, *picture_, this);
+  files_->setArrivingSurfaces(arriving_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
   handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);

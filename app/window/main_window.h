@@ -21,7 +21,7 @@
 
 namespace viscera::app {
 
-class Arrival;
+class ArrivingSurfaces;
 class BindingMessages;
 class ExploreMode;
 class ExportActions;
@@ -73,7 +73,7 @@ public:
   ViewModel& viewModel() { return view_; }
   Slides& slides() { return *slides_; }
   const Picture& picture() const { return *picture_; }
-  Arrival& arrival() { return *arrival_; }
+  ArrivingSurfaces& arrivingSurfaces() { return *arriving_; }
   SlicePanes& slices() { return *slices_; }
   ScanActions& scans() { return *scans_; }
   PlayMode& play() { return *play_; }
@@ -126,7 +126,7 @@ private:
   std::unique_ptr<Picture> picture_;
   std::unique_ptr<HandleController> handles_;
   std::unique_ptr<SlicePanes> slices_;
-  Arrival* arrival_;
+  ArrivingSurfaces* arriving_;
   std::unique_ptr<ImportController> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;

@@ -79,7 +79,7 @@ void Menus::addEditActions() {
                               [&workspace, &steps] { workspace.guarded([&steps] { steps.undo(); }); });
   QAction* redo = actions.add("edit.redo", {tr("&Redo"), "redo", {tr("Ctrl+Shift+Z")}, {}},
                               [&workspace, &steps] { workspace.guarded([&steps] { steps.redo(); }); });
-  actions.whenSynced([&steps, undo, redo] {
+  actions.onSync([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
     undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(messageInWords(steps.undoName())) : tr("&Undo"));

@@ -162,10 +162,10 @@ TEST_F(PlayedCirculation, WhatCannotRepeatItselfIsSaidAndTheHeartStaysAsItWas) {
   choose("tamponade");
   const sequences::Sequence* followed = window().playback().sequence();
   ASSERT_TRUE(window().workspace().perform(document::setCirculationParameter("pericardialFluid", 600)));
-  ASSERT_TRUE(waitUntil([this] { return !model().complaint().isEmpty() && model().settled(); }));
+  ASSERT_TRUE(waitUntil([this] { return !model().failureReason().isEmpty() && model().settled(); }));
   EXPECT_EQ(window().playback().sequence(), followed);
   window().workspace().undo().undo();
-  EXPECT_TRUE(waitUntil([this] { return model().complaint().isEmpty(); }));
+  EXPECT_TRUE(waitUntil([this] { return model().failureReason().isEmpty(); }));
 }
 
 TEST_F(PlayedCirculation, ASessionComesBackWithTheHeartThatFollows) {

@@ -25,7 +25,7 @@
 #include "viscera/presentation/presenter.h"
 #include "window/export_actions.h"
 #include "window/file_actions.h"
-#include "window/import/arrival.h"
+#include "window/import/arriving_surfaces.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
 
@@ -306,9 +306,9 @@ TEST_F(Import, OrgansAreSeenAsTheyArriveInPlaceOfASampleThatIsSeenAgainWhenNoneI
       return &organ->mesh() == mesh.get() && organ->visible() && organ->opacity() == 1;
     });
   };
-  app::Arrival& arrival = window().arrival();
+  app::ArrivingSurfaces& arrival = window().arrivingSurfaces();
   const auto ticket = arrival.begin(true);
-  const auto tell = app::Arrival::listener(ticket);
+  const auto tell = app::ArrivingSurfaces::listener(ticket);
   std::thread([&] { tell({"liver", std::nullopt, arriving, boundsOf(arriving->points)}); }).join();
   ASSERT_TRUE(waitUntil([&] { return seen(arriving); }));
   EXPECT_FALSE(seen(sample.organ.mesh));

@@ -168,7 +168,7 @@ class Systems(unittest.TestCase):
 class Circulation(unittest.TestCase):
     def test_curves_and_indices_agree_and_no_blood_is_lost(self):
         found = viscera.circulate()
-        self.assertTrue(found.converged, found.complaint)
+        self.assertTrue(found.converged, found.failure_reason)
         self.assertLess(found.volume_error_ml, 1e-4)
         curves, lv = found.curves, found.indices["lv"]
         self.assertEqual({len(curve) for curve in curves.values()}, {len(curves["time_s"])})

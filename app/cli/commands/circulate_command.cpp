@@ -217,7 +217,7 @@ Outcome CirculateCommand::run(CommandContext& context) {
       .add("beats", std::to_string(found.beats) + (found.converged ? "" : ", not periodic"));
   outcome.text = listing.text() + circulationText(shown.indices);
   if (!found.converged)
-    outcome.warnings.push_back(found.complaint);
+    outcome.warnings.push_back(found.failureReason);
   for (const auto& [key, target] : {std::pair("csv", csv_), std::pair("png", png_)})
     if (!target.empty()) {
       outcome.json[key] = target;

@@ -39,10 +39,10 @@ constexpr double kHighestRate = 240;  ///< Frames a second that a movie is good 
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
 
 /// The surfaces on a stage, and the writers that take the pictures.
-class RecordedPlay {
+class FrameRenderer {
 public:
-  RecordedPlay(const PlayedSequence& played, const StageOptions& options, double room,
-               const CommandContext& context)
+  FrameRenderer(const PlayedSequence& played, const StageOptions& options, double room,
+                const CommandContext& context)
       : systems_(context.systems), played_(*played.document), stage_(stageFor(options, context.threads)) {
     show(std::nullopt);
     stage_.compose(scene::standardViewFromName(options.view), room);
@@ -392,7 +392,7 @@ private:
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
     Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}, {}};
-    std::optional<RecordedPlay> recording;
+    std::optional<FrameRenderer> recording;
     if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
       recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, context);
     if (!frames_.empty())

@@ -70,13 +70,13 @@ CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, co
   auto* inner = makeLayout<QVBoxLayout>(details_, 8);
   inner->addWidget(makeScenarios());
   summary_ = makeRemark({}, details_);
-  complaint_ = makeRemark({}, details_);
-  complaint_->setObjectName(QStringLiteral("circulationComplaint"));
+  failure_ = makeRemark({}, details_);
+  failure_->setObjectName(QStringLiteral("circulationComplaint"));
   standing_ = makeRemark(tr("Only the sample heart can be moved by the circulation model; the charts show "
                             "its results for any organ."),
                          details_);
   inner->addWidget(summary_);
-  inner->addWidget(complaint_);
+  inner->addWidget(failure_);
   inner->addWidget(standing_);
   inner->addWidget(makeComparison(actions));
   inner->addWidget(makeControls());
@@ -194,8 +194,8 @@ void CirculationBox::sync() {
                                   : inWords(circulation::scenario(choice.scenario).summary));
   for (const auto& [name, control] : controls_)
     control->setValue(circulation::parameter(choice.parameters, name));
-  complaint_->setText(model_.complaint());
-  complaint_->setVisible(!model_.complaint().isEmpty());
+  failure_->setText(model_.failureReason());
+  failure_->setVisible(!model_.failureReason().isEmpty());
   standing_->setVisible(!model_.hasHeart());
   kept_->setText(choice.kept ? tr("Before: %1").arg(inWords(choice.kept->name)) : QString());
   kept_->setVisible(choice.kept.has_value());

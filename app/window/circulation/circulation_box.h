@@ -49,7 +49,7 @@ private:
   std::map<std::string, ValueSlider*> controls_;
   QLabel* summary_ = nullptr;
   QLabel* kept_ = nullptr;
-  QLabel* complaint_ = nullptr;
+  QLabel* failure_ = nullptr;
   QLabel* standing_ = nullptr;
   Subscription subscription_;
 };

@@ -37,16 +37,16 @@ CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QOb
           kWorkers) {
   subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.circulation() || change.organs())
-      soon();
+      scheduleSolve();
   });
-  connect(&playback, &Playback::stateChanged, this, &CirculationModel::soon);
+  connect(&playback, &Playback::stateChanged, this, &CirculationModel::scheduleSolve);
   rests_.setSingleShot(true);
   rests_.setInterval(kControlRestMilliseconds);
   connect(&rests_, &QTimer::timeout, this, &CirculationModel::sync);
 }
 
 /// A motion cannot be exchanged while others hear of a change.
-void CirculationModel::soon() {
+void CirculationModel::scheduleSolve() {
   if (!std::exchange(asked_, true))
     QMetaObject::invokeMethod(this, &CirculationModel::sync, Qt::QueuedConnection);
 }
@@ -62,10 +62,10 @@ void CirculationModel::sync() {
 void CirculationModel::clear() {
   rests_.stop();
   giveTextbookBack();
-  if (!present_ && !kept_ && complaint_.isEmpty())
+  if (!present_ && !kept_ && failureReason_.isEmpty())
     return;
   present_ = kept_ = refused_ = nullptr;
-  complaint_.clear();
+  failureReason_.clear();
   Q_EMIT changed();
 }
 
@@ -75,8 +75,8 @@ CirculationModel::SolvedPointer CirculationModel::solved(std::string name,
   circulation::PeriodicState found =
       circulation::findPeriodicState(parameters, progress, {}, nearby ? &nearby->start : nullptr);
   const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
-  return std::make_shared<const Solved>(
-      Solved{{std::move(name), parameters, std::move(found.beat), indices}, found.start, found.complaint});
+  return std::make_shared<const Solved>(Solved{
+      {std::move(name), parameters, std::move(found.beat), indices}, found.start, found.failureReason});
 }
 
 /// True when all that the document wants is there; else a worker begins with it, or is at it.
@@ -91,7 +91,7 @@ bool CirculationModel::solve() {
   const bool present = refused || isOf(present_, wanted.parameters, name);
   if (present && !refused && refused_) { // The choice went back to one that can be.
     refused_.reset();
-    complaint_.clear();
+    failureReason_.clear();
     Q_EMIT changed();
   }
   if (!wanted.kept && kept_) {
@@ -109,7 +109,7 @@ bool CirculationModel::solve() {
         Solutions found;
         if (!present) {
           found.present = solved(name, wanted.parameters, nearby, progress);
-          if (found.present->complaint.empty())
+          if (found.present->failureReason.empty())
             found.similarBeat = beat.similar(found.present->shown);
         }
         if (!kept)
@@ -127,8 +127,8 @@ void CirculationModel::take(const JobResult<Solutions>& result) {
   if (!result.value || !on())
     return;
   if (const SolvedPointer& found = result.value->present) {
-    complaint_ = found->complaint.empty() ? QString() : asSentence(found->complaint);
-    (complaint_.isEmpty() ? present_ : refused_) = found;
+    failureReason_ = found->failureReason.empty() ? QString() : asSentence(found->failureReason);
+    (failureReason_.isEmpty() ? present_ : refused_) = found;
   }
   if (result.value->kept)
     kept_ = result.value->kept;
@@ -215,7 +215,7 @@ void CirculationModel::take(JobResult<Followed> result, const SolvedPointer& by,
     refused_ = by;
     keptBeatBy_ = kept;
     keptBeat_ = nullptr;
-    complaint_ = asSentence(result.error->problem());
+    failureReason_ = asSentence(result.error->problem());
     Q_EMIT changed();
   }
   const auto motion = heartMotion();
@@ -236,7 +236,7 @@ void CirculationModel::take(JobResult<Followed> result, const SolvedPointer& by,
       Q_EMIT changed();
     }
   }
-  soon();
+  scheduleSolve();
 }
 
 void CirculationModel::giveTextbookBack() {

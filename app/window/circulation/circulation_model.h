@@ -40,14 +40,14 @@ public:
   /// The heart's beat of what was kept, for a second view; null without one, and while it is being made.
   std::shared_ptr<const sequences::Sequence> keptBeat() const { return kept_ ? keptBeat_ : nullptr; }
   /// Why there is no beat that repeats itself, or why the heart cannot follow it; empty when all is well.
-  const QString& complaint() const { return complaint_; }
+  const QString& failureReason() const { return failureReason_; }
   /// Whether there is a heart that can follow: the sample heart.
   bool hasHeart() const { return heartMotion().has_value(); }
   /// Whether nothing is being solved or calibrated.
   bool settled() const { return !solving_ && !following_ && !rests_.isActive(); }
 
 Q_SIGNALS:
-  /// Another circulation is present or kept, or none is, or the complaint is another one.
+  /// Another circulation is present or kept, or none is, or the failureReason is another one.
   void changed();
 
 private:
@@ -55,7 +55,7 @@ private:
   struct Solved {
     Shown shown;
     circulation::State start{};
-    std::string complaint; ///< Why it is none.
+    std::string failureReason; ///< Why it is none.
   };
   using SolvedPointer = std::shared_ptr<const Solved>;
   struct Solutions {
@@ -82,7 +82,7 @@ private:
 
   static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
                               const SolvedPointer& nearby, Progress& progress);
-  void soon();
+  void scheduleSolve();
   void sync();
   void clear();
   bool solve();
@@ -100,7 +100,7 @@ private:
   SolvedPointer present_;
   SolvedPointer kept_;
   SolvedPointer refused_; ///< Tried last, and found to have no beat, or one that the heart cannot follow.
-  QString complaint_;
+  QString failureReason_;
   Followed followed_;
   SolvedPointer followedBy_; ///< What `followed_` was made from.
   std::shared_ptr<const sequences::Sequence> keptBeat_;

@@ -31,7 +31,7 @@ ImportController::ImportController(Workspace& workspace, FileActions& files, Pic
 }
 
 ImportController::~ImportController() {
-  picture_.setGuests({});
+  picture_.setTransientSurfaces({});
 }
 
 void ImportController::begin(document::ImportDraft draft, const QStringList& files) {
@@ -72,7 +72,7 @@ bool ImportController::eventFilter(QObject* watched, QEvent* event) {
 void ImportController::close() {
   open_ = false;
   draft_ = {};
-  picture_.setGuests({});
+  picture_.setTransientSurfaces({});
   Q_EMIT closed();
 }
 
@@ -87,7 +87,7 @@ void ImportController::show() {
 /// place. They come into the picture when they lie elsewhere or are of another size.
 void ImportController::preview() {
   const bool alone = files_.replacesPresent();
-  std::vector<presentation::Guest> guests;
+  std::vector<presentation::TransientSurface> surfaces;
   Bounds box;
   for (std::size_t i = 0; i < draft_.organs.size(); ++i) {
     const document::DraftOrgan& organ = draft_.organs[i];
@@ -95,16 +95,16 @@ void ImportController::preview() {
       continue;
     // In the colours that they will have: the file's, else the tissue's.
     const document::OrganLook& look = draft_.files.organs[i].organ.look;
-    presentation::Guest guest{organ.mesh, look.color, alone ? kSolid : kGlass};
+    presentation::TransientSurface surface{organ.mesh, look.color, alone ? kSolid : kGlass};
     if (const auto color = tissueColor(text(organ.name)); color && look == document::OrganLook())
-      guest.color = asVec3(*color);
+      surface.color = asVec3(*color);
     const Bounds own = boundsOf(organ.mesh->points);
-    box = guests.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
-    guests.push_back(std::move(guest));
+    box = surfaces.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
+    surfaces.push_back(std::move(surface));
   }
   const double moved = (box.low - previewed_.low).norm() + (box.high - previewed_.high).norm();
-  const bool elsewhere = !guests.empty() && moved > kElsewhere * box.diagonal();
-  picture_.setGuests(std::move(guests), alone);
+  const bool elsewhere = !surfaces.empty() && moved > kElsewhere * box.diagonal();
+  picture_.setTransientSurfaces(std::move(surfaces), alone);
   if (!elsewhere)
     return;
   picture_.view().frame(box);

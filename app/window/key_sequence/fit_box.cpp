@@ -222,7 +222,7 @@ std::shared_ptr<const document::Organ> FitBox::target() const {
 
 void FitBox::syncTarget() {
   if (const auto current = workspace_.currentOrgan(); current && !(organ_ && current->id == organ_->id))
-    chooseWhatSuits(*current);
+    chooseMatchingSequence(*current);
   const auto organ = target();
   if (organ ? !isMarked(*organ) : organ_ != nullptr) {
     organ_ = organ;
@@ -246,9 +246,9 @@ void FitBox::syncTarget() {
             .arg(inWords(organ->name)));
 }
 
-void FitBox::chooseWhatSuits(const document::Organ& organ) {
+void FitBox::chooseMatchingSequence(const document::Organ& organ) {
   for (const motion::SampleSequence& sample : motion::sampleSequences()) {
-    if (motion::suits(sample, organ.name) != motion::Suits::yes || sample.id == sequenceId())
+    if (motion::matchesOrgan(sample, organ.name) != motion::SequenceMatch::yes || sample.id == sequenceId())
       continue;
     sequence_->setCurrentIndex(sequence_->findData(text(sample.id)));
     rebuildRows();

@@ -73,7 +73,7 @@ private:
   /// The same where it is a heart whose chambers move, too.
   std::shared_ptr<const document::Organ> hollowHeart() const;
   void syncTarget();
-  void chooseWhatSuits(const document::Organ& organ);
+  void chooseMatchingSequence(const document::Organ& organ);
   void fitChosen();
   void fitHeart(const document::Organ& heart, const motion::Landmarks& given);
   void takeHeart(const motion::PatientMotion& found, const document::Organ& heart);

@@ -69,7 +69,7 @@ void FitOffer::ask(const QString& sequence) {
   sequence_ = sequence;
   asked_ = organ;
   const QString name = inWords(organ->name), kind = SampleLoader::nameInWords(text(sample->organ));
-  const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
+  const bool odd = motion::matchesOrgan(*sample, organ->name) == motion::SequenceMatch::no;
   question_->setText(odd ? tr("%1 is made for a %2, but the name %3 suggests another organ.")
                                .arg(inWords(sample->name), kind, name)
                          : tr("%1: fit it to %2?").arg(inWords(sample->name), name));

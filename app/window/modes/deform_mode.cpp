@@ -81,7 +81,7 @@ void DeformMode::makeCompensate(Actions& actions) {
                     actions.sync();
                   });
   compensate->setCheckable(true);
-  actions.whenSynced([this, compensate] {
+  actions.onSync([this, compensate] {
     const auto& selected = workspace_.selection().handles();
     const document::Rig& rig = workspace_.document().rig();
     compensate->setEnabled(!selected.empty());
@@ -114,7 +114,7 @@ void DeformMode::makeMirrorActions(Actions& actions) {
             choose(mirror);
         });
     group->addAction(action);
-    actions.whenSynced([this, action, mirror = plane.mirror] {
+    actions.onSync([this, action, mirror = plane.mirror] {
       if (parts_.view.state().mirror == mirror)
         action->setChecked(true);
     });

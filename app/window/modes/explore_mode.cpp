@@ -80,7 +80,7 @@ void ExploreMode::addQuiz(Actions& actions) {
         quiz_.begin();
       });
   actions.enableWhile({"quiz.start"}, [this] { return quiz_.possible(); });
-  actions.whenSynced([this, quiz] { quiz->setChecked(quiz_.active()); });
+  actions.onSync([this, quiz] { quiz->setChecked(quiz_.active()); });
   connect(&quiz_, &QuizTool::changed, &actions, &Actions::sync);
   connect(&quiz_, &QuizTool::changed, this, &Mode::hintChanged);
 }
@@ -117,7 +117,7 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
   actions.enableWhile({id}, [this, kind] {
     return workspace_.state().scan || (!document::isRegion(kind) && !workspace_.document().organs().empty());
   });
-  actions.whenSynced([this, action, kind] { action->setChecked(tool_.kind() == kind); });
+  actions.onSync([this, action, kind] { action->setChecked(tool_.kind() == kind); });
   return action;
 }
 
@@ -148,7 +148,7 @@ QString ExploreMode::hint() const {
 
 /// What the mouse is at, which is in no document yet.
 void ExploreMode::showMeasuring() {
-  presentation::MeasuringNow now{{}, tool_.pending()};
+  presentation::PendingMeasurement now{{}, tool_.pending()};
   if (tool_.chosen())
     now.highlighted.push_back(tool_.chosen());
   const auto& measurements = workspace_.document().measurements();

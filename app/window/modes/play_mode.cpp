@@ -44,7 +44,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
                                                                  parts.volumes, parts.area, parts.settings,
                                                                  parts.view, parts.picture})),
       recorder_(std::make_unique<MovieRecorder>(parts.workspace)),
-      recorded_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
+      keySequence_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
       measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
   parts.volumes.setMeasured(*measured_);
@@ -234,7 +234,7 @@ void PlayMode::makeLookActions(Actions& actions) {
                                          setSeeThrough(on);
                                          actions.sync(); // Where it was refused, the mark goes again.
                                        });
-  actions.whenSynced([this, through] {
+  actions.onSync([this, through] {
     through->setChecked(seesThrough());
     through->setEnabled(!workspace_.document().organs().empty());
   });
@@ -336,8 +336,8 @@ void PlayMode::slower() {
 }
 
 void PlayMode::addKey() {
-  const double seconds = recorded_->nextSeconds();
-  if (recorded_->addKey(seconds, sequences::Easing::smooth))
+  const double seconds = keySequence_->nextSeconds();
+  if (keySequence_->addKey(seconds, sequences::Easing::smooth))
     parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
 }
 

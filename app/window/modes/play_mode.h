@@ -42,7 +42,7 @@ public:
 
   Comparison& comparison() { return *comparison_; }
   MovieRecorder& recorder() { return *recorder_; }
-  KeySequencePlayback& recorded() { return *recorded_; }
+  KeySequencePlayback& keySequence() { return *keySequence_; }
   CirculationModel& circulation() { return *circulation_; }
   MeasuredMotion& measured() { return *measured_; }
   /// The table for a motion out of a series; the caller owns it.
@@ -75,7 +75,7 @@ private:
 
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<MovieRecorder> recorder_;
-  std::unique_ptr<KeySequencePlayback> recorded_;
+  std::unique_ptr<KeySequencePlayback> keySequence_;
   std::unique_ptr<CirculationModel> circulation_;
   std::unique_ptr<MeasuredMotion> measured_;
   QPointer<MotionDialog> seriesDialog_; ///< The window's.

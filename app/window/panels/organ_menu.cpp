@@ -27,7 +27,7 @@ void OrganMenu::addTo(Actions& actions) {
                               });
   lock->setCheckable(true);
   actions.enableWhile({"volume.lock"}, [this] { return workspace_.currentOrgan() != nullptr; });
-  actions.whenSynced([this, lock] { lock->setChecked(allLocked()); });
+  actions.onSync([this, lock] { lock->setChecked(allLocked()); });
   fill(actions);
 }
 

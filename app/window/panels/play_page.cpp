@@ -189,7 +189,7 @@ void PlayPage::makeRecording(Settings& settings) {
 void PlayPage::makeOwnMotions(const ModeParts& parts) {
   auto* curve = new CurveBox(parts.workspace, playback_, parts.settings, this);
   add(new CollapsibleSection(tr("Prescribe a volume"), curve, false, this));
-  auto* keys = new KeyBox(parts.workspace, playback_, mode_.recorded(), parts.settings, this);
+  auto* keys = new KeyBox(parts.workspace, playback_, mode_.keySequence(), parts.settings, this);
   add(new CollapsibleSection(tr("Record a sequence"), keys, false, this));
   auto* fit = new FitBox(parts.workspace, playback_, parts.picture, *parts.area.view(), this);
   add(new CollapsibleSection(tr("Fit a sequence to an organ"), fit, false, this));

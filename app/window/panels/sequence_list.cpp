@@ -75,7 +75,7 @@ std::vector<SequenceList::Item> SequenceList::wanted() const {
   const auto organ = workspace_.currentOrgan();
   const bool own = organ && organ->origin.sample.empty();
   for (const motion::SampleSequence& sample : motion::sampleSequences())
-    if (own && motion::suits(sample, organ->name) == motion::Suits::yes)
+    if (own && motion::matchesOrgan(sample, organ->name) == motion::SequenceMatch::yes)
       add(text(sample.id), inWords(sample.name),
           tr("%1: can be fitted to %2").arg(inWords(sample.name), inWords(organ->name)));
   for (const motion::SampleSequence& sample : motion::sampleSequences())

@@ -156,13 +156,13 @@ void SessionView::play(const Wanted& wanted) {
     playback.setLooping(playing.loop);
     if (playing.shown) {
       playback.seek(playing.fraction);
-      sayWhatMovesOtherwise(wanted.shownPose);
+      warnAboutChangedMotion(wanted.shownPose);
     }
   }
 }
 
 /// A program that has learnt another motion shows that one; whoever kept the picture is told.
-void SessionView::sayWhatMovesOtherwise(const Points& saved) {
+void SessionView::warnAboutChangedMotion(const Points& saved) {
   const Points& now = window_.workspace.live().shownPose();
   if (saved.rows() != now.rows() || saved.rows() == 0)
     return;

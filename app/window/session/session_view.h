@@ -58,7 +58,7 @@ private:
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
   void play(const Wanted& wanted);
-  void sayWhatMovesOtherwise(const Points& saved);
+  void warnAboutChangedMotion(const Points& saved);
 
   Window window_;
 };

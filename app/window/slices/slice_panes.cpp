@@ -112,7 +112,7 @@ double SlicePanes::reach(int direction) const {
   return kGripReach * widgets_[static_cast<std::size_t>(direction)]->devicePixelRatioF();
 }
 
-void SlicePanes::setMeasuring(presentation::MeasuringNow measuring) {
+void SlicePanes::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
   refresh();
 }

@@ -43,7 +43,7 @@ public:
   /// How far a mouse can be from what it takes hold of, in pixels of a slice's picture.
   double reach(int direction) const;
   /// What somebody is measuring at the moment.
-  void setMeasuring(presentation::MeasuringNow measuring);
+  void setMeasuring(presentation::PendingMeasurement measuring);
 
   /// Brings the slices that are seen up to date and has them rendered soon.
   void refresh();
@@ -73,7 +73,7 @@ private:
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
   std::vector<SliceGrip*> grips_;
   SliceGrip* holding_ = nullptr; ///< Whose the present drag is.
-  presentation::MeasuringNow measuring_;
+  presentation::PendingMeasurement measuring_;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -27,8 +27,8 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
   subscriptions_.push_back(transport_->onState([this] { onState(); }));
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs() || (change.rig() && transport_->started())) {
-      unsettled_ = true;
-      workspace_.afterChange([this] { settle(); });
+      showPending_ = true;
+      workspace_.afterChange([this] { showChanges(); });
     }
     if (!otherHandles_.isEmpty() && player_.movable())
       workspace_.retract(std::exchange(otherHandles_, {}));
@@ -51,7 +51,7 @@ void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, 
 void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                      std::string recipe) {
   remember({std::move(sequence), organ, std::move(recipe)});
-  settleLater();
+  showLater();
 }
 
 void Playback::remember(const Motion& motion) {
@@ -74,7 +74,7 @@ void Playback::exchange(const sequences::Sequence* known,
     present_ = *found;
     player_.exchangeSequence(present_.sequence);
   }
-  tell([this] { transport_->match(); });
+  changeTransport([this] { transport_->match(); });
 }
 
 void Playback::forget(const sequences::Sequence* sequence) {
@@ -82,7 +82,7 @@ void Playback::forget(const sequences::Sequence* sequence) {
   if (present_.sequence.get() != sequence)
     return;
   take({});
-  takeWhatFits();
+  takeMatchingMotion();
 }
 
 void Playback::forgetAll() {
@@ -102,17 +102,17 @@ void Playback::choose(const sequences::Sequence* sequence) {
   for (const Motion& motion : motions())
     if (motion.sequence.get() == sequence && present_.sequence != motion.sequence)
       take(motion);
-  settle();
+  showChanges();
 }
 
 void Playback::take(const Motion& motion) {
   present_ = motion;
   player_.setSequence(present_.sequence, present_.organ);
-  settleLater();
+  showLater();
 }
 
 /// Organs came or went: the youngest motion whose organ is there, unless the present one's still is.
-void Playback::takeWhatFits() {
+void Playback::takeMatchingMotion() {
   if (sequence())
     return;
   const std::vector<Motion> there = motions();
@@ -122,27 +122,27 @@ void Playback::takeWhatFits() {
 
 /// The parts of the window hear of a change one after the other: what a view shows has to wait until all have
 /// heard of it.
-void Playback::settleLater() {
-  if (!std::exchange(unsettled_, true))
-    QMetaObject::invokeMethod(this, &Playback::settle, Qt::QueuedConnection);
+void Playback::showLater() {
+  if (!std::exchange(showPending_, true))
+    QMetaObject::invokeMethod(this, &Playback::showChanges, Qt::QueuedConnection);
 }
 
-void Playback::settle() {
-  if (!unsettled_)
+void Playback::showChanges() {
+  if (!showPending_)
     return;
-  takeWhatFits();
-  unsettled_ = false;
+  takeMatchingMotion();
+  showPending_ = false;
   workspace_.guarded([this] { transport_->match(); });
 }
 
-bool Playback::tell(const std::function<void()>& what) {
-  settle();
+bool Playback::changeTransport(const std::function<void()>& what) {
+  showChanges();
   return workspace_.guarded(what);
 }
 
 /// Whether there is something to show; asks for a mode in which it is shown.
 bool Playback::start() {
-  settle();
+  showChanges();
   if (!sequence())
     return false;
   if (!player_.movable()) {
@@ -171,16 +171,16 @@ void Playback::offerOwnHandles() {
 
 void Playback::play() {
   if (!transport_->playing() && start())
-    tell([this] { transport_->play(); });
+    changeTransport([this] { transport_->play(); });
 }
 
 void Playback::setRate(double perMinute) {
-  if (!tell([&] { player_.setRatePerMinute(perMinute); }))
+  if (!changeTransport([&] { player_.setRatePerMinute(perMinute); }))
     Q_EMIT stateChanged(); // Who asked shows the rate that there is.
 }
 
 void Playback::setSpeed(double speed) {
-  if (!tell([&] { transport_->setSpeed(speed); }))
+  if (!changeTransport([&] { transport_->setSpeed(speed); }))
     Q_EMIT stateChanged();
 }
 
@@ -192,20 +192,20 @@ std::optional<sequences::ValveInstants> Playback::valves() const {
 
 void Playback::seek(double fraction) {
   if (start())
-    tell([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });
+    changeTransport([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });
 }
 
 void Playback::step(int frames) {
   pause();
   if (start())
-    tell([&] { transport_->step(frames * kStepSeconds); });
+    changeTransport([&] { transport_->step(frames * kStepSeconds); });
 }
 
 void Playback::stepFinely(int steps) {
   const double finest = sequence() ? sequence()->finestStepSeconds() : 0;
   pause();
   if (start())
-    tell([&] { transport_->step(steps * (finest > 0 ? finest : kStepSeconds)); });
+    changeTransport([&] { transport_->step(steps * (finest > 0 ? finest : kStepSeconds)); });
 }
 
 void Playback::onShown() {

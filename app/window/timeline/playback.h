@@ -71,26 +71,26 @@ public:
   motion::WantedPose wantedPose() const { return transport_->pose(); }
   /// Which pose is wanted; a sequence that plays is paused when it is not its own.
   void setPose(motion::WantedPose pose) {
-    tell([&] { transport_->setPose(pose); });
+    changeTransport([&] { transport_->setPose(pose); });
   }
   /// Prescribes the volume of an organ while the present sequence moves it; none takes it back. False, with a
   /// message, where it cannot be reached.
   bool prescribe(const std::optional<motion::PrescribedVolume>& volume) {
-    return tell([&] { player_.prescribe(volume); });
+    return changeTransport([&] { player_.prescribe(volume); });
   }
 
 public Q_SLOTS:
   /// Brings the organs of all views to where the clock is; the frame timer calls it while playing.
   void advance() {
-    tell([this] { transport_->advance(); });
+    changeTransport([this] { transport_->advance(); });
   }
   void play();
   void pause() {
-    tell([this] { transport_->pause(); });
+    changeTransport([this] { transport_->pause(); });
   }
   void toggle() { transport_->playing() ? pause() : play(); }
   void setLooping(bool looping) {
-    tell([&] { transport_->setLoop(looping); });
+    changeTransport([&] { transport_->setLoop(looping); });
   }
   void setRate(double perMinute);
   void setSpeed(double speed);
@@ -103,7 +103,7 @@ public Q_SLOTS:
   void toStart() { seek(0); }
   /// The organs go back to the document's pose.
   void stop() {
-    tell([this] { transport_->stop(); });
+    changeTransport([this] { transport_->stop(); });
   }
 
 Q_SIGNALS:
@@ -118,11 +118,11 @@ private:
   Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent);
   void remember(const Motion& motion);
   void take(const Motion& motion);
-  void takeWhatFits();
-  void settleLater();
-  void settle();
+  void takeMatchingMotion();
+  void showLater();
+  void showChanges();
   /// Does something with the transport, after what the document did; an error becomes a message.
-  bool tell(const std::function<void()>& what);
+  bool changeTransport(const std::function<void()>& what);
   bool start();
   void offerOwnHandles();
   void onShown();
@@ -133,10 +133,10 @@ private:
   motion::Player player_;
   std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
   Motion present_;
-  bool unsettled_ = false;  ///< The document or the sequence has changed, and nothing was shown yet.
-  QString otherHandles_;    ///< What was said of handles that are not the sequence's.
-  bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
-  QTimer frames_;           ///< Runs in the first view.
+  bool showPending_ = false; ///< The document or the sequence has changed, and nothing was shown yet.
+  QString otherHandles_;     ///< What was said of handles that are not the sequence's.
+  bool outOfReach_ = false;  ///< It was said that a locked volume cannot be kept.
+  QTimer frames_;            ///< Runs in the first view.
   std::vector<Subscription> subscriptions_;
 };
 

@@ -401,7 +401,7 @@ void MeasuredMotion::follow() {
   if (ghostOf_ == phase)
     return;
   ghostOf_ = phase;
-  std::vector<presentation::Guest> ghosts;
+  std::vector<presentation::TransientSurface> ghosts;
   for (const auto& organ : workspace_.document().organs())
     if (const auto surface = surfaceOf(organ->id); surface && ghost_ && organ->look.visible)
       ghosts.push_back({shown->surfaces[*surface], kGhost, kGhostOpacity});

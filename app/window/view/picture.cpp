@@ -85,18 +85,18 @@ presentation::ViewState Picture::state() const {
   return state;
 }
 
-void Picture::setMeasuring(presentation::MeasuringNow measuring) {
+void Picture::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
   refresh();
 }
 
-void Picture::setGuests(std::vector<presentation::Guest> guests, bool alone) {
-  guests_ = std::move(guests);
-  guestsAlone_ = alone && !guests_.empty();
+void Picture::setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone) {
+  transient_ = std::move(transient);
+  transientAlone_ = alone && !transient_.empty();
   refresh();
 }
 
-void Picture::setMeasured(std::vector<presentation::Guest> surfaces) {
+void Picture::setMeasured(std::vector<presentation::TransientSurface> surfaces) {
   measured_ = std::move(surfaces);
   refresh();
 }
@@ -126,25 +126,25 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
 
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || !guests_.empty() || !measured_.empty() || (scan.standing && scan.bent);
+  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.bent);
 }
 
 void Picture::refresh() {
   workspace_.guarded([this] {
     presentation::ViewState view = state();
     document::DocumentState shown = workspace_.state();
-    if (guestsAlone_)
+    if (transientAlone_)
       hide(shown, view);
     const live::StressFrame stress = workspace_.stress().frame();
     std::optional<presentation::Bending> bending;
     if (view.scan.standing && view.scan.bent)
       bending = presentation::bendingOf(workspace_.bend());
-    std::vector<presentation::Guest> guests = guests_;
-    guests.insert(guests.end(), measured_.begin(), measured_.end());
+    std::vector<presentation::TransientSurface> transient = transient_;
+    transient.insert(transient.end(), measured_.begin(), measured_.end());
     presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress,
-                       map_ ? &*map_ : nullptr, &measuring_, &guests, namedParts_ ? &*namedParts_ : nullptr,
-                       bending ? &*bending : nullptr, valves_ && !guestsAlone_ ? valves_() : std::nullopt,
-                       stressRange_, stressLegend_});
+                       map_ ? &*map_ : nullptr, &measuring_, &transient,
+                       namedParts_ ? &*namedParts_ : nullptr, bending ? &*bending : nullptr,
+                       valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

@@ -37,11 +37,11 @@ public:
   presentation::ViewState state() const;
 
   /// What is being measured, and organs that are in no document yet.
-  void setMeasuring(presentation::MeasuringNow measuring);
+  void setMeasuring(presentation::PendingMeasurement measuring);
   /// Where they are shown alone, nothing of the document is: they will take its place.
-  void setGuests(std::vector<presentation::Guest> guests, bool alone = false);
+  void setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone = false);
   /// Surfaces that were measured, beside the organs that move through them.
-  void setMeasured(std::vector<presentation::Guest> surfaces);
+  void setMeasured(std::vector<presentation::TransientSurface> surfaces);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
   void setMap(std::optional<presentation::SurfaceMap> map);
   /// The range of the stress map's colours that another picture has, too, and whether this one has the
@@ -73,10 +73,10 @@ private:
   ViewWidget& widget_;
   Role role_;
   presentation::Presenter presenter_;
-  presentation::MeasuringNow measuring_;
-  std::vector<presentation::Guest> guests_;
-  std::vector<presentation::Guest> measured_;
-  bool guestsAlone_ = false;
+  presentation::PendingMeasurement measuring_;
+  std::vector<presentation::TransientSurface> transient_;
+  std::vector<presentation::TransientSurface> measured_;
+  bool transientAlone_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::SurfaceMap> map_;
   Valves valves_;

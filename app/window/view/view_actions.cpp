@@ -91,7 +91,7 @@ void ViewActions::makeShading(Actions& actions) {
         parts_.settings.setValue(kShading, on);
         parts_.area.view()->scheduleRender();
       });
-  actions.whenSynced([this, action] { action->setChecked(shading_->wanted()); });
+  actions.onSync([this, action] { action->setChecked(shading_->wanted()); });
 }
 
 void ViewActions::lookFrom(scene::StandardView from) {

@@ -123,9 +123,9 @@ void ViewWidget::draw(bool quick) {
   QElapsedTimer timer;
   timer.start();
   renderScheduled_ = false;
-  view_->setQuick(quick);
+  view_->setFastDrawing(quick);
   renderWindow()->Render();
-  view_->setQuick(false);
+  view_->setFastDrawing(false);
   frameSeconds_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
   if (quick)
     smoothFrame_.start(kPause);

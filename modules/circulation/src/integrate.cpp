@@ -11,11 +11,11 @@ namespace odeint = boost::numeric::odeint;
 
 /// A state with the work of the four chambers and the heat, which are integrated with it: mmHg ml.
 constexpr std::size_t kWorks = kChambers + 1;
-using Recorded = std::array<double, kStateSize + kWorks>;
+using StateAndWork = std::array<double, kStateSize + kWorks>;
 
-State stateOf(const Recorded& recorded) {
+State stateOf(const StateAndWork& stateAndWork) {
   State state;
-  std::copy_n(recorded.begin(), kStateSize, state.begin());
+  std::copy_n(stateAndWork.begin(), kStateSize, state.begin());
   return state;
 }
 
@@ -75,9 +75,9 @@ Beat recordBeat(const Circuit& circuit, const State& start, int samples, int sub
   Beat beat;
   beat.period = circuit.period();
   reserve(beat, static_cast<std::size_t>(samples) + 1);
-  Recorded recorded{};
-  std::copy(start.begin(), start.end(), recorded.begin());
-  const auto system = [&circuit](const Recorded& y, Recorded& change, double t) {
+  StateAndWork stateAndWork{};
+  std::copy(start.begin(), start.end(), stateAndWork.begin());
+  const auto system = [&circuit](const StateAndWork& y, StateAndWork& change, double t) {
     const State state = stateOf(y);
     const Instant now = circuit.instant(state, t);
     State rates;
@@ -86,17 +86,17 @@ Beat recordBeat(const Circuit& circuit, const State& start, int samples, int sub
     const auto powers = circuit.powers(state, now, rates);
     std::copy(powers.begin(), powers.end(), change.begin() + kStateSize);
   };
-  odeint::runge_kutta4<Recorded> stepper;
+  odeint::runge_kutta4<StateAndWork> stepper;
   const double step = circuit.period() / samples / substeps;
   append(beat, circuit, start, 0);
   for (int i = 1; i <= samples * substeps; ++i) {
-    stepper.do_step(system, recorded, (i - 1) * step, step);
+    stepper.do_step(system, stateAndWork, (i - 1) * step, step);
     if (i % substeps == 0)
-      append(beat, circuit, stateOf(recorded), i * step);
+      append(beat, circuit, stateOf(stateAndWork), i * step);
   }
   for (std::size_t i = 0; i < kChambers; ++i)
-    beat.work[i] = recorded[kStateSize + i] * kJoulePerMmHgMl;
-  beat.dissipated = recorded[kStateSize + kChambers] * kJoulePerMmHgMl;
+    beat.work[i] = stateAndWork[kStateSize + i] * kJoulePerMmHgMl;
+  beat.dissipated = stateAndWork[kStateSize + kChambers] * kJoulePerMmHgMl;
   return beat;
 }
 

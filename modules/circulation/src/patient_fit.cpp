@@ -123,7 +123,7 @@ private:
     Progress quiet;
     state_ = findPeriodicState(parameters_, quiet, {}, start_ ? &*start_ : nullptr);
     if (!state_.converged)
-      throw DataError(state_.complaint, "the circulation of that heart");
+      throw DataError(state_.failureReason, "the circulation of that heart");
     start_ = state_.start;
     indices_ = indicesOf(parameters_, state_.beat);
     const ChamberIndices& lv = indices_.of(Compartment::lv);
@@ -230,7 +230,7 @@ PatientFit fitToVentricle(const MeasuredVentricle& measured, Progress& progress,
   Progress quiet;
   const PeriodicState before = findPeriodicState(start, quiet);
   if (!before.converged)
-    throw DataError(before.complaint, "the circulation to start with");
+    throw DataError(before.failureReason, "the circulation to start with");
   const Indices indices = indicesOf(start, before.beat);
   const ChamberIndices& lv = indices.of(Compartment::lv);
   resize(parameters, "lv", measured.edvMl / lv.edvMl);

@@ -56,7 +56,7 @@ double largestChange(const State& a, const State& b) {
   return largest;
 }
 
-std::string complaintOf(const PeriodicState& found) {
+std::string failureReasonOf(const PeriodicState& found) {
   return phrase(
       "After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats "
       "alternate, or the circulation fails; try a lower rate or a larger stressed volume",
@@ -165,7 +165,7 @@ PeriodicState findPeriodicState(const Parameters& parameters, Progress& progress
   found.beat = recordBeat(circuit, found.start, options.samples, substeps);
   ++found.beats;
   if (!found.converged)
-    found.complaint = complaintOf(found);
+    found.failureReason = failureReasonOf(found);
   return found;
 }
 

@@ -19,7 +19,7 @@ std::vector<ResponsePoint> responseTo(const Parameters& parameters, const std::s
     progress.throwIfCancelled();
     const PeriodicState found = findPeriodicState(changed, quiet, {}, nearby ? &*nearby : nullptr);
     if (!found.converged)
-      throw DataError(found.complaint, name + "=" + significant(values[i], 6));
+      throw DataError(found.failureReason, name + "=" + significant(values[i], 6));
     nearby = found.start;
     points.push_back({values[i], indicesOf(changed, found.beat)});
     progress.report(static_cast<double>(i + 1) / static_cast<double>(values.size()), name);

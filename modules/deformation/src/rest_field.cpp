@@ -141,7 +141,7 @@ void RestField::chooseNodes(std::vector<Vec3>& points) {
     const Vec3 point = inner_.position(node);
     const double distance = hull_.signedDistance(point);
     if (distance > (1 + kSlack) * std::sqrt(3.0) * inner_.spacing) {
-      innerFaded_.push_back(fadedNode(node, point));
+      innerFaded_.push_back(extrapolatedNode(node, point));
       continue;
     }
     BoundNode bound{static_cast<std::int32_t>(node), static_cast<std::int32_t>(points.size()), -1,
@@ -158,7 +158,7 @@ void RestField::chooseNodes(std::vector<Vec3>& points) {
 }
 
 /// Fading begins behind the bound nodes, so that it does not begin with a step.
-RestField::FadedNode RestField::fadedNode(Eigen::Index node, const Vec3& position) const {
+RestField::ExtrapolatedNode RestField::extrapolatedNode(Eigen::Index node, const Vec3& position) const {
   const double distance = hull_.signedDistance(position) - std::sqrt(3.0) * inner_.spacing;
   return {static_cast<std::int32_t>(node), static_cast<float>(std::max(distance, 0.0)),
           inner_.cornersAt(pulledIn(position))};
@@ -225,23 +225,23 @@ void RestField::planMending() {
   const std::array<Eigen::Index, 3> strides = {1, inner_.size[0],
                                                Eigen::Index(inner_.size[0]) * inner_.size[1]};
   while (!open.empty()) {
-    const std::size_t before = mendings_.size();
+    const std::size_t before = neighbourMeans_.size();
     std::vector<Eigen::Index> left;
     for (const Eigen::Index node : open) {
-      Mending mending{node, {}};
+      NeighbourMeanNode mean{node, {}};
       for (const Eigen::Index stride : strides)
         for (const Eigen::Index neighbour : {node - stride, node + stride})
           if (known[static_cast<std::size_t>(neighbour)] != 0)
-            mending.neighbours.push_back(neighbour);
-      if (mending.neighbours.empty())
+            mean.neighbours.push_back(neighbour);
+      if (mean.neighbours.empty())
         left.push_back(node);
       else
-        mendings_.push_back(std::move(mending));
+        neighbourMeans_.push_back(std::move(mean));
     }
-    if (mendings_.size() == before)
+    if (neighbourMeans_.size() == before)
       return; // They stay where they are.
-    for (std::size_t m = before; m < mendings_.size(); ++m)
-      known[static_cast<std::size_t>(mendings_[m].node)] = 1;
+    for (std::size_t m = before; m < neighbourMeans_.size(); ++m)
+      known[static_cast<std::size_t>(neighbourMeans_[m].node)] = 1;
     open = std::move(left);
   }
 }
@@ -260,7 +260,7 @@ void RestField::placeOuter(double reach) {
     const double distance = hull_.signedDistance(position);
     // Nodes in the hull are corners of no cell outside of the inner grid.
     if (distance > 0 && distance < reachBuilt_)
-      outerFaded_.push_back(fadedNode(node, position));
+      outerFaded_.push_back(extrapolatedNode(node, position));
   }
 }
 
@@ -289,21 +289,21 @@ double RestField::setBoundNodes(const Points& moved) {
     if (node.second >= 0)
       row = 2 * moved.row(node.first) - moved.row(node.second);
   }
-  for (const Mending& mending : mendings_) {
+  for (const NeighbourMeanNode& mean : neighbourMeans_) {
     Vec3 sum = Vec3::Zero();
-    for (const Eigen::Index neighbour : mending.neighbours)
+    for (const Eigen::Index neighbour : mean.neighbours)
       sum += inner_.vectors.row(neighbour).transpose();
-    inner_.vectors.row(mending.node) = sum.transpose() / static_cast<double>(mending.neighbours.size());
+    inner_.vectors.row(mean.node) = sum.transpose() / static_cast<double>(mean.neighbours.size());
   }
   return std::sqrt(border);
 }
 
 /// One at the hull, zero from `reach_` on, smooth between.
-void RestField::fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const {
+void RestField::extrapolateNodes(VectorGrid& grid, const std::vector<ExtrapolatedNode>& nodes) const {
   parallelRanges(static_cast<Eigen::Index>(nodes.size()), kNodesAtOnce, options_.threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    for (Eigen::Index n = begin; n < end; ++n) {
-                     const FadedNode& node = nodes[static_cast<std::size_t>(n)];
+                     const ExtrapolatedNode& node = nodes[static_cast<std::size_t>(n)];
                      const double part = static_cast<double>(node.distance) / reach_;
                      if (part < 1)
                        grid.vectors.row(node.node) =
@@ -350,8 +350,8 @@ void RestField::setPose(const Points& pose) {
   reach_ = std::max(kReach * border, kLeastReach * hull_.diagonal());
   if (reach_ + std::sqrt(3.0) * inner_.spacing > reachBuilt_)
     placeOuter(reach_);
-  fadeNodes(inner_, innerFaded_);
-  fadeNodes(outer_, outerFaded_);
+  extrapolateNodes(inner_, innerFaded_);
+  extrapolateNodes(outer_, outerFaded_);
   joinGrids();
   measureError(moved);
   measureRoughness();

@@ -85,13 +85,13 @@ private:
     bool outside = false; ///< Of the hull.
   };
   /// A node farther out: the motion where the line to the middle enters the hull, faded by the distance.
-  struct FadedNode {
+  struct ExtrapolatedNode {
     std::int32_t node = 0;
     float distance = 0;
     VectorGrid::Corners entry;
   };
   /// A node without coordinates, in the hull of a system that has none everywhere, gets its neighbours' mean.
-  struct Mending {
+  struct NeighbourMeanNode {
     Eigen::Index node = 0;
     std::vector<Eigen::Index> neighbours;
   };
@@ -106,9 +106,9 @@ private:
   void markWholeCells();
   Points boundDisplacements() const;
   double setBoundNodes(const Points& moved);
-  void fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const;
+  void extrapolateNodes(VectorGrid& grid, const std::vector<ExtrapolatedNode>& nodes) const;
   void joinGrids();
-  FadedNode fadedNode(Eigen::Index node, const Vec3& position) const;
+  ExtrapolatedNode extrapolatedNode(Eigen::Index node, const Vec3& position) const;
   void measureError(const Points& moved);
   void measureRoughness();
   void spreadRoughness(const std::array<Eigen::Index, 3>& strides);
@@ -121,9 +121,9 @@ private:
   Vec3 middle_ = Vec3::Zero();
   VectorGrid inner_, outer_;
   std::vector<BoundNode> boundNodes_;
-  std::vector<FadedNode> innerFaded_, outerFaded_;
+  std::vector<ExtrapolatedNode> innerFaded_, outerFaded_;
   std::vector<std::uint8_t> wholeCells_; ///< Of the inner grid: whether a cell has bound corners only.
-  std::vector<Mending> mendings_;        ///< In their order.
+  std::vector<NeighbourMeanNode> neighbourMeans_;               ///< In their order.
   std::vector<std::unique_ptr<coordinates::Binding>> bindings_; ///< Of consecutive pieces of `bound_`.
   Points bound_;                     ///< Points at rest: for nodes, then cells' centres to check.
   std::vector<std::uint8_t> failed_; ///< Of them.

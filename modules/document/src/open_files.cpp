@@ -184,7 +184,7 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
 
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
-                                     const ArrivalListener& arrives) {
+                                     const ArrivingOrganListener& arrives) {
   medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
   const auto heart = medical_io::heartLabels(map);
   const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
@@ -215,7 +215,7 @@ std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
 }
 
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress, const ArrivalListener& arrives) {
+                                   Progress& progress, const ArrivingOrganListener& arrives) {
   std::vector<Organ> organs;
   for (NewOrgan& item : readLabelBatch(file, labels, progress, arrives))
     organs.push_back(std::move(item.organ));
@@ -225,7 +225,8 @@ std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std:
 namespace {
 
 /// The organs of a surface file: one, or those that a GLB holds with their colours and cavities.
-void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const ArrivalListener& arrives) {
+void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
+                 const ArrivingOrganListener& arrives) {
   std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
   std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
   for (medical_io::SurfacePart& part : parts)
@@ -249,7 +250,7 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const A
 
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
-             const ArrivalListener& arrives) {
+             const ArrivingOrganListener& arrives) {
   requireKnown(file);
   if (isHandleFile(file)) {
     if (opened.rig)
@@ -275,7 +276,7 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
 } // namespace
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
-                      const ArrivalListener& arrives) {
+                      const ArrivingOrganListener& arrives) {
   if (named.empty())
     throw UsageError("There is no file to open");
   const std::vector<std::filesystem::path> files = withoutHalves(named);

@@ -16,7 +16,7 @@ namespace {
 
 DocumentState withCage(const DocumentState& state, const GivenCage& cage, IdSource& ids) {
   coordinates::requireCage(*cage.mesh, cage.name);
-  if (standAt(*state.rig, *cage.mesh)) {
+  if (handlesAtAllVertices(*state.rig, *cage.mesh)) {
     Rig rig = *state.rig;
     rig.cage = edit::cageOf(rig, coordinates::cageOver(rig.restPositions(), *cage.mesh));
     return edit::withRig(state, std::move(rig), *state.pose);
@@ -53,7 +53,7 @@ GivenCage readCage(const std::filesystem::path& file, Progress& progress) {
   return {file.filename().string(), std::make_shared<const geometry::TriangleMesh>(std::move(mesh))};
 }
 
-bool standAt(const Rig& rig, const geometry::TriangleMesh& cage) {
+bool handlesAtAllVertices(const Rig& rig, const geometry::TriangleMesh& cage) {
   const std::vector<int> handles = coordinates::handlesAtVertices(rig.restPositions(), cage);
   const std::set<int> each(handles.begin(), handles.end());
   return each.size() == handles.size() && each.count(-1) == 0;

@@ -195,7 +195,7 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
   progress.throwIfCancelled();
   const circulation::PeriodicState found = circulation::findPeriodicState(parameters, quiet);
   if (!found.converged)
-    throw DataError(found.complaint, name);
+    throw DataError(found.failureReason, name);
   const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
   const CirculatingHeart heart(library, resolution, progress, threads);
   return heart.setup(

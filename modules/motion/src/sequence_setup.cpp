@@ -78,12 +78,12 @@ const std::vector<SampleSequence>& sampleSequences() {
   return list;
 }
 
-Suits suits(const SampleSequence& sequence, const std::string& organName) {
+SequenceMatch matchesOrgan(const SampleSequence& sequence, const std::string& organName) {
   const auto norm = medical_io::organNorm(organName);
   if (!norm)
-    return Suits::unknown;
+    return SequenceMatch::unknown;
   const bool muscle = norm->name == "myocardium" && sequence.organ == "heart";
-  return muscle || norm->name == sequence.organ ? Suits::yes : Suits::no;
+  return muscle || norm->name == sequence.organ ? SequenceMatch::yes : SequenceMatch::no;
 }
 
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,

@@ -18,7 +18,7 @@ void cutLike(scene::GhostOutline& outline, const std::optional<scene::CutPlane>&
 OrganPicture::~OrganPicture() {
   for (auto& [id, shown] : shown_)
     drop(shown);
-  updateGuests({});
+  updateTransientSurfaces({});
 }
 
 void OrganPicture::drop(Shown& shown) {
@@ -74,21 +74,21 @@ bool OrganPicture::updateOrgans(const Scene& scene) {
   return others;
 }
 
-void OrganPicture::updateGuests(const std::vector<Guest>& guests) {
+void OrganPicture::updateTransientSurfaces(const std::vector<TransientSurface>& transient) {
   std::vector<std::shared_ptr<scene::OrganActor>> now;
-  for (const Guest& guest : guests) {
+  for (const TransientSurface& guest : transient) {
     const auto same = [&guest](const auto& actor) { return &actor->mesh() == guest.mesh.get(); };
-    const auto found = std::find_if(guests_.begin(), guests_.end(), same);
-    now.push_back(found == guests_.end() ? std::make_shared<scene::OrganActor>(guest.mesh, threads_)
-                                         : *found);
+    const auto found = std::find_if(transient_.begin(), transient_.end(), same);
+    now.push_back(found == transient_.end() ? std::make_shared<scene::OrganActor>(guest.mesh, threads_)
+                                            : *found);
     now.back()->setColor(shownColor(guest.color));
     now.back()->setOpacity(guest.opacity);
     view_.add(now.back());
   }
-  for (const auto& actor : guests_)
+  for (const auto& actor : transient_)
     if (std::find(now.begin(), now.end(), actor) == now.end())
       view_.remove(actor);
-  guests_ = std::move(now);
+  transient_ = std::move(now);
 }
 
 void OrganPicture::updateGhost(Shown& shown, bool wanted) {

@@ -34,7 +34,7 @@ public:
   /// Organs come and go, and follow their points; true when there are others than before.
   bool updateOrgans(const Scene& scene);
   /// Surfaces that are in no document.
-  void updateGuests(const std::vector<Guest>& guests);
+  void updateTransientSurfaces(const std::vector<TransientSurface>& transient);
   /// How each is seen: as its own look says unless there is an appearance for it.
   void updateLooks(const Scene& scene, const std::map<document::OrganId, Appearance>& appearances,
                    const MapColors& colors);
@@ -66,7 +66,7 @@ private:
   scene::OrganView& view_;
   Threads threads_;
   std::map<document::OrganId, Shown> shown_;
-  std::vector<std::shared_ptr<scene::OrganActor>> guests_;
+  std::vector<std::shared_ptr<scene::OrganActor>> transient_;
   MapColors colors_; ///< With which values were shown last.
 };
 

@@ -262,13 +262,13 @@ Presenter::~Presenter() {
 
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, scene.view.organsSeen), scene.organs, scene.view,
-                  scene.systems, scene.stress, scene.map, scene.measuring, scene.guests, scene.parts,
+                  scene.systems, scene.stress, scene.map, scene.measuring, scene.transient, scene.parts,
                   scene.bending, scene.valves, scene.stressRange, scene.stressLegend});
 }
 
 void Presenter::Parts::update(const Scene& scene) {
   const bool others = organs.updateOrgans(scene);
-  organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
+  organs.updateTransientSurfaces(scene.transient ? *scene.transient : std::vector<TransientSurface>());
   stress.update(scene);
   cut.update(scene);
   valves.update(scene, cut.plane());
@@ -279,7 +279,7 @@ void Presenter::Parts::update(const Scene& scene) {
   updateMeasurements(scene);
   standing.update(scene);
   const bool empty = scene.state.organs->empty() && scene.state.rig->handles.empty() &&
-                     (!scene.guests || scene.guests->empty());
+                     (!scene.transient || scene.transient->empty());
   view.setOrientationCubeShown(scene.view.orientationCube && !empty);
   view.setScaleBarShown(scene.view.scaleBar && !empty);
 }

@@ -185,9 +185,10 @@ void addCirculation(py::module_& module) {
           "Every parameter and its value.")
       .def_property_readonly(
           "converged", [](const Circulation& c) { return c.state.converged; },
-          "Whether the beat repeats itself; if not, `complaint` says what happens.")
+          "Whether the beat repeats itself; if not, `failure_reason` says what happens.")
       .def_property_readonly(
-          "complaint", [](const Circulation& c) { return c.state.complaint; }, "Empty when converged.")
+          "failure_reason", [](const Circulation& c) { return c.state.failureReason; },
+          "Empty when converged.")
       .def_property_readonly(
           "beats", [](const Circulation& c) { return c.state.beats; }, "That were computed to find it.")
       .def_property_readonly(

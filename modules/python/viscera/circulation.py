@@ -24,7 +24,7 @@ def circulate(
     parameters  by name (`circulation_parameters()` lists them, with units and ranges): what differs from the scenario.
 
     `.curves` has all pressures (mmHg), volumes (ml) and flows (ml/s) over the beat, `.indices` what is read off them.
-    5 to 20 ms. A circulation that never settles is no error: look at `.converged` and `.complaint`. Raises UsageError
+    5 to 20 ms. A circulation that never settles is no error: look at `.converged` and `.failure_reason`. Raises UsageError
     for names that there are not and values out of range, Cancelled.
     """
     return _core.circulate(scenario, parameters, near, progress)

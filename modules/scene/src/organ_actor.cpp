@@ -291,8 +291,8 @@ void OrganActor::cullBackFaces(const Vec3& eye) {
   p.actor->GetProperty()->SetBackfaceCulling(p.closed && outside && !isCut() && opacity() >= 1);
 }
 
-void OrganActor::setUnpeeled(bool unpeeled) {
-  parts_->actor->setUnpeeled(unpeeled && opacity() < 1);
+void OrganActor::setDrawnWithoutPeeling(bool unpeeled) {
+  parts_->actor->setDrawnWithoutPeeling(unpeeled && opacity() < 1);
 }
 
 void OrganActor::setCoarse(int part) {

@@ -199,7 +199,7 @@ int OrganView::Parts::partDrawn() const {
 void OrganView::Parts::peelOrOrder(const Vec3& eye) {
   const bool peel = !hurries();
   for (const auto& organ : organs)
-    organ->setUnpeeled(!peel);
+    organ->setDrawnWithoutPeeling(!peel);
   if (peel && !std::exchange(peeling, peel))
     orderProps();
   peeling = peel;
@@ -486,7 +486,7 @@ bool OrganView::moving() const {
   return parts_->moving;
 }
 
-void OrganView::setQuick(bool quick) {
+void OrganView::setFastDrawing(bool quick) {
   parts_->quick = quick;
 }
 

@@ -14,7 +14,7 @@ namespace viscera::scene {
 
 vtkStandardNewMacro(WallActor);
 
-void WallActor::setUnpeeled(bool unpeeled) {
+void WallActor::setDrawnWithoutPeeling(bool unpeeled) {
   unpeeled_ = unpeeled;
   // Not `SetForceOpaque`: that changes the time stamp, and with it shaders and buffers, at every frame.
   ForceOpaque = unpeeled;

@@ -15,7 +15,7 @@ public:
 
       /// Whether to do without peeling, where the surface is translucent at all. What this actor draws hides
       /// what is drawn after it: put it after all that is to be seen through it.
-      void setUnpeeled(bool unpeeled);
+      void setDrawnWithoutPeeling(bool unpeeled);
   bool unpeeled() const { return unpeeled_; }
 
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;

@@ -82,7 +82,7 @@ double GastricWaves::depth(double age, double ratePerMinute) const {
   return depth(age) * std::min(1.0, kFullDepthRate / clampedWaveRate(ratePerMinute));
 }
 
-double GastricWaves::shutBy(double age) const {
+double GastricWaves::pylorusClosureAt(double age) const {
   const double left = course_.pylorus - position(age);
   const double closing = smoothStep(2 * (kLastWay - left) / kLastWay);
   return kShut * course_.depth * closing * (1 - smoothStep((age - transitSeconds()) / kWaveFading));
@@ -91,7 +91,7 @@ double GastricWaves::shutBy(double age) const {
 double GastricWaves::pyloricClosure(double seconds, double ratePerMinute) const {
   double shut = 0;
   for (const double age : ages(seconds, ratePerMinute))
-    shut = std::max(shut, shutBy(age));
+    shut = std::max(shut, pylorusClosureAt(age));
   return shut / (kShut * course_.depth);
 }
 

@@ -198,7 +198,7 @@ MotionFit fitDistances(const MotionRig& rig, const std::function<PhaseTargets(st
     if (options.fit.keepVolumes) {
       const Metric metric = [&](const Points& gradient) { return phaseFit.solve(gradient); };
       Points free = pose;
-      fit.volumes.push_back(meetVolumes(rig, target->volumesMl, metric, free));
+      fit.volumes.push_back(solveVolumes(rig, target->volumesMl, metric, free));
       pose = std::move(free);
     }
   }

@@ -67,7 +67,7 @@ MotionFit fitSeries(const MotionRig& rig, const std::vector<SurfaceSeries>& seri
     Points pose = rig.rest() + moved.col(static_cast<Eigen::Index>(phase)).reshaped(n, 3);
     fit.freeVolumesMl.push_back(rig.volumesMl(rig.vertices(pose)));
     if (options.keepVolumes)
-      fit.volumes.push_back(meetVolumes(rig, rig.volumesMl(phaseOf(rig, series, phase)), metric, pose));
+      fit.volumes.push_back(solveVolumes(rig, rig.volumesMl(phaseOf(rig, series, phase)), metric, pose));
     fit.poses.push_back(std::move(pose));
     fit.steps.push_back(1);
   }

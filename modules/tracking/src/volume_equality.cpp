@@ -23,12 +23,13 @@ Points gradientOf(const MotionRig& rig, std::size_t surface, const Points& verti
 
 } // namespace
 
-MetVolumes meetVolumes(const MotionRig& rig, const Values& wantedMl, const Metric& metric, Points& pose) {
+VolumeResidual solveVolumes(const MotionRig& rig, const Values& wantedMl, const Metric& metric,
+                            Points& pose) {
   const auto count = static_cast<Eigen::Index>(rig.surfaces().size());
   std::vector<geometry::VertexTriangles> around;
   for (const geometry::TriangleMesh& surface : rig.surfaces())
     around.push_back(geometry::vertexTriangles(surface.points.rows(), surface.triangles));
-  MetVolumes result;
+  VolumeResidual result;
   for (;; ++result.steps) {
     const Points vertices = rig.vertices(pose);
     result.missingMl = wantedMl - rig.volumesMl(vertices);

@@ -15,7 +15,7 @@ protected:
 };
 
 TEST_F(CirculationAtRest, AorticPressureIs120Over80) {
-  ASSERT_TRUE(rest_.state.converged) << rest_.state.complaint;
+  ASSERT_TRUE(rest_.state.converged) << rest_.state.failureReason;
   EXPECT_NEAR(at_.aorta.systolic, 120, 5);
   EXPECT_NEAR(at_.aorta.diastolic, 80, 5);
   EXPECT_GT(at_.aorta.mean, at_.aorta.diastolic + 10);

@@ -30,8 +30,8 @@ TEST(CirculationSolver, FindsWhatBeatAfterBeatComesTo) {
 TEST(CirculationSolver, EveryScenarioConvergesAndRepeatsItself) {
   for (const Scenario& scenario : scenarios()) {
     const Solved solved = solve(scenario.id);
-    EXPECT_TRUE(solved.state.converged) << scenario.id << ": " << solved.state.complaint;
-    EXPECT_TRUE(solved.state.complaint.empty());
+    EXPECT_TRUE(solved.state.converged) << scenario.id << ": " << solved.state.failureReason;
+    EXPECT_TRUE(solved.state.failureReason.empty());
     const Beat& beat = solved.state.beat;
     for (std::size_t i = 0; i < kCompartments; ++i) {
       EXPECT_NEAR(beat.volume[i].front(), beat.volume[i].back(), 1e-6) << scenario.id;
@@ -71,8 +71,8 @@ TEST(CirculationSolver, SaysWhenNoBeatRepeatsItself) {
   const Solved solved = solve(Parameters(), {.mostBeats = 4});
   EXPECT_FALSE(solved.state.converged);
   EXPECT_GT(solved.state.residual, 1e-7);
-  EXPECT_NE(solved.state.complaint.find("After"), std::string::npos) << solved.state.complaint;
-  EXPECT_NE(solved.state.complaint.find("try"), std::string::npos);
+  EXPECT_NE(solved.state.failureReason.find("After"), std::string::npos) << solved.state.failureReason;
+  EXPECT_NE(solved.state.failureReason.find("try"), std::string::npos);
 }
 
 TEST(CirculationSolver, CanBeCancelled) {

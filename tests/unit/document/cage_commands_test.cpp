@@ -106,8 +106,8 @@ TEST(CageCommands, MakeHandlesAtItsVerticesTheCornersAndKeepWhatTheyAre) {
 TEST(CageCommands, MakeItsVerticesTheHandlesWhereThoseStandElsewhere) {
   Caged s;
   const Rig before = s.rig();
-  EXPECT_FALSE(standAt(before, *cubeCage(61)));
-  EXPECT_TRUE(standAt(before, *cubeCage(60 + 1e-7)));
+  EXPECT_FALSE(handlesAtAllVertices(before, *cubeCage(61)));
+  EXPECT_TRUE(handlesAtAllVertices(before, *cubeCage(60 + 1e-7)));
   s.take(cubeCage(61));
   EXPECT_EQ(s.rig().restPositions(), cubeCage(61)->points);
   EXPECT_TRUE(atRest(s.document.state()));

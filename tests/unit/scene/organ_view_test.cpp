@@ -163,11 +163,11 @@ TEST(OrganView, AQuickFrameOfManyVerticesHasFewerTrianglesAndNoSmoothEdges) {
     GTEST_SKIP() << "a graphics processor draws here";
   EXPECT_TRUE(window.view.isSlow());
   const auto whole = grabPicture(window.surface.window());
-  window.view.setQuick(true);
+  window.view.setFastDrawing(true);
   window.render();
   EXPECT_EQ(window.surface.window()->GetMultiSamples(), 0);
   EXPECT_LT(large->polyData()->GetNumberOfPolys(), large->mesh().triangles.rows() / 2);
-  window.view.setQuick(false);
+  window.view.setFastDrawing(false);
   EXPECT_EQ(comparePictures(whole, grabPicture(window.surface.window()), 0).differing, 0);
   EXPECT_GT(window.surface.window()->GetMultiSamples(), 1);
   large->setVisible(false);

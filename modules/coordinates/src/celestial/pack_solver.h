@@ -287,7 +287,7 @@ private:
       steps_ -= active; // Minus -1.
       const Mask last =
           (error2 <= kQuadratic * kQuadratic * total2) & (dot(next, next) <= kShortStep * kShortStep);
-      active = withoutHopeless(active & ~(accepted & ~due & last));
+      active = withoutUnsolvable(active & ~(accepted & ~due & last));
 
       if (bits(due) != 0) {
         recenter(due);
@@ -299,7 +299,7 @@ private:
   }
 
   /// `active` without the lanes that are outside the hull, or have used up their steps.
-  Mask withoutHopeless(Mask active) {
+  Mask withoutUnsolvable(Mask active) {
     exhausted_ |= active & (steps_ >= kMostIterations);
     active &= ~exhausted_;
     const Mask due = active & ((steps_ & (kSeparationPeriod - 1)) == 0);

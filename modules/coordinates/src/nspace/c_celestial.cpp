@@ -50,7 +50,7 @@ struct Sampler {
   int samples;
   unsigned seed;
 
-  bool operator()(const Sight& sight, Values& beta) const {
+  bool operator()(const HandleDirections& sight, Values& beta) const {
     const BalancedSpace<3> space(sight.units);
     if (!space.valid())
       return false;
@@ -60,7 +60,7 @@ struct Sampler {
     return found;
   }
 
-  bool walk(const Sight& sight, const BalancedSpace<3>& space, Values& beta) const {
+  bool walk(const HandleDirections& sight, const BalancedSpace<3>& space, Values& beta) const {
     Values at(beta.size());
     if (!startInside(sight.units, at))
       return false;

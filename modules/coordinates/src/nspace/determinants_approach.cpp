@@ -56,7 +56,7 @@ bool addSimplex(const std::array<std::size_t, Corners>& corners,
   return true;
 }
 
-bool balance(const Sight& sight, Values& beta) {
+bool balance(const HandleDirections& sight, Values& beta) {
   const Determinants determinants(sight.units);
   const auto count = static_cast<std::size_t>(beta.size());
   bool found = false;
@@ -75,7 +75,7 @@ bool balance(const Sight& sight, Values& beta) {
 } // namespace
 
 BalanceIn<2> planeDeterminants() {
-  return [](const SightIn<2>& sight, Values& beta) {
+  return [](const HandleDirectionsOf<2>& sight, Values& beta) {
     const auto count = static_cast<std::size_t>(beta.size());
     const auto determinant = [&](std::size_t i, std::size_t j) {
       const auto a = sight.units.row(static_cast<Eigen::Index>(i)),

@@ -15,16 +15,17 @@ constexpr double kFlatDirections = 1e-14;
 } // namespace
 
 template <int Dim>
-SightIn<Dim> sightOf(const PointsOf<Dim>& handles, const Eigen::Matrix<double, Dim, 1>& point) {
-  SightIn<Dim> sight;
+HandleDirectionsOf<Dim> directionsTo(const PointsOf<Dim>& handles,
+                                     const Eigen::Matrix<double, Dim, 1>& point) {
+  HandleDirectionsOf<Dim> sight;
   sight.units = handles.rowwise() - point.transpose();
   sight.distances = sight.units.rowwise().norm();
   sight.units.array().colwise() /= sight.distances.array();
   return sight;
 }
 
-template SightIn<2> sightOf<2>(const PointsOf<2>&, const Eigen::Vector2d&);
-template SightIn<3> sightOf<3>(const PointsOf<3>&, const Eigen::Vector3d&);
+template HandleDirectionsOf<2> directionsTo<2>(const PointsOf<2>&, const Eigen::Vector2d&);
+template HandleDirectionsOf<3> directionsTo<3>(const PointsOf<3>&, const Eigen::Vector3d&);
 
 template <int Dim>
 BalancedSpace<Dim>::BalancedSpace(const PointsOf<Dim>& units) : units_(units) {
@@ -64,10 +65,10 @@ Eigen::Index DirectionSolver::handleAt(const Vec3& point) const {
   return distance <= kSamePlace * hull_.diagonal() ? nearest : -1;
 }
 
-std::optional<Sight> DirectionSolver::sightFrom(const Vec3& point) const {
+std::optional<HandleDirections> DirectionSolver::sightFrom(const Vec3& point) const {
   if (handleAt(point) >= 0 || !(hull_.signedDistance(point) < 0))
     return std::nullopt;
-  return sightOf<3>(handles_, point);
+  return directionsTo<3>(handles_, point);
 }
 
 bool DirectionSolver::solve(const Vec3& point, Values& weights) const {

@@ -11,15 +11,16 @@ namespace viscera::coordinates {
 
 /// The handles as they are seen from a point: unit vectors (`n x Dim`) and distances, mm.
 template <int Dim>
-struct SightIn {
+struct HandleDirectionsOf {
   PointsOf<Dim> units;
   Values distances;
 };
-using Sight = SightIn<3>;
+using HandleDirections = HandleDirectionsOf<3>;
 
 /// The handles seen from `point`, none of which lies there. For Dim = 2 and 3, as all below.
 template <int Dim>
-SightIn<Dim> sightOf(const PointsOf<Dim>& handles, const Eigen::Matrix<double, Dim, 1>& point);
+HandleDirectionsOf<Dim> directionsTo(const PointsOf<Dim>& handles,
+                                     const Eigen::Matrix<double, Dim, 1>& point);
 
 /// The space of all vectors of n numbers that balance the directions, `sum beta_i q_i = 0`: what the thesis
 /// calls V-perpendicular (3.18), with its projection (annex A). Refers to the directions it was made from.
@@ -45,7 +46,7 @@ private:
 /// Fills `beta` (n numbers, set to zero before) such that `sum beta_i q_i = 0`; false where there is no
 /// answer.
 template <int Dim>
-using BalanceIn = std::function<bool(const SightIn<Dim>& sight, Values& beta)>;
+using BalanceIn = std::function<bool(const HandleDirectionsOf<Dim>& sight, Values& beta)>;
 
 /// Turns balanced numbers into coordinates: divides them by the distances (thesis 3.15) and by their sum.
 /// False where weights of both signs cancel: what is left is rounding.
@@ -59,7 +60,7 @@ public:
   bool solve(const Vec3& point, Values& weights) const override;
 
   /// What is seen from a point that is inside the hull and at no handle; no balance is asked for elsewhere.
-  std::optional<Sight> sightFrom(const Vec3& point) const;
+  std::optional<HandleDirections> sightFrom(const Vec3& point) const;
 
 private:
   /// The handle at which the point lies, or -1.

@@ -102,7 +102,7 @@ private:
 
 /// Raises the smallest number of the balanced vector nearest to `start`.
 template <int Dim>
-bool ascend(const SightIn<Dim>& sight, const Values& start, Stop stop, Values& beta) {
+bool ascend(const HandleDirectionsOf<Dim>& sight, const Values& start, Stop stop, Values& beta) {
   const BalancedSpace<Dim> space(sight.units);
   if (!space.valid())
     return false;
@@ -140,8 +140,10 @@ Values startOf(Eigen::Index handles, const ParameterValues& parameters) {
 
 template <int Dim>
 BalanceIn<Dim> ascentOf(Eigen::Index handles, const ParameterValues& parameters) {
-  return [stop = chosen<Stop>(parameters, kStop), start = startOf(handles, parameters)](
-             const SightIn<Dim>& sight, Values& beta) { return ascend<Dim>(sight, start, stop, beta); };
+  return [stop = chosen<Stop>(parameters, kStop),
+          start = startOf(handles, parameters)](const HandleDirectionsOf<Dim>& sight, Values& beta) {
+    return ascend<Dim>(sight, start, stop, beta);
+  };
 }
 
 } // namespace

@@ -62,7 +62,7 @@ struct Way {
   std::optional<std::vector<Eigen::Index>> dead;
   double shift = 0;
 
-  bool operator()(const Sight& sight, Values& beta) const {
+  bool operator()(const HandleDirections& sight, Values& beta) const {
     const Problem problem(sight, targetAt(target, sight.distances));
     switch (positivity) {
     case Positivity::globalTest:
@@ -156,7 +156,7 @@ BalanceIn<2> planeLagrange(const ParameterValues& parameters) {
     throw UsageError(phrase("\"%1\" looks at all points together, which planar coordinates do not",
                             kPositivity.choices[static_cast<std::size_t>(positivity)]),
                      {}, "take another positivity");
-  return [=](const SightIn<2>& sight, Values& beta) {
+  return [=](const HandleDirectionsOf<2>& sight, Values& beta) {
     return solveAlone(LagrangeProblem<2>(sight, targetAt(target, sight.distances)), positivity, beta);
   };
 }

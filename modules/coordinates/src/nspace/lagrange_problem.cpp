@@ -49,7 +49,7 @@ void forEachSubset(Eigen::Index count, Eigen::Index size,
 }
 
 template <int Dim>
-LagrangeProblem<Dim>::LagrangeProblem(const SightIn<Dim>& sight, Values target)
+LagrangeProblem<Dim>::LagrangeProblem(const HandleDirectionsOf<Dim>& sight, Values target)
     : units_(sight.units), target_(std::move(target)), outer_(units_.transpose() * units_),
       pull_(units_.transpose() * target_) {}
 

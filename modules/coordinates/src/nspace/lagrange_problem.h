@@ -23,7 +23,7 @@ void forEachSubset(Eigen::Index count, Eigen::Index size,
 template <int Dim>
 class LagrangeProblem {
 public:
-  LagrangeProblem(const SightIn<Dim>& sight, Values target);
+  LagrangeProblem(const HandleDirectionsOf<Dim>& sight, Values target);
 
   /// The largest number of the target, for tolerances.
   double scale() const { return target_.maxCoeff(); }

@@ -57,7 +57,8 @@ void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Val
 template <int Dim>
 BalanceIn<Dim> wire(const ParameterValues& parameters) {
   return [points = chosen<PointSet>(parameters, kPoints),
-          connection = chosen<Connection>(parameters, kConnection)](const SightIn<Dim>& sight, Values& beta) {
+          connection = chosen<Connection>(parameters, kConnection)](const HandleDirectionsOf<Dim>& sight,
+                                                                    Values& beta) {
     const BalancedSpace<Dim> space(sight.units);
     if (!space.valid())
       return false;

@@ -65,7 +65,7 @@ PointWeights balanced(const PointsOf<2>& handles, BalanceIn<2> balance) {
       weights[nearest] = 1;
       return true;
     }
-    const SightIn<2> sight = sightOf<2>(handles, point);
+    const HandleDirectionsOf<2> sight = directionsTo<2>(handles, point);
     return allAround(sight.units) && balance(sight, weights) && weigh(sight.distances, weights);
   };
 }

@@ -82,7 +82,7 @@ void blend(const Points& units, const std::map<Edge, Quad>& quads, Values& beta)
 }
 
 /// `width`: how near to a flip is blended, rad.
-bool balance(const Sight& sight, double width, Values& beta) {
+bool balance(const HandleDirections& sight, double width, Values& beta) {
   const auto facets = geometry::hullFacets(sight.units);
   if (!facets)
     return false;
@@ -107,9 +107,8 @@ DelaunayApproach::DelaunayApproach()
           [](const HandleSet& handles, const ParameterValues& parameters) {
             return std::make_unique<DirectionSolver>(
                 handles.positions,
-                [width = parameters.get(kBlend) * std::numbers::pi / 180](const Sight& sight, Values& beta) {
-                  return balance(sight, width, beta);
-                });
+                [width = parameters.get(kBlend) * std::numbers::pi / 180](
+                    const HandleDirections& sight, Values& beta) { return balance(sight, width, beta); });
           }) {}
 
 } // namespace viscera::coordinates

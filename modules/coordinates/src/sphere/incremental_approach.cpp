@@ -28,7 +28,7 @@ public:
       (outer[static_cast<std::size_t>(i)] ? first_ : inner_).push_back(i);
   }
 
-  bool operator()(const Sight& sight, Values& beta) const {
+  bool operator()(const HandleDirections& sight, Values& beta) const {
     for (Eigen::Index t = 0; t < hull_.rows(); ++t)
       addTriangleShare(sight.units, hull_.row(t), beta);
     std::vector<Eigen::Index> present = first_;

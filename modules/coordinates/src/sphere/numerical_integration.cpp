@@ -71,7 +71,7 @@ struct Integral {
   Triangles faces;
   SphereSamples samples;
 
-  bool operator()(const Sight& sight, Values& beta) const {
+  bool operator()(const HandleDirections& sight, Values& beta) const {
     const Eigen::Index count = samples.areas.size();
     Values total = Values::Zero(count);
     std::vector<SeenFace> seen;

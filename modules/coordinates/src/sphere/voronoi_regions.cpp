@@ -29,7 +29,7 @@ constexpr double kBehind = 1e-9;
 struct Regions {
   Transfer transfer;
 
-  bool operator()(const Sight& sight, Values& beta) const {
+  bool operator()(const HandleDirections& sight, Values& beta) const {
     const Values nearness = sight.distances / sight.distances.maxCoeff();
     Points sites = sight.units;
     if (transfer == Transfer::laguerre)

@@ -20,11 +20,11 @@ struct SolverOptions {
 /// The result of the search: a beat that repeats itself, or the last one that was tried.
 struct PeriodicState {
   bool converged = false;
-  int beats = 0;         ///< That were integrated to find it.
-  double residual = 0;   ///< Largest change of a volume over the last beat, ml.
-  State start{};         ///< At the beginning of the ventricles' contraction.
-  Beat beat;             ///< From there.
-  std::string complaint; ///< Empty when converged; else what happens and what to try, in one sentence.
+  int beats = 0;             ///< That were integrated to find it.
+  double residual = 0;       ///< Largest change of a volume over the last beat, ml.
+  State start{};             ///< At the beginning of the ventricles' contraction.
+  Beat beat;                 ///< From there.
+  std::string failureReason; ///< Empty when converged; else what happens and what to try, in one sentence.
 };
 
 /// A state to begin with: the stressed volume spread over the compartments about as at rest. O(1).

@@ -54,7 +54,7 @@ struct ArrivingOrgan {
 
 /// Told of every organ as soon as its surface is there, long before all of them are: by any thread, never by
 /// two at a time.
-using ArrivalListener = std::function<void(ArrivingOrgan)>;
+using ArrivingOrganListener = std::function<void(ArrivingOrgan)>;
 
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
@@ -65,7 +65,7 @@ bool isHandleFile(const std::filesystem::path& file);
 /// `UsageError` for a session or an ending that nothing is known about). Throws `UsageError` for no file at
 /// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
-                      const ArrivalListener& arrives = {});
+                      const ArrivingOrganListener& arrives = {});
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part
@@ -74,10 +74,10 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
 /// `medical_io::readLabelMap`, `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
-                                     const ArrivalListener& arrives = {});
+                                     const ArrivingOrganListener& arrives = {});
 /// The same without who is whose cavity.
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress, const ArrivalListener& arrives = {});
+                                   Progress& progress, const ArrivingOrganListener& arrives = {});
 
 /// Organs of surfaces that were made from a label map, which was read from `file`. The first has the warnings
 /// of the map as a whole.

@@ -35,7 +35,7 @@ struct GivenCage {
 GivenCage readCage(const std::filesystem::path& file, Progress& progress);
 
 /// Whether handles stand at rest at all vertices of the cage, one at each. O(handles x vertices).
-bool standAt(const Rig& rig, const geometry::TriangleMesh& cage);
+bool handlesAtAllVertices(const Rig& rig, const geometry::TriangleMesh& cage);
 
 /// Sets the cage. Handles that stand at all of its vertices become its corners and keep everything else;
 /// others beside them stay, without influence. Else the cage's vertices become the handles, at rest, in the

@@ -31,11 +31,11 @@ struct SampleSequence {
 const std::vector<SampleSequence>& sampleSequences();
 
 /// Whether an organ is of the kind that a sequence moves.
-enum class Suits { yes, unknown, no };
+enum class SequenceMatch { yes, unknown, no };
 
 /// Judges by its name whether an organ suits a sequence: "liver_2" breathes, "spleen" has no heartbeat, and
 /// of "mesh 1" nothing is known.
-Suits suits(const SampleSequence& sequence, const std::string& organName);
+SequenceMatch matchesOrgan(const SampleSequence& sequence, const std::string& organName);
 
 /// Makes the sample organ of a sequence, its handles and the sequence itself, calibrated on that organ at
 /// that resolution: at any time and rate the heart's left ventricle holds what its curve says within 0.5 ml,

@@ -43,7 +43,7 @@ struct SurfaceMap {
 };
 
 /// A measurement that the user has begun and that is not part of the document yet.
-struct MeasuringNow {
+struct PendingMeasurement {
   std::vector<document::MeasurementId> highlighted; ///< Chosen, or under the mouse.
   /// What its one to three points become, complete or not: no measurement yet. None while there are no
   /// points.
@@ -51,7 +51,7 @@ struct MeasuringNow {
 };
 
 /// A surface that is shown although no document has it, such as an organ that is being imported.
-struct Guest {
+struct TransientSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< Never null.
   Vec3 color = Vec3::Ones();
   double opacity = 1;
@@ -65,8 +65,8 @@ struct Scene {
   const plugin::Registry& systems;
   const live::StressFrame* stress = nullptr; ///< Null: there is no stress map.
   const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
-  const MeasuringNow* measuring = nullptr;
-  const std::vector<Guest>* guests = nullptr;
+  const PendingMeasurement* measuring = nullptr;
+  const std::vector<TransientSurface>* transient = nullptr; ///< Shown beside the organs; null: none.
   /// The parts whose names are written instead of those that `view` asks for; null: as it says.
   const std::vector<Part>* parts = nullptr;
   const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.

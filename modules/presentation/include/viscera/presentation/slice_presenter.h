@@ -31,7 +31,7 @@ struct Bending {
 /// The bending that keeps up with the open document, in the pose that is shown now; none at rest and while it
 /// is being bound. Good until the pose is another one; `bend` has to live as long.
 std::optional<Bending> bendingOf(live::LiveBend& bend);
-struct MeasuringNow;
+struct PendingMeasurement;
 
 /// The direction and the size in pixels of a slice to be drawn.
 struct SlicePane {
@@ -45,9 +45,9 @@ struct SliceScene {
   const document::DocumentState& state;
   const live::PosedOrgans& organs;
   const ViewState& view;
-  const Bending* bending = nullptr;        ///< Used when the view wants the scan bent; null: it cannot be.
-  const MeasuringNow* measuring = nullptr; ///< What somebody is measuring at the moment (presenter.h).
-  int activeHandle = -1;                   ///< The row of the handle under the mouse or in the hand.
+  const Bending* bending = nullptr; ///< Used when the view wants the scan bent; null: it cannot be.
+  const PendingMeasurement* measuring = nullptr; ///< What somebody is measuring at the moment (presenter.h).
+  int activeHandle = -1;                         ///< The row of the handle under the mouse or in the hand.
 };
 
 /// The scan's value and the organ at a place of a slice.

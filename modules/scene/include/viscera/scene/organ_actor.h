@@ -86,7 +86,7 @@ public:
   /// Draws a translucent surface as its far walls and the nearest one over them, in the order of the
   /// renderer's props, and without peeling: a fifth of the time of a frame in software. `OrganView` calls it
   /// while something moves.
-  void setUnpeeled(bool unpeeled);
+  void setDrawnWithoutPeeling(bool unpeeled);
 
   /// Draws the surface with fewer triangles, between one in `part` of its vertices
   /// (`geometry::coarseTriangles`) and no fewer than some hundreds; they follow its points. 1: all of it.

@@ -107,7 +107,7 @@ public:
   /// The frames that follow are drawn as quickly as those of a motion: whoever answers an event says so where
   /// `isSlow`, takes it back after the frame, and renders once more when nothing else happens. Labels are
   /// laid out anew all the same.
-  void setQuick(bool quick);
+  void setFastDrawing(bool quick);
   /// Whether a whole, smooth frame takes long enough to be waited for: a software renderer draws more than
   /// 50,000 vertices. Never before the first frame. O(organs).
   bool isSlow() const;

@@ -75,7 +75,7 @@ private:
   /// As `depth`, at any rate.
   double depth(double age, double ratePerMinute) const;
   /// By which part of its radius a wave of that age makes the pylorus close.
-  double shutBy(double age) const;
+  double pylorusClosureAt(double age) const;
   /// The part of the way from the middle of the body to the pylorus, 0 to 1.
   double progress(double age) const;
   const char* placeOf(double age) const;

@@ -19,17 +19,17 @@ struct FitOptions {
 
 /// The poses of a rig that were fitted to a series.
 struct MotionFit {
-  std::vector<Points> poses;         ///< `n x 3` mm, one a phase.
-  std::vector<Values> freeVolumesMl; ///< Of every surface in every phase before volumes were kept.
-  std::vector<MetVolumes> volumes;   ///< One a phase; empty where they were not kept.
-  std::vector<int> steps;            ///< Of Gauss and Newton, one a phase; 1 for a linear problem.
+  std::vector<Points> poses;           ///< `n x 3` mm, one a phase.
+  std::vector<Values> freeVolumesMl;   ///< Of every surface in every phase before volumes were kept.
+  std::vector<VolumeResidual> volumes; ///< One a phase; empty where they were not kept.
+  std::vector<int> steps;              ///< Of Gauss and Newton, one a phase; 1 for a linear problem.
 };
 
 /// The poses that bring the rig's surfaces, bound in the first phase, to `series` (the same surfaces with the
 /// same vertices in all phases, one after the other): the minimum of
 /// `sum_t |W h_t - x_t|^2 + bending |R (h_t - H)|^2 + smoothing |second differences in time|^2`, which an
 /// eigendecomposition of the last term takes apart into one solve an eigenvector. Then the volumes
-/// (`meetVolumes`) of the closed surfaces. Exact, deterministic. O(phases x m n + phases x n^3).
+/// (`solveVolumes`) of the closed surfaces. Exact, deterministic. O(phases x m n + phases x n^3).
 MotionFit fitSeries(const MotionRig& rig, const std::vector<SurfaceSeries>& series, const PhaseTimes& times,
                     const FitOptions& options, Progress& progress);
 

@@ -11,7 +11,7 @@ namespace viscera::tracking {
 using Metric = std::function<Points(const Points& gradient)>;
 
 /// The remaining errors of the volumes.
-struct MetVolumes {
+struct VolumeResidual {
   Values missingMl; ///< Of every surface: wanted less what it is, after the last step.
   int steps = 0;
   bool met = false; ///< All to 1e-6 ml or 1e-9 of the volume.
@@ -20,6 +20,6 @@ struct MetVolumes {
 /// Moves `pose` (`n x 3` mm) so that every surface of the rig has the volume wanted, ml: Newton's method on
 /// all equalities at once along the metric's directions, in which the fit suffers least. 3 steps reach
 /// 1e-6 ml; at most 12 are done. Deterministic. O(steps x surfaces x m n).
-MetVolumes meetVolumes(const MotionRig& rig, const Values& wantedMl, const Metric& metric, Points& pose);
+VolumeResidual solveVolumes(const MotionRig& rig, const Values& wantedMl, const Metric& metric, Points& pose);
 
 } // namespace viscera::tracking

@@ -17,7 +17,7 @@ class Playback;
 
 /// Shows organs in the view one after another while a worker still reads the others, so that the user sees at
 /// once whether it is the right patient. The document gets them when all are read.
-class Arrival final : public QObject {
+class ArrivingSurfaces final : public QObject {
   Q_OBJECT
 
   struct Box;
@@ -27,16 +27,16 @@ public:
   using Ticket = std::shared_ptr<Box>;
 
   /// All have to live longer.
-  Arrival(Playback& playback, Picture& picture, QObject* parent = nullptr);
-  ~Arrival() override;
+  ArrivingSurfaces(Playback& playback, Picture& picture, QObject* parent = nullptr);
+  ~ArrivingSurfaces() override;
 
   /// Begins to show what arrives by this ticket, and nothing of other tickets any more. `alone`: in place of
   /// what the document holds, which rests meanwhile.
   Ticket begin(bool alone);
   /// What the worker tells. It may do so as long as it likes; what comes after the end is not shown.
-  static document::ArrivalListener listener(const Ticket& ticket);
-  /// Takes the guests away. Nothing happens for an old ticket. Unless the organs themselves follow (`taken`),
-  /// what was there before is seen and plays again.
+  static document::ArrivingOrganListener listener(const Ticket& ticket);
+  /// Takes the surfaces away. Nothing happens for an old ticket. Unless the organs themselves follow
+  /// (`taken`), what was there before is seen and plays again.
   void end(const Ticket& ticket, bool taken);
 
 private:
@@ -53,7 +53,7 @@ private:
   Picture& picture_;
   Ticket ticket_;
   QTimer timer_;
-  std::vector<presentation::Guest> guests_;
+  std::vector<presentation::TransientSurface> transient_;
   bool alone_ = false;
   bool played_ = false; ///< The document's motion, before the first organ arrived.
 };

@@ -1,4 +1,4 @@
-#include "window/import/arrival.h"
+#include "window/import/arriving_surfaces.h"
 
 #include <utility>
 
@@ -12,15 +12,15 @@ namespace {
 constexpr int kInterval = 200;
 } // namespace
 
-Arrival::Arrival(Playback& playback, Picture& picture, QObject* parent)
+ArrivingSurfaces::ArrivingSurfaces(Playback& playback, Picture& picture, QObject* parent)
     : QObject(parent), playback_(playback), picture_(picture) {
   timer_.setInterval(kInterval);
-  connect(&timer_, &QTimer::timeout, this, &Arrival::look);
+  connect(&timer_, &QTimer::timeout, this, &ArrivingSurfaces::look);
 }
 
-Arrival::~Arrival() = default;
+ArrivingSurfaces::~ArrivingSurfaces() = default;
 
-Arrival::Ticket Arrival::begin(bool alone) {
+ArrivingSurfaces::Ticket ArrivingSurfaces::begin(bool alone) {
   end(ticket_, false);
   ticket_ = std::make_shared<Box>();
   alone_ = alone;
@@ -28,7 +28,7 @@ Arrival::Ticket Arrival::begin(bool alone) {
   return ticket_;
 }
 
-document::ArrivalListener Arrival::listener(const Ticket& ticket) {
+document::ArrivingOrganListener ArrivingSurfaces::listener(const Ticket& ticket) {
   if (!ticket)
     return {};
   return [ticket](document::ArrivingOrgan organ) {
@@ -37,7 +37,7 @@ document::ArrivalListener Arrival::listener(const Ticket& ticket) {
   };
 }
 
-void Arrival::look() {
+void ArrivingSurfaces::look() {
   std::vector<document::ArrivingOrgan> arrived;
   {
     const std::lock_guard lock(ticket_->mutex);
@@ -45,19 +45,19 @@ void Arrival::look() {
   }
   if (arrived.empty())
     return;
-  const bool first = guests_.empty();
+  const bool first = transient_.empty();
   for (document::ArrivingOrgan& organ : arrived) {
     const auto known = tissueColor(text(organ.name));
     const Vec3 color = organ.color ? *organ.color : known ? asVec3(*known) : document::OrganLook().color;
-    guests_.push_back({std::move(organ.mesh), color, 1});
+    transient_.push_back({std::move(organ.mesh), color, 1});
   }
   if (first)
     show(arrived.front().whole);
-  picture_.setGuests(guests_, alone_);
+  picture_.setTransientSurfaces(transient_, alone_);
 }
 
 /// What is not seen need not move, and between two arrivals there is no time for a smooth frame.
-void Arrival::show(const Bounds& whole) {
+void ArrivingSurfaces::show(const Bounds& whole) {
   played_ = alone_ && playback_.player().playing();
   if (played_)
     playback_.pause();
@@ -66,18 +66,18 @@ void Arrival::show(const Bounds& whole) {
     picture_.view().lookFrom(scene::StandardView::anterior, whole);
 }
 
-void Arrival::end(const Ticket& ticket, bool taken) {
+void ArrivingSurfaces::end(const Ticket& ticket, bool taken) {
   if (!ticket || ticket != ticket_)
     return;
   ticket_.reset();
   timer_.stop();
-  if (guests_.empty())
+  if (transient_.empty())
     return;
-  guests_.clear();
+  transient_.clear();
   if (std::exchange(played_, false) && !taken)
     playback_.play();
   picture_.view().setMoving(playback_.player().playing());
-  picture_.setGuests({});
+  picture_.setTransientSurfaces({});
 }
 
 } // namespace viscera::app
