@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFontInfo>
 #include <QPixmap>
 #include <QRegularExpression>
 #include <QSurfaceFormat>
@@ -13,6 +14,7 @@
 #include <memory>
 
 #include "available_systems.h"
+#include "viscera/scene/text_font.h"
 #include "window/application.h"
 #include "window/import/import_controller.h"
 #include "window/language.h"
@@ -146,6 +148,7 @@ void setUpApplication(QApplication& application) {
   QApplication::setApplicationVersion(QStringLiteral(VISCERA_VERSION));
   QApplication::installTranslator(new EnglishPlurals(&application));
   QLocale::setDefault(localeOf(QStringLiteral("en")));
+  scene::setTextFont(QFontInfo(QApplication::font()).family().toStdString());
 }
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {

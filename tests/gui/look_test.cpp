@@ -5,6 +5,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFontDatabase>
+#include <QFontInfo>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +24,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "viscera/scene/text_font.h"
 #include "window/application.h"
 #include "window/style/icon.h"
 #include "window/style/theme.h"
@@ -145,6 +148,14 @@ TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   // 1600 x 1000 pixels at 200 % are 800 x 500 logical ones.
   EXPECT_LE(window().minimumSizeHint().width(), 800);
   EXPECT_LE(window().minimumSizeHint().height(), 500);
+}
+
+TEST_F(WindowTest, ViewsWriteInTheFontOfThePanels) {
+  const int font = QFontDatabase::addApplicationFont(QString::fromStdString(scene::textFontFile()));
+  ASSERT_GE(font, 0) << scene::textFontFile();
+  const QString family = QFontInfo(window().font()).family();
+  EXPECT_TRUE(QFontDatabase::applicationFontFamilies(font).contains(family)) << family.toStdString();
+  QFontDatabase::removeApplicationFont(font);
 }
 
 TEST_F(WindowTest, WhatAnEmptyFieldSaysIsNotTakenForItsText) {

@@ -50,7 +50,6 @@ void MovieStage::openStage() {
 void MovieStage::addCaption() {
   vtkTextProperty* style = caption_->GetTextProperty();
   style->SetColor(theme_.text.x(), theme_.text.y(), theme_.text.z());
-  style->SetFontFamilyToArial();
   style->SetFontSize(kCaptionSize);
   style->SetVerticalJustificationToTop();
   style->SetLineSpacing(1.3);

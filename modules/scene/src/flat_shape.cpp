@@ -34,7 +34,6 @@ void FlatShape::addDisc(double x, double y, double radius, int corners, vtkCellA
 
 vtkSmartPointer<vtkTextActor> newText(int size) {
   auto text = vtkSmartPointer<vtkTextActor>::New();
-  text->GetTextProperty()->SetFontFamilyToArial();
   text->GetTextProperty()->SetFontSize(size);
   return text;
 }

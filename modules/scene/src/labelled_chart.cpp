@@ -55,7 +55,6 @@ void LabelledChart::setLook(const Theme& theme, int fontSize, double ratio) {
   theme_ = theme;
   ratio_ = ratio;
   text_->SetFontSize(fontSize);
-  text_->SetFontFamilyToArial();
   text_->SetJustificationToLeft();
   text_->SetVerticalJustificationToCentered();
 }
