@@ -16,6 +16,7 @@
 #include "screen_check.h"
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
 
 namespace viscera::tests {
@@ -189,6 +190,29 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   EXPECT_EQ(name->text(), QStringLiteral("kidney_left"));
   QTest::mouseMove(&view(), QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
+}
+
+TEST_F(ManyOrgans, TheHandlesOfTheOrganUnderTheMouseStandOut) {
+  std::vector<document::NewHandle> handlesBeside;
+  for (const auto& organ : document().organs())
+    handlesBeside.push_back({boundsOf(organ->mesh->points).low - Vec3(2, 2, 2)});
+  ASSERT_TRUE(window().workspace().perform(document::addHandles(std::move(handlesBeside))));
+  key(Qt::Key_3);
+  settle();
+  auto* handles = window().picture().view().handles();
+  ASSERT_GT(handles->GetNumberOfHandles(), 0);
+  const auto inBackground = [handles] {
+    int count = 0;
+    for (int row = 0; row < handles->GetNumberOfHandles(); ++row)
+      count += handles->GetHandleInBackground(row) ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(inBackground(), 0);
+  QTest::mouseMove(&view(), placeOf("kidney_left") + QPoint(3, 3));
+  QTest::mouseMove(&view(), placeOf("kidney_left"));
+  EXPECT_TRUE(waitUntil([&] { return inBackground() == 15; }));
+  QTest::mouseMove(&view(), QPoint(4, 4));
+  EXPECT_TRUE(waitUntil([&] { return inBackground() == 0; }));
 }
 
 /// Ctrl+A chooses the rows of the systems, too, in which there are others that the search hides.

@@ -13,7 +13,7 @@ constexpr int kRestMilliseconds = 120;
 constexpr QPoint kBeside{14, 12};
 } // namespace
 
-OrganPointer::OrganPointer(Workspace& workspace, const Picture& picture, ViewWidget& view, QMenu* menu,
+OrganPointer::OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu* menu,
                            QObject* parent)
     : QObject(parent), workspace_(workspace), picture_(picture), view_(view), menu_(menu),
       name_(new QLabel(&view)) {
@@ -39,14 +39,17 @@ std::shared_ptr<const document::Organ> OrganPointer::organAt(const QPointF& plac
 void OrganPointer::hover(const std::optional<QPointF>& place) {
   name_->hide();
   // One organ's name tells nothing.
-  if (!place || workspace_.document().organs().size() < 2)
+  if (!place || workspace_.document().organs().size() < 2) {
+    picture_.setPointedOrgan({});
     return rested_.stop();
+  }
   place_ = *place;
   rested_.start();
 }
 
 void OrganPointer::showName() {
   const auto organ = organAt(place_);
+  picture_.setPointedOrgan(organ ? organ->id : document::OrganId{});
   if (!organ)
     return;
   name_->setText(inWords(presentation::labelOf(*organ)));

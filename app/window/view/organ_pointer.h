@@ -13,7 +13,8 @@ class QMenu;
 
 namespace viscera::app {
 
-/// Handles the mouse for organs in a view: the name of the organ under the cursor stands beside it, a double
+/// Handles the mouse for organs in a view: the name of the organ under the cursor stands beside it and its
+/// handles stand out, a double
 /// click shows that organ alone and another one all of them, and the right button opens the menu of what can
 /// be done to it. A view that only shows has the names alone.
 class OrganPointer final : public QObject {
@@ -21,7 +22,7 @@ class OrganPointer final : public QObject {
 
 public:
   /// All must live longer. `menu` acts on the current organ; null: names alone, nothing can be done.
-  OrganPointer(Workspace& workspace, const Picture& picture, ViewWidget& view, QMenu* menu,
+  OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu* menu,
                QObject* parent = nullptr);
 
   /// The name that is shown; empty when there is none.
@@ -40,7 +41,7 @@ private:
   void openMenu(const QPointF& place);
 
   Workspace& workspace_;
-  const Picture& picture_;
+  Picture& picture_;
   ViewWidget& view_;
   QMenu* menu_;
   QLabel* name_;

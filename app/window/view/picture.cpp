@@ -106,6 +106,16 @@ void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts
   refresh();
 }
 
+void Picture::setPointedOrgan(document::OrganId organ) {
+  if (pointedOrgan_ == organ)
+    return;
+  pointedOrgan_ = organ;
+  // Where no handle is seen, nothing is another picture.
+  const presentation::ViewState& view = model_.state();
+  if (view.shown.handles || view.handles)
+    refresh();
+}
+
 void Picture::setValves(Valves valves) {
   valves_ = std::move(valves);
   refresh();
@@ -141,10 +151,10 @@ void Picture::refresh() {
       bending = presentation::bendingOf(workspace_.bend());
     std::vector<presentation::TransientSurface> transient = transient_;
     transient.insert(transient.end(), measured_.begin(), measured_.end());
-    presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress,
-                       map_ ? &*map_ : nullptr, &measuring_, &transient,
-                       namedParts_ ? &*namedParts_ : nullptr, bending ? &*bending : nullptr,
-                       valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_});
+    presenter_.update(
+        {shown, workspace_.live(), view, workspace_.registry(), &stress, map_ ? &*map_ : nullptr, &measuring_,
+         &transient, namedParts_ ? &*namedParts_ : nullptr, bending ? &*bending : nullptr,
+         valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_, pointedOrgan_});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

@@ -54,6 +54,8 @@ public:
   void setValves(Valves valves);
   /// Whether it has what a movie of the view leaves out: distances, surfaces of others, bent slices.
   bool hasMoreThanMovies() const;
+  /// The organ under the mouse, whose handles stand out among those of other organs; none: all are alike.
+  void setPointedOrgan(document::OrganId organ);
   /// Names of these parts alone; nothing: as the view's state says.
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
@@ -78,6 +80,7 @@ private:
   std::vector<presentation::TransientSurface> measured_;
   bool transientAlone_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
+  document::OrganId pointedOrgan_;
   std::optional<presentation::SurfaceMap> map_;
   Valves valves_;
   std::optional<scene::ValueRange> stressRange_;

@@ -37,6 +37,14 @@ std::vector<int> selectedRows(const Scene& scene, bool onlyFree) {
   return rows;
 }
 
+/// The organ under the mouse; none where it has left the document, or is the only one.
+document::OrganId pointedOrgan(const Scene& scene) {
+  const document::OrganList& organs = *scene.state.organs;
+  const bool there = std::any_of(organs.begin(), organs.end(),
+                                 [&scene](const auto& organ) { return organ->id == scene.pointedOrgan; });
+  return there && organs.size() > 1 ? scene.pointedOrgan : document::OrganId{};
+}
+
 } // namespace
 
 Points handlePlaces(const document::DocumentState& state, const live::PosedOrgans& organs) {
@@ -68,10 +76,12 @@ void HandlePicture::update(const Scene& scene, const ShownWhere& shownWhere) {
   handles->SetPositions(handlePlaces(scene.state, scene.organs));
   handles->SetColors(handleColors(rig, scene.view.shown.compensating));
   const bool shown = scene.view.shown.handles || scene.view.handles;
+  const document::OrganId pointed = shown ? pointedOrgan(scene) : document::OrganId{};
   for (std::size_t i = 0; i < rig.handles.size(); ++i) {
     const int row = static_cast<int>(i);
     const bool here = !shownWhere || shownWhere(handles->GetPosition(row));
     handles->SetHandleShown(row, shown && here && rig.handles[i].visible);
+    handles->SetHandleInBackground(row, pointed && !owners_.isOf(scene.state, i, pointed));
     handles->SetHandleLocked(row, rig.handles[i].locked || !scene.view.shown.movable);
   }
   handles->SetSelection(selectedRows(scene, false));

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "handle_owners.h"
 #include "viscera/presentation/presenter.h"
 
 namespace viscera::presentation {
@@ -27,6 +28,7 @@ private:
   void updateMirror(const Scene& scene);
 
   scene::OrganView& view_;
+  HandleOwners owners_;
 };
 
 } // namespace viscera::presentation

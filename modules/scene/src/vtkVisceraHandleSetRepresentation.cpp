@@ -120,6 +120,7 @@ struct vtkVisceraHandleSetRepresentation::Parts {
   Colors colors = Colors(0, 3);
   std::vector<char> shown;
   std::vector<char> locked;
+  std::vector<char> background;
   std::vector<int> selection;
   int active = -1;
   std::vector<vtkSmartPointer<vtkActor>> occluders;
@@ -171,7 +172,7 @@ HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& 
   const double pixel = view.worldPerPixel(depth);
   const bool selected = isSelected(i);
   // The far ones are not to hide the organ; those somebody works with are always whole.
-  const double faded = selected || i == active ? 0 : depths.fading(depth);
+  const double faded = selected || i == active ? 0 : background[std::size_t(i)] ? 1 : depths.fading(depth);
   const double ratio = view.pixelRatio, pixels = (1 - kSmaller * faded) * radiusPixels(i, ratio);
   glyph.radius = pixel * pixels;
   glyph.rimRadius = pixel * (pixels + ratio * (selected ? kRimPixels : kOutlinePixels));
@@ -206,6 +207,7 @@ void vtkVisceraHandleSetRepresentation::SetPositions(const Points& positions) {
     const auto count = std::size_t(positions.rows());
     p.shown.assign(count, 1);
     p.locked.assign(count, 0);
+    p.background.assign(count, 0);
     p.selection.clear();
     p.dragged.clear();
     p.dragStart.resize(0, 3);
@@ -265,6 +267,18 @@ void vtkVisceraHandleSetRepresentation::SetHandleLocked(int handle, bool locked)
 
 bool vtkVisceraHandleSetRepresentation::GetHandleLocked(int handle) const {
   return Internals->locked.at(std::size_t(handle)) != 0;
+}
+
+void vtkVisceraHandleSetRepresentation::SetHandleInBackground(int handle, bool background) {
+  char& present = Internals->background.at(std::size_t(handle));
+  if ((present != 0) == background)
+    return;
+  present = background;
+  Modified();
+}
+
+bool vtkVisceraHandleSetRepresentation::GetHandleInBackground(int handle) const {
+  return Internals->background.at(std::size_t(handle)) != 0;
 }
 
 void vtkVisceraHandleSetRepresentation::SetSelection(std::vector<int> selection) {

@@ -74,7 +74,8 @@ struct Scene {
   std::optional<sequences::ValveInstants> valves = std::nullopt;
   /// Of the stress map's colours, that another picture has, too; nothing: its own.
   std::optional<scene::ValueRange> stressRange = std::nullopt;
-  bool stressLegend = true; ///< False: the other picture says it for both.
+  bool stressLegend = true;            ///< False: the other picture says it for both.
+  document::OrganId pointedOrgan = {}; ///< Under the mouse: its handles stand out; none: all are alike.
 };
 
 /// Draws a document in a 3D view: the one place where organs, handles, ghosts, regions, cages, influence and

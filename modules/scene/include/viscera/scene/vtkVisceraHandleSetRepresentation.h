@@ -52,6 +52,10 @@ public:
   bool GetHandleShown(int handle) const;
   void SetHandleLocked(int handle, bool locked);
   bool GetHandleLocked(int handle) const;
+  /// In the background a handle is drawn as small and pale as a far one, unless it is selected or under the
+  /// cursor; it can be picked as before.
+  void SetHandleInBackground(int handle, bool background);
+  bool GetHandleInBackground(int handle) const;
   ///@}
 
   ///@{

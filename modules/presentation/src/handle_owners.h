@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "viscera/document/document.h"
+
+namespace viscera::presentation {
+
+/// Tells which organ each handle lies nearest to at rest, so that a view can bring out the handles of one
+/// organ. Remembers the last answer.
+///
+///     for (std::size_t row = 0; row < rig.handles.size(); ++row)
+///       representation->SetHandleInBackground(row, !owners.isOf(state, row, organ));
+class HandleOwners {
+public:
+  /// Whether the handle of this row belongs to the organ, to a cavity of it, or to the organ that it is a
+  /// cavity of. O(handles x organs) after the rig or the organs have changed, O(1) else.
+  bool isOf(const document::DocumentState& state, std::size_t row, document::OrganId organ);
+
+private:
+  std::shared_ptr<const document::Rig> rig_;
+  std::shared_ptr<const document::OrganList> organs_;
+  std::vector<std::shared_ptr<const document::Organ>>
+      owners_; ///< One a handle; null where there is no organ.
+};
+
+} // namespace viscera::presentation
