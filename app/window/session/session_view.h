@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "viscera/presentation/view_state.h"
@@ -58,9 +60,19 @@ private:
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
   void play(const Wanted& wanted);
+  void prescribe(const presentation::Prescribed& prescribed);
+  void prescribeWaiting();
   void warnAboutChangedMotion(const Points& saved);
 
+  /// A volume that can be judged once the organs are bound, and the sequence that it is for.
+  struct Waiting {
+    motion::PrescribedVolume volume;
+    std::shared_ptr<const sequences::Sequence> sequence;
+  };
+
   Window window_;
+  std::optional<Waiting> waiting_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app
