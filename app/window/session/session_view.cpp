@@ -11,6 +11,7 @@
 #include "viscera/presentation/presenter.h"
 #include "window/compare/comparison.h"
 #include "window/language.h"
+#include "window/lecture/slides.h"
 
 namespace viscera::app {
 namespace {
@@ -54,8 +55,14 @@ void SessionView::forget() {
   });
 }
 
-std::string SessionView::gather() const {
+std::string SessionView::gather(bool shown) const {
   presentation::ViewState state = window_.picture.state();
+  if (const auto& before = window_.slides.lookBefore(); before && !shown) {
+    state.cut = before->cut;
+    state.labels = before->labels;
+    state.partNames = before->partNames;
+    state.organsSeen = before->organs;
+  }
   state.camera = presentation::cameraOf(window_.picture.view());
   if (const auto& stress = window_.picture.presenter().stressValues(); stress.ready())
     state.stress.range = stress.range();

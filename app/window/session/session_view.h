@@ -16,6 +16,7 @@
 namespace viscera::app {
 
 class Comparison;
+class Slides;
 
 /// Saves and restores the view of a session: gathers camera, selection, motions and the second view from the
 /// parts of the window into the view's state, and brings the window to a state that was saved. The theme and
@@ -33,12 +34,14 @@ public:
     ModeController& modes;
     MeasuredMotion& measured;
     Comparison& comparison;
+    const Slides& slides;
   };
 
   explicit SessionView(Window window, QObject* parent = nullptr);
 
-  /// The present view as JSON (docs/session_format.md).
-  std::string gather() const;
+  /// The present view as JSON (docs/session_format.md); `shown` as a slide shows it, else with the look from
+  /// before the slide: a session opens with that.
+  std::string gather(bool shown = false) const;
   /// Brings the window to that view. Motions are made on a worker and shown when they are there. Throws
   /// `DataError` for text that is no such view, with nothing of it done.
   void apply(const std::string& view);
