@@ -571,6 +571,10 @@
         <translation>Un examen a trois axes</translation>
     </message>
     <message>
+        <source>A session cannot be opened beside another</source>
+        <translation>Une session ne peut pas être ouverte à côté d’une autre</translation>
+    </message>
+    <message>
         <source>A session is opened alone</source>
         <translation>Une session s’ouvre seule</translation>
     </message>
@@ -5107,6 +5111,10 @@
     <message>
         <source>open it by itself, and the other files after it</source>
         <translation>ouvrez-la seule, et les autres fichiers ensuite</translation>
+    </message>
+    <message>
+        <source>open it with File &gt; Open</source>
+        <translation>ouvrez-la par Fichier &gt; Ouvrir</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>
