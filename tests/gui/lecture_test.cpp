@@ -299,6 +299,33 @@ TEST_F(Room, ALectureHasLargeTypeAndTheStrongestContrastUntilItEnds) {
   }
 }
 
+TEST_F(Room, TheCardOfALectureCoversNoPartOfAnOrgan) {
+  window().actions()["slides.add"]->trigger();
+  window().slides().rename(0, QStringLiteral("The ventricles eject,\nand the atria fill"));
+  window().slides().show(0);
+  key(Qt::Key_F5);
+  settle();
+  const auto& card = find<QFrame>("lectureCard");
+  const auto& caption = find<QLabel>("lectureCaption");
+  ASSERT_TRUE(card.isVisible());
+  ASSERT_GT(caption.height(), 1.8 * caption.fontMetrics().height()) << "two lines";
+  ASSERT_GE(card.height(), caption.height() + find<QLabel>("lectureNumbers").height());
+  QRect box;
+  for (const auto& organ : document().organs()) {
+    const Points& points = window().workspace().live().points(organ->id);
+    for (Eigen::Index row = 0; row < points.rows(); row += 7)
+      box |= QRect(view().mapTo(&window(), onScreen(points.row(row).transpose())), QSize(1, 1));
+  }
+  ASSERT_GT(box.height(), 0.4 * view().height()) << "the organ fills the view";
+  const QRect there(card.mapTo(&window(), QPoint(0, 0)), card.size());
+  EXPECT_FALSE(box.intersects(there)) << box.bottom() << " and " << there.top();
+  EXPECT_TRUE(window().rect().contains(there));
+  const int height = view().height();
+  key(Qt::Key_Escape);
+  EXPECT_GT(window().height(), height);
+  EXPECT_FALSE(card.isVisible());
+}
+
 TEST_F(Room, SlidesAreMovedAndRemovedInTheList) {
   for (int i = 0; i < 3; ++i)
     window().actions()["slides.add"]->trigger();
