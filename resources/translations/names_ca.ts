@@ -4994,6 +4994,10 @@
         <translation>indiqueu tiradors que compensin</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indiqueu instants de 0 a 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indiqueu instants de 0 a 1, o escriviu «time_s» a sobre per a segons</translation>
     </message>

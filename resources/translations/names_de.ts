@@ -4994,6 +4994,10 @@
         <translation>geben Sie ausgleichende Griffe an</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>nennen Sie Zeitpunkte von 0 bis 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>nennen Sie Zeitpunkte von 0 bis 1, oder schreiben Sie für Sekunden „time_s“ darüber</translation>
     </message>

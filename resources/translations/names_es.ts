@@ -4994,6 +4994,10 @@
         <translation>indique tiradores que compensen</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indique instantes de 0 a 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indique instantes de 0 a 1, o escriba «time_s» encima para segundos</translation>
     </message>

@@ -4994,6 +4994,10 @@
         <translation>indiquez des poignées qui compensent</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indiquez des instants de 0 à 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indiquez des instants de 0 à 1, ou écrivez « time_s » au-dessus pour des secondes</translation>
     </message>
