@@ -126,8 +126,8 @@ void FileActions::open(const QStringList& files, bool check) {
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
       [paths, arrives = ArrivingSurfaces::listener(arriving),
-       sessions = openSession_ ? document::Sessions::alone : document::Sessions::nowhere](
-          Progress& progress) {
+       sessions =
+           openSession_ ? document::Sessions::alone : document::Sessions::nowhere](Progress& progress) {
         Read read;
         read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
         if (read.several)
@@ -143,10 +143,26 @@ void FileActions::open(const QStringList& files, bool check) {
         if (arriving_)
           arriving_->end(arriving, result.value.has_value());
         if (result.error)
-          workspace_.report(*result.error);
+          sayNothingOpened(*result.error, files, check);
         if (result.value)
           takeRead(std::move(*result.value), files, check);
       });
+}
+
+/// What was thrown is of the first file alone: those that are not there are all named.
+void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
+  QStringList lines;
+  for (const QString& file : files)
+    if (!QFileInfo::exists(file))
+      lines.push_back(tr("%1 is not there.").arg(file));
+  if (lines.isEmpty())
+    return workspace_.report(error);
+  if (QFileInfo::exists(QString::fromStdString(error.where())))
+    lines.push_back(sentenceOf(error));
+  workspace_.say({Message::Severity::error,
+                  lines.join(QLatin1Char('\n')),
+                  {{tr("Look for files..."), [this, check] { chooseAndOpen(check); }}},
+                  0});
 }
 
 void FileActions::takeRead(Read read, const QStringList& files, bool check) {
