@@ -179,7 +179,8 @@ void SessionView::play(const Wanted& wanted) {
       prescribe(*playing.prescribed);
     if (playing.shown) {
       playback.seek(playing.fraction);
-      warnAboutChangedMotion(wanted.shownPose);
+      if (!waiting_) // Its handles are still where the sequence alone brings them.
+        warnAboutChangedMotion(wanted.shownPose);
     }
   }
 }
