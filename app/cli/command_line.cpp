@@ -199,16 +199,20 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
   }
 }
 
-/// When no file is there, that is said before a window opens; a word that looks like a mistyped command as
-/// such. Otherwise the window opens what there is, and says what is not.
-void requireFiles(const std::vector<std::string>& files) {
+/// When no file is there, a word that looks like a mistyped command is refused as such, and so is what a
+/// picture of the window should show. Otherwise the terminal names the files, and so does the window, in
+/// which others can be opened.
+void requireFiles(const WindowOptions& window, std::ostream& err) {
   const auto isThere = [](const std::string& file) { return std::filesystem::exists(file); };
-  if (std::any_of(files.begin(), files.end(), isThere))
+  if (std::any_of(window.files.begin(), window.files.end(), isThere))
     return;
-  for (const std::string& file : files) {
-    if (std::filesystem::path(file).has_extension() || file.find('/') != std::string::npos)
-      throw NoInputError("there is no such file", file, "check the path");
-    throw UsageError("It is neither a command nor a file", file, "viscera --help lists the commands");
+  for (const std::string& file : window.files) {
+    if (!std::filesystem::path(file).has_extension() && file.find('/') == std::string::npos)
+      throw UsageError("It is neither a command nor a file", file, "viscera --help lists the commands");
+    const NoInputError missing("there is no such file", file, "check the path");
+    if (!window.screenshot.empty())
+      throw missing;
+    complain(err, 0, missing.what());
   }
 }
 
@@ -285,7 +289,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
     }
     readSize(windowSize, window);
     takeSample(window, sample_organs::standardLibrary());
-    requireFiles(window.files);
+    requireFiles(window, err);
     return openWindow(window);
   });
 }

@@ -340,6 +340,7 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   if (view.playing && view.playing->ratePerMinute > 0)
     played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),
                                       played.sequence->highestRatePerMinute());
+  played.prescribed = prescribedOf(state, view);
   played.document = std::make_unique<BoundDocument>(state, context);
   const std::vector<std::string> names = columnNames(*state.organs);
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
+#include "viscera/motion/motion_runner.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/sequences/sequence.h"
 
@@ -62,6 +63,7 @@ struct PlayedSequence {
   /// stay as they were, as in the window.
   bool ofSession = false;
   double ratePerMinute = 0; ///< That the session plays at; 0: the sequence's standard rate.
+  std::optional<motion::PrescribedVolume> prescribed; ///< By the session.
   /// What was computed when the organ is not the sequence's own.
   std::optional<motion::RetargetedSequence> retargeted;
 

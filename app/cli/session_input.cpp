@@ -18,6 +18,7 @@
 #include "viscera/motion/circulating_heart.h"
 #include "viscera/motion/motion_copy.h"
 #include "viscera/motion/motion_recipe.h"
+#include "viscera/motion/volume_curve.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -84,6 +85,17 @@ std::optional<sequences::ValveInstants> valvesOf(const document::DocumentState& 
 
 } // namespace
 
+std::optional<motion::PrescribedVolume> prescribedOf(const document::DocumentState& state,
+                                                     const presentation::ViewState& view) {
+  if (!view.playing || !view.playing->prescribed || !state.organ(view.playing->prescribed->organ))
+    return std::nullopt;
+  const presentation::Prescribed& prescribed = *view.playing->prescribed;
+  std::vector<sequences::Key> keys;
+  for (const auto& [fraction, milliliters] : prescribed.curve)
+    keys.push_back({fraction, milliliters});
+  return motion::PrescribedVolume{prescribed.organ, motion::volumeCurve(std::move(keys)), prescribed.file};
+}
+
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
@@ -137,6 +149,7 @@ void PosedSession::findStressCycle(const presentation::ViewState& view, CommandC
   runner.setSequence(sequence);
   runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
                                      sequence->highestRatePerMinute()));
+  runner.prescribe(prescribedOf(state(), view));
   if (runner.movable())
     stress_.findCycle(motion::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
   box_.runUntil([&] { return jobs_.idle(); });

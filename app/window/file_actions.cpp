@@ -125,7 +125,9 @@ void FileActions::open(const QStringList& files, bool check) {
   const ArrivingSurfaces::Ticket arriving = arriving_ ? arriving_->begin(replacesPresent()) : nullptr;
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
-      [paths, arrives = ArrivingSurfaces::listener(arriving)](Progress& progress) {
+      [paths, arrives = ArrivingSurfaces::listener(arriving),
+       sessions =
+           openSession_ ? document::Sessions::alone : document::Sessions::nowhere](Progress& progress) {
         Read read;
         read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
         if (read.several)
@@ -134,17 +136,33 @@ void FileActions::open(const QStringList& files, bool check) {
         if (auto scan = document::takeScan(others, progress))
           read.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
         if (!others.empty() || !read.scan)
-          read.draft = document::draftOf(document::openFiles(others, progress, arrives), progress);
+          read.draft = document::draftOf(document::openFiles(others, progress, arrives, sessions), progress);
         return read;
       },
       [this, files, check, arriving](JobResult<Read> result) {
         if (arriving_)
           arriving_->end(arriving, result.value.has_value());
         if (result.error)
-          workspace_.report(*result.error);
+          sayNothingOpened(*result.error, files, check);
         if (result.value)
           takeRead(std::move(*result.value), files, check);
       });
+}
+
+/// What was thrown is of the first file alone: those that are not there are all named.
+void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
+  QStringList lines;
+  for (const QString& file : files)
+    if (!QFileInfo::exists(file))
+      lines.push_back(tr("%1 is not there.").arg(file));
+  if (lines.isEmpty())
+    return workspace_.report(error);
+  if (QFileInfo::exists(QString::fromStdString(error.where())))
+    lines.push_back(sentenceOf(error));
+  workspace_.say({Message::Severity::error,
+                  lines.join(QLatin1Char('\n')),
+                  {{tr("Look for files..."), [this, check] { chooseAndOpen(check); }}},
+                  0});
 }
 
 void FileActions::takeRead(Read read, const QStringList& files, bool check) {
@@ -154,10 +172,13 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
   QStringList failures;
   for (const Error& failure : read.draft.files.failures)
     failures.push_back(sentenceOf(failure));
+  QStringList opened = files; // What was opened may be opened again: it becomes the recent files.
+  for (const std::filesystem::path& file : read.draft.files.leftOut)
+    opened.removeAll(QString::fromStdString(file.string()));
   if (read.scan)
-    takeScan(*read.scan, files, !others);
+    takeScan(*read.scan, opened, !others);
   if (others || !read.scan)
-    reviewOrImport(std::move(read.draft), files, check);
+    reviewOrImport(std::move(read.draft), opened, check);
   if (!failures.isEmpty()) // Last: a message takes the place of the one before it.
     workspace_.say({Message::Severity::error, failures.join(QLatin1Char('\n')), {}, 0});
 }

@@ -84,6 +84,7 @@ private:
   };
 
   QString folder() const;
+  void sayNothingOpened(const Error& error, const QStringList& files, bool check);
   void takeRead(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);

@@ -133,7 +133,7 @@ void MainWindow::makeThemeActions() {
 
 void MainWindow::makeSession() {
   sessionView_ = std::make_unique<SessionView>(SessionView::Window{
-      workspace_, playback_, view_, *picture_, *modes_, play_->measured(), play_->comparison()});
+      workspace_, playback_, view_, *picture_, *modes_, play_->measured(), play_->comparison(), *slides_});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);

@@ -571,6 +571,10 @@
         <translation>Una exploració té tres eixos</translation>
     </message>
     <message>
+        <source>A session cannot be opened beside another</source>
+        <translation>Una sessió no es pot obrir al costat d’una altra</translation>
+    </message>
+    <message>
         <source>A session is opened alone</source>
         <translation>Una sessió s’obre sola</translation>
     </message>
@@ -4990,6 +4994,10 @@
         <translation>indiqueu tiradors que compensin</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indiqueu instants de 0 a 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indiqueu instants de 0 a 1, o escriviu «time_s» a sobre per a segons</translation>
     </message>
@@ -5107,6 +5115,10 @@
     <message>
         <source>open it by itself, and the other files after it</source>
         <translation>obriu-la sola, i els altres fitxers després</translation>
+    </message>
+    <message>
+        <source>open it with File &gt; Open</source>
+        <translation>obriu-la amb Fitxer &gt; Obre</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

@@ -571,6 +571,10 @@
         <translation>Ein Scan hat drei Achsen</translation>
     </message>
     <message>
+        <source>A session cannot be opened beside another</source>
+        <translation>Eine Sitzung kann nicht neben einer anderen geöffnet werden</translation>
+    </message>
+    <message>
         <source>A session is opened alone</source>
         <translation>Eine Sitzung wird allein geöffnet</translation>
     </message>
@@ -4990,6 +4994,10 @@
         <translation>geben Sie ausgleichende Griffe an</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>nennen Sie Zeitpunkte von 0 bis 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>nennen Sie Zeitpunkte von 0 bis 1, oder schreiben Sie für Sekunden „time_s“ darüber</translation>
     </message>
@@ -5107,6 +5115,10 @@
     <message>
         <source>open it by itself, and the other files after it</source>
         <translation>öffnen Sie sie allein und die anderen Dateien danach</translation>
+    </message>
+    <message>
+        <source>open it with File &gt; Open</source>
+        <translation>öffnen Sie sie mit Datei &gt; Öffnen</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

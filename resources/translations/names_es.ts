@@ -571,6 +571,10 @@
         <translation>Un estudio tiene tres ejes</translation>
     </message>
     <message>
+        <source>A session cannot be opened beside another</source>
+        <translation>Una sesión no se puede abrir junto a otra</translation>
+    </message>
+    <message>
         <source>A session is opened alone</source>
         <translation>Una sesión se abre sola</translation>
     </message>
@@ -4990,6 +4994,10 @@
         <translation>indique tiradores que compensen</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indique instantes de 0 a 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indique instantes de 0 a 1, o escriba «time_s» encima para segundos</translation>
     </message>
@@ -5107,6 +5115,10 @@
     <message>
         <source>open it by itself, and the other files after it</source>
         <translation>ábrala sola, y los demás archivos después</translation>
+    </message>
+    <message>
+        <source>open it with File &gt; Open</source>
+        <translation>ábrala con Archivo &gt; Abrir</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

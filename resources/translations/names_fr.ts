@@ -571,6 +571,10 @@
         <translation>Un examen a trois axes</translation>
     </message>
     <message>
+        <source>A session cannot be opened beside another</source>
+        <translation>Une session ne peut pas être ouverte à côté d’une autre</translation>
+    </message>
+    <message>
         <source>A session is opened alone</source>
         <translation>Une session s’ouvre seule</translation>
     </message>
@@ -4990,6 +4994,10 @@
         <translation>indiquez des poignées qui compensent</translation>
     </message>
     <message>
+        <source>name instants from 0 to 1</source>
+        <translation>indiquez des instants de 0 à 1</translation>
+    </message>
+    <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
         <translation>indiquez des instants de 0 à 1, ou écrivez « time_s » au-dessus pour des secondes</translation>
     </message>
@@ -5107,6 +5115,10 @@
     <message>
         <source>open it by itself, and the other files after it</source>
         <translation>ouvrez-la seule, et les autres fichiers ensuite</translation>
+    </message>
+    <message>
+        <source>open it with File &gt; Open</source>
+        <translation>ouvrez-la par Fichier &gt; Ouvrir</translation>
     </message>
     <message>
         <source>open the segmentation that was made from it</source>

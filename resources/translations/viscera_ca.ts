@@ -1708,6 +1708,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>%1 written to %2</source>
         <translation>S’ha escrit %1 a %2</translation>
     </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 no hi és.</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Cerca els fitxers...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Findings</name>
@@ -4849,6 +4857,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Discard</source>
         <translation>Descarta</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Cerca els fitxers...</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the missing files</source>
+        <translation>Trieu la carpeta dels fitxers que falten</translation>
     </message>
 </context>
 <context>

@@ -1708,6 +1708,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>%1 written to %2</source>
         <translation>%1 in %2 geschrieben</translation>
     </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Dateien suchen...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Findings</name>
@@ -4849,6 +4857,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Dateien suchen...</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the missing files</source>
+        <translation>Ordner mit den fehlenden Dateien wählen</translation>
     </message>
 </context>
 <context>

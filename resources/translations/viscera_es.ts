@@ -1708,6 +1708,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>%1 written to %2</source>
         <translation>%1 guardado en %2</translation>
     </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 no está.</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Buscar archivos...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Findings</name>
@@ -4849,6 +4857,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Buscar archivos...</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the missing files</source>
+        <translation>Elegir la carpeta de los archivos que faltan</translation>
     </message>
 </context>
 <context>

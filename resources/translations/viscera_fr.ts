@@ -1708,6 +1708,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>%1 written to %2</source>
         <translation>%1 écrit dans %2</translation>
     </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 n’est pas là.</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Chercher les fichiers...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Findings</name>
@@ -4849,6 +4857,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Discard</source>
         <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Chercher les fichiers...</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the missing files</source>
+        <translation>Choisir le dossier des fichiers manquants</translation>
     </message>
 </context>
 <context>

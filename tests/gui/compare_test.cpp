@@ -81,6 +81,13 @@ TEST_F(TwoViews, AViewThatClosesUnderAHeldMouseLeavesNoGestureBehind) {
   EXPECT_EQ(QtWarnings::end(), QStringList());
 }
 
+TEST_F(TwoViews, TheSecondNamesNoSessionsAmongWhatItOpens) {
+  parts().comparison().showFiles({path(QStringLiteral("notes.docx"))});
+  ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("notes.docx")); }));
+  EXPECT_TRUE(message().contains(QStringLiteral(".stl"))) << message().toStdString();
+  EXPECT_FALSE(message().contains(QStringLiteral(".viscera")));
+}
+
 TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
   parts().comparison().showFiles({sphereFile(QStringLiteral("ball.stl"), 40)});
   ASSERT_TRUE(waitUntil([this] {

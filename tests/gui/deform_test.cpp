@@ -2,11 +2,15 @@
 
 #include <QLabel>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "viscera/geometry/volume.h"
+#include "window/language.h"
 
 namespace viscera::tests {
 namespace {
+
+constexpr int kListVolume = 2; ///< The column.
 
 class DeformMode : public WindowTest {
 protected:
@@ -40,6 +44,28 @@ TEST_F(DeformMode, DraggingAHandleMovesTheOrganAndItsVolume) {
   EXPECT_NE(status(), statusBefore);
   // What is drawn is what was computed.
   EXPECT_EQ(&view().view().organs().front()->points(), &points());
+}
+
+TEST_F(DeformMode, NumbersAreOfTheFrameThatIsDrawnDuringADrag) {
+  const QPoint from = onScreen(handleInView(handle_));
+  QTest::mouseMove(&view(), from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QString before;
+  for (int step = 1; step <= 8; ++step) {
+    QTest::mouseMove(&view(), from + QPoint(10 * step, 0));
+    handleEvents();
+    const live::OrganVolume volume = window().workspace().live().volume(organ_);
+    const QString now = app::formatMilliliters(volume.nowMl);
+    EXPECT_TRUE(status().contains(now)) << status().toStdString() << " for " << now.toStdString();
+    const auto tiles = window().findChildren<QLabel*>(QStringLiteral("tileValue"));
+    ASSERT_EQ(tiles.size(), 1);
+    EXPECT_EQ(tiles.front()->text(), now);
+    EXPECT_EQ(find<QTreeWidget>("organList").topLevelItem(0)->text(kListVolume), now);
+    before = now;
+  }
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(80, 0));
+  settle();
+  EXPECT_NE(before, app::formatMilliliters(window().workspace().live().volume(organ_).restMl));
 }
 
 TEST_F(DeformMode, TheHandleStaysUnderTheCursor) {

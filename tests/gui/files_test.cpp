@@ -7,6 +7,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMimeData>
 #include <QStandardPaths>
 #include <QUrl>
@@ -65,6 +66,20 @@ TEST_F(WindowTest, SeveralFilesOpenedTogetherAreAllBoundAndTheFirstIsSelected) {
   window().actions()["handles.place"]->trigger();
   settle();
   expectAllBound();
+}
+
+TEST_F(WindowTest, RecentFilesAreThoseThatHaveOpened) {
+  const QString good = sphereFile(), bad = path(QStringLiteral("empty.stl"));
+  write(bad, {});
+  window().files().open({bad, good});
+  ASSERT_TRUE(waitUntil([this] { return !document().organs().empty() && !message().isEmpty(); }));
+  EXPECT_TRUE(message().contains(QStringLiteral("empty.stl"))) << message().toStdString();
+  QStringList recent;
+  for (const QMenu* menu : window().findChildren<QMenu*>())
+    if (menu->title().contains(QStringLiteral("recent")))
+      for (const QAction* action : menu->actions())
+        recent << action->text();
+  EXPECT_EQ(recent, QStringList{QStringLiteral("ball.stl")});
 }
 
 TEST_F(WindowTest, OpeningIsOneUndoStep) {

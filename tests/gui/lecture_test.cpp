@@ -14,6 +14,7 @@
 
 #include "play_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "window/compare/comparison.h"
 #include "window/lecture/slides.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
@@ -238,12 +239,11 @@ TEST_F(Looks, ASlideOfAnOlderSessionLeavesOrgansAsTheyAre) {
   EXPECT_TRUE(state().cut.on);
 }
 
-TEST_F(Looks, ASessionKeepsThemAndASlideThatIsShown) {
+TEST_F(Looks, ASessionKeepsThemAndTheLookFromBeforeTheSlideThatIsShown) {
   makeSlides();
   window().slides().show(0);
   const auto kept = window().slides().all();
-  const auto seen = state().organsSeen;
-  ASSERT_EQ(seen.size(), 1u);
+  ASSERT_EQ(state().organsSeen.size(), 1u);
   const QString file = path(QStringLiteral("cut.viscera"));
   window().sessions().saveTo(file, false);
   settle();
@@ -252,11 +252,28 @@ TEST_F(Looks, ASessionKeepsThemAndASlideThatIsShown) {
   window().sessions().open(file);
   ASSERT_TRUE(waitUntil([this] { return !window().slides().all().empty(); }));
   EXPECT_EQ(window().slides().all(), kept);
-  EXPECT_EQ(state().organsSeen, seen);
+  EXPECT_TRUE(state().organsSeen.empty());
+  EXPECT_FALSE(state().cut.on || state().partNames);
+  EXPECT_TRUE(waitUntil([this] { return wallSeen(); }));
+  window().slides().show(0);
   EXPECT_FALSE(wallSeen());
-  EXPECT_TRUE(document().organ(wall_)->look.visible);
   window().slides().show(1);
   EXPECT_TRUE(wallSeen());
+}
+
+TEST_F(Looks, ASlideShowsTheSameOrgansInBothViewsAlike) {
+  makeSlides();
+  app::Comparison& comparison = parts().comparison();
+  comparison.showKeptPose();
+  ASSERT_TRUE(waitUntil(
+      [&] { return !comparison.workspace().live().busy() && comparison.workspace().jobs().idle(); }));
+  const auto secondWall = [&] { return comparison.picture().actorOf(wall_); };
+  ASSERT_NE(secondWall(), nullptr);
+  EXPECT_TRUE(secondWall()->visible());
+  window().slides().show(0);
+  EXPECT_FALSE(secondWall()->visible());
+  window().slides().leave();
+  EXPECT_TRUE(secondWall()->visible());
 }
 
 TEST_F(Room, ALectureHasLargeTypeAndTheStrongestContrastUntilItEnds) {
@@ -280,6 +297,33 @@ TEST_F(Room, ALectureHasLargeTypeAndTheStrongestContrastUntilItEnds) {
     EXPECT_EQ(view().view().theme().text, usual.text);
     EXPECT_EQ(view().view().theme().backgroundTop, usual.backgroundTop);
   }
+}
+
+TEST_F(Room, TheCardOfALectureCoversNoPartOfAnOrgan) {
+  window().actions()["slides.add"]->trigger();
+  window().slides().rename(0, QStringLiteral("The ventricles eject,\nand the atria fill"));
+  window().slides().show(0);
+  key(Qt::Key_F5);
+  settle();
+  const auto& card = find<QFrame>("lectureCard");
+  const auto& caption = find<QLabel>("lectureCaption");
+  ASSERT_TRUE(card.isVisible());
+  ASSERT_GT(caption.height(), 1.8 * caption.fontMetrics().height()) << "two lines";
+  ASSERT_GE(card.height(), caption.height() + find<QLabel>("lectureNumbers").height());
+  QRect box;
+  for (const auto& organ : document().organs()) {
+    const Points& points = window().workspace().live().points(organ->id);
+    for (Eigen::Index row = 0; row < points.rows(); row += 7)
+      box |= QRect(view().mapTo(&window(), onScreen(points.row(row).transpose())), QSize(1, 1));
+  }
+  ASSERT_GT(box.height(), 0.4 * view().height()) << "the organ fills the view";
+  const QRect there(card.mapTo(&window(), QPoint(0, 0)), card.size());
+  EXPECT_FALSE(box.intersects(there)) << box.bottom() << " and " << there.top();
+  EXPECT_TRUE(window().rect().contains(there));
+  const int height = view().height();
+  key(Qt::Key_Escape);
+  EXPECT_GT(window().height(), height);
+  EXPECT_FALSE(card.isVisible());
 }
 
 TEST_F(Room, SlidesAreMovedAndRemovedInTheList) {

@@ -13,8 +13,11 @@
 #include "build_paths.h"
 #include "run_process.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/document/session_file.h"
+#include "viscera/presentation/view_state.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/panels/curve_box.h"
+#include "window/session/session_files.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/volume_panel.h"
 
@@ -361,6 +364,52 @@ TEST_F(PlayMode, AVolumeCurveIsFollowedUntilItIsTakenBack) {
   EXPECT_EQ(volumeOf("LV"), own);
   box->load(path(QStringLiteral("none.csv")));
   EXPECT_TRUE(message().contains(QStringLiteral("none.csv"))) << message().toStdString();
+}
+
+TEST_F(PlayMode, ASessionKeepsThePrescribedVolume) {
+  QFile file(path(QStringLiteral("lv.csv")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("fraction,ml\n0,130\n0.5,75\n");
+  file.close();
+  auto& organ = find<QComboBox>("curveOrgan");
+  organ.setCurrentIndex(organ.findText(QStringLiteral("LV cavity")));
+  window().findChild<app::CurveBox*>()->load(file.fileName());
+  window().playback().seek(0.5);
+  ASSERT_NEAR(volumeOf("LV"), 75, 1e-6) << message().toStdString();
+  bool done = false;
+  window().sessions().saveTo(path(QStringLiteral("lv.viscera")), false, [&] { done = true; });
+  ASSERT_TRUE(waitUntil([&] { return done; }));
+  QFile::remove(file.fileName());
+  reopenWindow();
+  open(path(QStringLiteral("lv.viscera")));
+  ASSERT_TRUE(waitUntil([&] { return window().playback().player().runner().prescribed().has_value(); }))
+      << message().toStdString();
+  settle();
+  EXPECT_NEAR(volumeOf("LV"), 75, 1e-6) << "at the instant that was shown";
+  window().playback().seek(0);
+  EXPECT_NEAR(volumeOf("LV"), 130, 1e-6);
+  const auto labels = window().findChild<app::CurveBox*>()->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().contains(QStringLiteral("lv.csv"));
+  }));
+}
+
+TEST_F(PlayMode, APrescribedVolumeOfASessionThatIsNoneIsTold) {
+  document::SessionContents contents = window().sessions().contents();
+  presentation::ViewState view = presentation::viewFromJson(contents.view);
+  ASSERT_TRUE(view.playing);
+  view.playing->prescribed =
+      presentation::Prescribed{document().organs().front()->id, "odd.csv", {{0.5, -1}}};
+  contents.view = presentation::toJson(view);
+  const QString name = path(QStringLiteral("odd.viscera"));
+  Progress quiet;
+  document::writeSession(name.toStdString(), contents, quiet);
+  reopenWindow();
+  open(name);
+  ASSERT_TRUE(waitUntil([&] { return message().contains(QStringLiteral("not positive")); }))
+      << message().toStdString();
+  EXPECT_FALSE(window().playback().player().runner().prescribed());
+  EXPECT_NE(window().playback().sequence(), nullptr) << "it plays without";
 }
 
 TEST_F(PlayMode, ALockedVolumeStaysWhileTheSequencePlays) {

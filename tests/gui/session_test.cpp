@@ -1,7 +1,11 @@
 #include "window_test.h"
 
+#include <algorithm>
+
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QMenu>
 #include <QMessageBox>
@@ -18,6 +22,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/export_actions.h"
+#include "window/file_actions.h"
 #include "window/lecture/slides.h"
 #include "window/session/session_files.h"
 #include "window/widgets/new_file.h"
@@ -30,6 +35,12 @@ using Answer = app::SessionFiles::Answer;
 class SessionTest : public WindowTest {
 protected:
   app::SessionFiles& sessions() { return window().sessions(); }
+  /// Whether the message has such a button.
+  bool offered(const QString& what) {
+    const auto buttons = window().viewArea().messages()->findChildren<QAbstractButton*>();
+    return std::any_of(buttons.begin(), buttons.end(),
+                       [&](const QAbstractButton* button) { return button->text() == what; });
+  }
   document::UndoStack& undo() { return window().workspace().undo(); }
 
   void save(const QString& file, bool embed = false) {
@@ -167,6 +178,29 @@ TEST_F(SessionTest, ADamagedSessionSaysOneThingAndLeavesTheDocument) {
   open(file.fileName());
   EXPECT_TRUE(message().contains(QStringLiteral("bad.viscera"))) << message().toStdString();
   EXPECT_TRUE(document().state() == state);
+}
+
+TEST_F(SessionTest, WhereAllFilesAreMissingTheyAreNamedAndLookedForInAFolder) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  ASSERT_TRUE(QDir().mkpath(path(QStringLiteral("away/deeper"))));
+  ASSERT_TRUE(QFile::rename(path(QStringLiteral("ball.stl")), path(QStringLiteral("away/deeper/ball.stl"))));
+  reopenWindow();
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_TRUE(message().contains(path(QStringLiteral("ball.stl")))) << message().toStdString();
+  EXPECT_TRUE(offered(QStringLiteral("Look for files...")));
+  sessions().open(path(QStringLiteral("work.viscera")), path(QStringLiteral("away/deeper")));
+  ASSERT_TRUE(waitUntil([this] { return document().organs().size() == 1; })) << message().toStdString();
+  EXPECT_EQ(document().organs().front()->name, "ball");
+}
+
+TEST_F(SessionTest, FilesThatAreNotThereAreAllNamed) {
+  const QString first = path(QStringLiteral("gone.stl")), second = path(QStringLiteral("lost.vtp"));
+  window().files().open({first, second});
+  ASSERT_TRUE(waitUntil([&] { return message().contains(first); })) << message().toStdString();
+  EXPECT_TRUE(message().contains(second)) << message().toStdString();
+  EXPECT_TRUE(offered(QStringLiteral("Look for files...")));
 }
 
 TEST_F(SessionTest, AVanishedOrganIsNamedAndTheRestOpens) {

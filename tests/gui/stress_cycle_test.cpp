@@ -10,6 +10,7 @@
 #include "sway.h"
 #include "viscera/document/organ_commands.h"
 #include "window/stress/stress_chart.h"
+#include "window/timeline/chart_cursor.h"
 
 namespace viscera::tests {
 namespace {
@@ -53,6 +54,36 @@ TEST_F(StressOverACycle, IsDrawnWholeBeforeAFrameWasPlayed) {
   EXPECT_FALSE(model().peakShown()) << "the map of the instant stays";
   EXPECT_TRUE(window().actions()["stress.exportCurve"]->isEnabled());
   expectTheCurveIsWhatIsShown();
+}
+
+TEST_F(StressOverACycle, HasACursorAtTheInstantInEveryFrame) {
+  give(swing(30));
+  enter();
+  window().playback().seek(0.25);
+  ASSERT_TRUE(drawn(nullptr));
+  auto* cursor = chart().findChild<app::ChartCursor*>();
+  ASSERT_NE(cursor, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return !cursor->marks().lines.empty(); }));
+  settle(); // The chart has its place.
+  const auto at = [&](double fraction) {
+    window().playback().seek(fraction);
+    handleEvents();
+    return cursor->marks().lines.empty() ? -1 : cursor->marks().lines.front().x;
+  };
+  const double left = at(0), right = at(0.8);
+  ASSERT_GT(right, left + 0.2);
+  window().playback().toStart();
+  window().playback().play();
+  for (int frame = 0; frame < 8; ++frame) {
+    now_ += 0.03;
+    window().playback().advance();
+    handleEvents();
+    const double fraction = window().playback().player().fraction();
+    ASSERT_EQ(cursor->marks().lines.size(), 1u);
+    EXPECT_NEAR(cursor->marks().lines.front().x, left + (right - left) * fraction / 0.8, 1e-3);
+  }
+  window().playback().stop();
+  EXPECT_TRUE(waitUntil([&] { return cursor->marks().lines.empty(); })) << "the own pose is at no instant";
 }
 
 TEST_F(StressOverACycle, IsOfTheRateAndTheSequenceThatAreThere) {

@@ -293,6 +293,25 @@ TEST_F(StressMarksInTheWindow, AProbeFollowsTheTissueAndIsAStepToUndo) {
   EXPECT_TRUE(drawn().stressMarks().items().empty());
 }
 
+TEST_F(StressMarksInTheWindow, NumbersAreOfTheFrameThatIsDrawn) {
+  enter();
+  pin({0, 10, 15});
+  const int point = model().probe();
+  Points pose = document().pose();
+  QString before = label("stressMax");
+  for (int frame = 0; frame < 8; ++frame) {
+    pose(0, 0) += 3;
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    handleEvents();
+    const QString now = model().format(model().shown().summary().max);
+    EXPECT_NE(now, before);
+    EXPECT_EQ(label("stressMax"), now);
+    EXPECT_EQ(label("probe_rotational-stress"), read(point));
+    EXPECT_EQ(cell(0, 2), read(point));
+    before = now;
+  }
+}
+
 TEST_F(StressMarksInTheWindow, StayWithOtherWitnessPointsAndGoWithTheMode) {
   enter();
   pin({0, 10, 15});

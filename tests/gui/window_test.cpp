@@ -74,6 +74,12 @@ void WindowTest::settle() {
   waitUntil([this] { return view().atRest() || !view().isVisible(); });
 }
 
+void WindowTest::handleEvents() {
+  constexpr int kPasses = 5; // What is due without delay comes after all else.
+  for (int pass = 0; pass < kPasses; ++pass)
+    QCoreApplication::processEvents();
+}
+
 void WindowTest::chooseSequence(const char* id) {
   auto& list = find<QListWidget>("sequenceList");
   for (int row = 0; row < list.count(); ++row)

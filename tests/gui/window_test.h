@@ -50,6 +50,8 @@ protected:
   bool waitUntil(const std::function<bool()>& done);
   /// Until nothing is loaded, bound or waiting to be drawn.
   void settle();
+  /// Handles what is due now, as a frame does.
+  void handleEvents();
 
   /// The widget of that name; without one the test ends with an exception that names it.
   template <class Widget>

@@ -184,6 +184,7 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.source.sequence = sequenceOf(opened.contents.state, view, context);
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
+  material.source.prescribed = prescribedOf(opened.contents.state, view);
   material.source.camera = view.camera;
   material.source.slides = view.slides;
   return material;

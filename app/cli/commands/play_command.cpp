@@ -338,6 +338,7 @@ private:
     motion::MotionRunner runner(played.document->state(), played.document->organs(), threads);
     runner.setSequence(played.sequence);
     runner.setRatePerMinute(rate);
+    runner.prescribe(played.prescribed);
     if (volumeCurve_.empty())
       return runner;
     const std::size_t equal = volumeCurve_.find('=');

@@ -56,6 +56,7 @@ public:
     source.sequence = sequenceOf(posed.state(), material.view, context);
     if (material.view.playing)
       source.ratePerMinute = material.view.playing->ratePerMinute;
+    source.prescribed = prescribedOf(posed.state(), material.view);
     live::StressCopy stress;
     if (material.view.shown.stress || stress_) {
       if (const std::string missing = posed.makeStress(material.view, context); !missing.empty())

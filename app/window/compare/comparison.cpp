@@ -190,6 +190,7 @@ void Comparison::showOtherCoordinates() {
   if (second_->system)
     return;
   same_ = true;
+  second_->picture->setOfSameOrgans(true);
   second_->system =
       std::make_unique<ComparedSystem>(first_.workspace, second_->workspace, first_.area.messages());
   second_->differences =
@@ -250,6 +251,7 @@ void Comparison::showSameOrgan() {
   begin();
   dropSystem();
   same_ = true;
+  second_->picture->setOfSameOrgans(true);
   what_ = presentation::Compared::What::rate;
   mirror();
   const motion::Player& first = first_.playback.player();
@@ -273,6 +275,7 @@ void Comparison::showPose(const Points& pose) {
   dropSystem();
   same_ = false;
   what_ = presentation::Compared::What::pose;
+  second_->picture->setOfSameOrgans(true);
   document::DocumentState state = first_.workspace.state();
   if (pose.rows() == state.pose->rows())
     state.pose = std::make_shared<const Points>(pose);
@@ -293,6 +296,7 @@ void Comparison::showSample(const QString& name) {
   dropSystem();
   same_ = false;
   what_ = presentation::Compared::What::sample;
+  second_->picture->setOfSameOrgans(false);
   sample_ = name;
   wantedRate_ = 0;
   second_->samples.load(name, false);
@@ -302,6 +306,7 @@ void Comparison::showFiles(const QStringList& files) {
   begin();
   dropSystem();
   what_.reset();
+  second_->picture->setOfSameOrgans(false);
   if (same_) { // These organs go; they are not compared with what is opened.
     same_ = false;
     second_->playback.forgetAll();

@@ -1,9 +1,12 @@
 #include "window/lecture/lecture_screen.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QFrame>
 #include <QLabel>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
@@ -15,39 +18,18 @@ namespace {
 constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
 constexpr std::size_t kMostVolumes = 5; ///< A heart and its chambers.
-/// Logical pixels beside and below the card, where the view has its orientation cube and its scale bar.
-constexpr int kCorner = static_cast<int>(scene::kLectureTypeScale * 104);
-constexpr int kScaleBar = static_cast<int>(scene::kLectureTypeScale * 36);
+/// However long a caption is, the view has so much of the screen.
+constexpr double kLeastView = 0.5;
 
 } // namespace
 
 LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* parent)
-    : QObject(parent), parts_(parts), card_(new QFrame(&parts.area)), caption_(new QLabel(card_)),
-      numbers_(new QLabel(card_)), dark_(new QWidget(&parts.area)) {
-  card_->setObjectName(QStringLiteral("lectureCard"));
-  card_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* column = makeLayout<QVBoxLayout>(card_, 2, {24, 12, 24, 12});
-  for (QLabel* label : {caption_, numbers_}) {
-    label->setAlignment(Qt::AlignCenter);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    column->addWidget(label);
-  }
-  caption_->setObjectName(QStringLiteral("lectureCaption"));
-  numbers_->setObjectName(QStringLiteral("lectureNumbers"));
-  embolden(caption_, kCaptionFactor);
-  embolden(numbers_, kNumbersFactor);
-  auto* room = new QWidget(&parts_.area);
-  room->setAttribute(Qt::WA_TransparentForMouseEvents);
-  // However wide its margins are, the view and the panels beside it keep their sizes.
-  room->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  makeLayout<QVBoxLayout>(room, 0, {kCorner, 0, kCorner, kScaleBar})->addWidget(card_);
-  parts_.area.addCard(room, Qt::AlignBottom | Qt::AlignHCenter);
-  room->hide();
+    : QObject(parent), parts_(parts), strip_(new QWidget(&parts.area)), card_(new QFrame(strip_)),
+      caption_(new QLabel(card_)), numbers_(new QLabel(card_)), dark_(new QWidget(&parts.area)) {
+  makeCard();
   dark_->setObjectName(QStringLiteral("lectureDark"));
   dark_->setAttribute(Qt::WA_StyledBackground);
   dark_->hide();
-
   shown_ = actions.addToggle(
       "view.lecture",
       {tr("&Lecture"),
@@ -71,10 +53,32 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   connect(shown_, &QAction::toggled, &actions, &Actions::sync);
 }
 
+void LectureScreen::makeCard() {
+  card_->setObjectName(QStringLiteral("lectureCard"));
+  card_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* column = makeLayout<QVBoxLayout>(card_, 2, {24, 12, 24, 12});
+  for (QLabel* label : {caption_, numbers_}) {
+    label->setAlignment(Qt::AlignCenter);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    column->addWidget(label);
+  }
+  caption_->setObjectName(QStringLiteral("lectureCaption"));
+  numbers_->setObjectName(QStringLiteral("lectureNumbers"));
+  embolden(caption_, kCaptionFactor);
+  embolden(numbers_, kNumbersFactor);
+  strip_->setObjectName(QStringLiteral("lectureStrip"));
+  strip_->setAttribute(Qt::WA_StyledBackground);
+  strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  makeLayout<QVBoxLayout>(strip_, 0)->addWidget(card_);
+  strip_->hide();
+  parts_.area.installEventFilter(this);
+}
+
 void LectureScreen::begin() {
   parts_.layout.setBare(true);
   shown_->setChecked(true);
-  card_->parentWidget()->show();
+  strip_->show();
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
   else
@@ -87,7 +91,8 @@ bool LectureScreen::end() {
     return false;
   parts_.layout.setBare(false);
   shown_->setChecked(false);
-  card_->parentWidget()->hide();
+  strip_->hide();
+  parts_.area.reserveBelow(0);
   dark_->hide();
   parts_.slides.leave();
   return true;
@@ -113,11 +118,37 @@ void LectureScreen::sync() {
     return;
   const int slide = parts_.slides.current();
   const auto& slides = parts_.slides.all();
-  caption_->setText(slide < 0 ? QString()
-                              : QString::fromStdString(slides[static_cast<std::size_t>(slide)].caption));
+  const QString caption =
+      slide < 0 ? QString() : QString::fromStdString(slides[static_cast<std::size_t>(slide)].caption);
+  if (caption != caption_->text())
+    height_ = 0;
+  caption_->setText(caption);
   caption_->setVisible(!caption_->text().isEmpty());
   numbers_->setText(numbers());
   numbers_->setVisible(!numbers_->text().isEmpty());
+  placeCard();
+}
+
+bool LectureScreen::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &parts_.area && event->type() == QEvent::Resize && on()) {
+    height_ = 0;
+    placeCard();
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+/// Where numbers need fewer lines than those before, the strip stays: the view would tremble with them.
+void LectureScreen::placeCard() {
+  const QSize area = parts_.area.size();
+  card_->setVisible(!caption_->text().isEmpty() || !numbers_->text().isEmpty());
+  card_->layout()->invalidate();
+  card_->updateGeometry(); // The labels' news would get there with the next events.
+  QLayout& column = *strip_->layout();
+  const int needed =
+      column.hasHeightForWidth() ? column.totalHeightForWidth(area.width()) : column.totalSizeHint().height();
+  height_ = std::min(std::max(height_, needed), static_cast<int>((1 - kLeastView) * area.height()));
+  strip_->setGeometry(0, area.height() - height_, area.width(), height_);
+  parts_.area.reserveBelow(height_);
 }
 
 } // namespace viscera::app

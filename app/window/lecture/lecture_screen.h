@@ -13,9 +13,10 @@ class QLabel;
 namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
-/// the phase and the volumes below it in large letters, white on black or black on white. Whoever gives views
-/// their theme gives them that of a lecture while it is `on`. The keys of a presentation remote go through
-/// the slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
+/// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
+/// them a strip of the screen, so that they cover no part of an organ. Whoever gives views their theme gives
+/// them that of a lecture while it is `on`. The keys of a presentation remote go through the slides (Page
+/// Down, Page Up), darken the screen (B) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 
@@ -37,12 +38,19 @@ public:
   /// Back to the window as it was. False when it was not on.
   bool end();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void sync();
+  void makeCard();
+  void placeCard();
   QString numbers() const;
 
   Parts parts_;
   QAction* shown_;
+  QWidget* strip_; ///< Below the view, with the card in it.
+  int height_ = 0; ///< Of the strip: as much as the slide has needed so far.
   QFrame* card_;
   QLabel* caption_;
   QLabel* numbers_;

@@ -42,6 +42,8 @@ public:
   void leave();
   /// After `leave`, they are those of the current slide again.
   void resume();
+  /// What `leave` goes back to; none while no slide has changed it.
+  const std::optional<presentation::SlideLook>& lookBefore() const { return before_; }
   void next() { show(current_ + 1); }
   void previous() { show(current_ - 1); }
 

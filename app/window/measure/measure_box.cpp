@@ -23,7 +23,6 @@ namespace {
 enum MeasurementColumn { kMeasurementName, kMeasurementNow, kMeasurementRest, kMeasurementColumns };
 constexpr int kMeasurementIdRole = Qt::UserRole;
 constexpr int kMeasurementRowsShown = 6;
-constexpr int kValueInterval = 100; ///< ms
 
 document::MeasurementId idOf(const QTreeWidgetItem* item) {
   return {item->data(kMeasurementName, kMeasurementIdRole).toLongLong()};
@@ -56,7 +55,6 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   values_.setSingleShot(true);
-  values_.setInterval(kValueInterval);
   connect(&values_, &QTimer::timeout, this, &MeasureBox::syncValues);
   connect(&tool, &MeasureTool::changed, this, &MeasureBox::syncChosen);
   connect(&tool, &MeasureTool::stateChanged, this, &MeasureBox::syncChosen);

@@ -40,7 +40,7 @@ private:
   QTreeWidget* list_;
   QPushButton* remove_;
   std::vector<QPushButton*> forAll_; ///< Of use while there is any measurement.
-  QTimer values_;                    ///< Figures follow a motion at a rate that can be read.
+  QTimer values_;                    ///< Ends with the frame that is drawn of what has moved.
   document::RegionMemory memory_;
   bool updating_ = false;
   std::vector<Subscription> subscriptions_;

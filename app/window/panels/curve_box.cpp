@@ -53,12 +53,11 @@ void CurveBox::load(const QString& file) {
   const document::OrganId organ{organ_->currentData().toLongLong()};
   std::optional<motion::PrescribedVolume> volume;
   workspace_.guarded([&] {
-    volume = {organ, motion::readVolumeCurve(file.toStdString(), playback_.player().periodSeconds())};
+    volume = {organ, motion::readVolumeCurve(file.toStdString(), playback_.player().periodSeconds()),
+              QFileInfo(file).fileName().toStdString()};
   });
-  if (volume && playback_.prescribe(volume)) {
-    name_ = QFileInfo(file).fileName();
+  if (volume && playback_.prescribe(volume))
     sync();
-  }
 }
 
 void CurveBox::sync() {
@@ -73,7 +72,8 @@ void CurveBox::sync() {
   organ_->setEnabled(!prescribed);
   choose_->setEnabled(playback_.sequence() && organ_->count() > 0);
   remove_->setEnabled(prescribed.has_value());
-  shown_->setText(prescribed ? tr("%1 follows %2; dashed in the chart.").arg(organ_->currentText(), name_)
+  shown_->setText(prescribed ? tr("%1 follows %2; dashed in the chart.")
+                                   .arg(organ_->currentText(), QString::fromStdString(prescribed->file))
                              : QString());
   shown_->setVisible(prescribed.has_value());
 }

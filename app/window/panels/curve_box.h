@@ -12,7 +12,8 @@ class QPushButton;
 namespace viscera::app {
 
 /// The controls that prescribe an organ's volume over the cycle of the present sequence by a file, and remove
-/// it again. That belongs to the view: it is no step of undo, and another sequence begins without it.
+/// it again. That belongs to the view: it is no step of undo, a session keeps it, and another sequence begins
+/// without it.
 class CurveBox final : public QWidget {
   Q_OBJECT
 
@@ -33,7 +34,6 @@ private:
   QPushButton* choose_;
   QPushButton* remove_;
   QLabel* shown_;
-  QString name_; ///< Of the file.
 };
 
 } // namespace viscera::app

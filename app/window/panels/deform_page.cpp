@@ -60,6 +60,10 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   addButton(actions["play.compareSystems"]);
   finish();
   connect(&parts.volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
+  connect(&parts.volumes, &VolumeMonitor::shown, this, [this] {
+    if (isVisible()) // Another page is there while a sequence plays.
+      sync();
+  });
   connect(&view_, &ViewModel::changed, this, &DeformPage::syncHandles);
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     if (!change.interactive)

@@ -47,7 +47,7 @@ void ReportExport::addTo(Actions& actions) {
 }
 
 presentation::ViewState ReportExport::view() const {
-  presentation::ViewState view = presentation::viewFromJson(window_.view.gather());
+  presentation::ViewState view = presentation::viewFromJson(window_.view.gather(true));
   view.shown.rest = false; // Also who edits the handles reports on the pose.
   return view;
 }

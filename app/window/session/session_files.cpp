@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -28,6 +29,10 @@ JobQueue::Post postTo(QObject* receiver) {
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool isMissingFile(const document::SurfaceFinding& surface) {
+  return surface.state == document::SurfaceFinding::State::missing && !surface.source.starts_with("sample:");
 }
 
 QDateTime dateOf(const document::Recovery& recovery) {
@@ -187,18 +192,26 @@ void SessionFiles::begin() {
   });
 }
 
-void SessionFiles::read(const QString& file, std::optional<document::Recovery> recovery) {
+void SessionFiles::read(const QString& file, std::optional<document::Recovery> recovery,
+                        const QString& alsoIn) {
+  std::vector<std::filesystem::path> folders;
+  if (!alsoIn.isEmpty())
+    folders.emplace_back(alsoIn.toStdString());
   workspace_.inBackground<document::OpenedSession>(
       tr("Opening %1").arg(QFileInfo(file).fileName()), "open",
-      [path = file.toStdString(), library = sample_organs::standardLibrary()](Progress& progress) {
-        return document::readSession(path, library, progress);
+      [path = file.toStdString(), folders, library = sample_organs::standardLibrary()](Progress& progress) {
+        return document::readSession(path, library, progress, folders);
       },
       [this, file, recovery,
        asked = Kept{workspace_.state(), view_.slides()}](const document::OpenedSession& session) {
         const auto takeIt = [this, file, recovery, session] {
-          if (!recovery)
-            return take(session, QFileInfo(file).absoluteFilePath());
+          const QString whole = QFileInfo(file).absoluteFilePath();
+          if (!recovery) {
+            take(session, whole);
+            return sayWarnings(session, whole);
+          }
           take(session, QString::fromStdString(session.contents.recovers.string()));
+          sayWarnings(session, {});
           workspace_.undo().markUnsaved();
           if (autosave_)
             autosave_->adopt(*recovery);
@@ -221,7 +234,6 @@ void SessionFiles::take(const document::OpenedSession& session, const QString& f
   Q_EMIT opened();
   workspace_.guarded([&] { view_.apply(session.contents.view); });
   takeSlides();
-  sayWarnings(session.warnings);
 }
 
 /// The document of a session in place of the one before; nothing of that one is left.
@@ -253,15 +265,33 @@ void SessionFiles::onView() {
   onUndo();
 }
 
-void SessionFiles::sayWarnings(const std::vector<std::string>& warnings) {
+void SessionFiles::sayWarnings(const document::OpenedSession& session, const QString& file) {
+  const std::vector<std::string>& warnings = session.warnings;
   if (warnings.empty())
     return;
+  const bool missing = !file.isEmpty() && std::any_of(session.surfaces.begin(), session.surfaces.end(),
+                                                      [](const document::SurfaceFinding& surface) {
+                                                        return isMissingFile(surface);
+                                                      });
+  // Where nothing has opened, there is nothing else to see.
+  const bool all = missing && session.contents.state.organs->empty();
+  const std::size_t shown = all ? warnings.size() : std::min(warnings.size(), kShownSessionWarnings);
   QStringList lines;
-  for (std::size_t i = 0; i < std::min(warnings.size(), kShownSessionWarnings); ++i)
+  for (std::size_t i = 0; i < shown; ++i)
     lines.push_back(asSentence(warnings[i]));
-  if (warnings.size() > kShownSessionWarnings)
-    lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - kShownSessionWarnings)));
-  workspace_.say({Message::Severity::warning, lines.join(QLatin1Char('\n')), {}, 0});
+  if (warnings.size() > shown)
+    lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - shown)));
+  Message message{Message::Severity::warning, lines.join(QLatin1Char('\n')), {}, 0};
+  if (missing)
+    message.offers.push_back({tr("Look for files..."), [this, file] { lookForFiles(file); }});
+  workspace_.say(message);
+}
+
+void SessionFiles::lookForFiles(const QString& file) {
+  const QString folder = QFileDialog::getExistingDirectory(
+      window_, tr("Choose the folder with the missing files"), QFileInfo(file).absolutePath());
+  if (!folder.isEmpty())
+    open(file, folder);
 }
 
 void SessionFiles::startAutosave(const std::filesystem::path& folder, double delaySeconds) {

@@ -50,8 +50,9 @@ public:
   void chooseAndSave(std::function<void()> then = {});
   void saveTo(const QString& file, bool embed, std::function<void()> then = {});
   /// Opens a session in place of what there is; asks first when that is not saved.
-  void open(const QString& file) {
-    whenSaved([this, file] { read(file, std::nullopt); });
+  /// Organs' files are looked for in the folder `alsoIn`, too.
+  void open(const QString& file, const QString& alsoIn = {}) {
+    whenSaved([this, file, alsoIn] { read(file, std::nullopt, alsoIn); });
   }
   /// An empty document; asks first.
   void begin();
@@ -85,7 +86,7 @@ public Q_SLOTS:
   void sampleLoaded(const QString& name, bool untouched, bool first);
 
 private:
-  void read(const QString& file, std::optional<document::Recovery> recovery);
+  void read(const QString& file, std::optional<document::Recovery> recovery, const QString& alsoIn = {});
   void take(const document::OpenedSession& session, const QString& file);
   void takeContents(const document::SessionContents& contents, const QString& file);
   /// What a session file keeps, and undo or the user can change.
@@ -98,7 +99,9 @@ private:
   void wrote(const QString& file, std::optional<bool> embed, const Kept& kept);
   void takeSlides();
   void onView();
-  void sayWarnings(const std::vector<std::string>& warnings);
+  /// Offers to look for files that are missing where `file` can be opened again.
+  void sayWarnings(const document::OpenedSession& session, const QString& file);
+  void lookForFiles(const QString& file);
   void onUndo();
   /// Says in the window's title which session it is and whether it is saved.
   void syncTitle();

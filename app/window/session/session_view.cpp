@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/motion/motion_recipe.h"
+#include "viscera/motion/volume_curve.h"
 #include "viscera/presentation/presenter.h"
 #include "window/compare/comparison.h"
 #include "window/language.h"
+#include "window/lecture/slides.h"
 
 namespace viscera::app {
 namespace {
@@ -34,9 +36,14 @@ struct SessionView::Wanted {
 
 SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {
   connect(&window_.view, &ViewModel::changed, this, &SessionView::changed);
+  subscription_ = window_.workspace.live().onEvent([this](const live::LiveEvent&) {
+    if (waiting_ && !window_.workspace.live().busy())
+      QMetaObject::invokeMethod(this, &SessionView::prescribeWaiting, Qt::QueuedConnection);
+  });
 }
 
 void SessionView::forget() {
+  waiting_.reset();
   window_.view.change([](presentation::ViewState& state) {
     state.slides.clear();
     state.person = {};
@@ -48,8 +55,14 @@ void SessionView::forget() {
   });
 }
 
-std::string SessionView::gather() const {
+std::string SessionView::gather(bool shown) const {
   presentation::ViewState state = window_.picture.state();
+  if (const auto& before = window_.slides.lookBefore(); before && !shown) {
+    state.cut = before->cut;
+    state.labels = before->labels;
+    state.partNames = before->partNames;
+    state.organsSeen = before->organs;
+  }
   state.camera = presentation::cameraOf(window_.picture.view());
   if (const auto& stress = window_.picture.presenter().stressValues(); stress.ready())
     state.stress.range = stress.range();
@@ -86,10 +99,18 @@ void SessionView::gatherMotions(presentation::ViewState& state) const {
   if (window_.playback.sequence())
     state.playing = presentation::Playing{present,        player.fraction(), player.ratePerMinute(),
                                           player.speed(), player.loop(),     window_.playback.showing()};
+  const auto& prescribed = player.runner().prescribed();
+  if (!state.playing || !prescribed)
+    return;
+  presentation::Prescribed kept{prescribed->organ, prescribed->file, {}};
+  for (const sequences::Key& key : prescribed->milliliters.keys())
+    kept.curve.push_back({key.at, key.value});
+  state.playing->prescribed = std::move(kept);
 }
 
 void SessionView::apply(const std::string& text) {
   presentation::ViewState state = presentation::viewFromJson(text);
+  waiting_.reset();
   Wanted wanted;
   for (presentation::MotionChoice& motion : state.motions)
     wanted.motions.push_back(
@@ -154,11 +175,35 @@ void SessionView::play(const Wanted& wanted) {
                                 playback.sequence()->highestRatePerMinute()));
     playback.setSpeed(playing.speed);
     playback.setLooping(playing.loop);
+    if (playing.prescribed)
+      prescribe(*playing.prescribed);
     if (playing.shown) {
       playback.seek(playing.fraction);
-      warnAboutChangedMotion(wanted.shownPose);
+      if (!waiting_) // Its handles are still where the sequence alone brings them.
+        warnAboutChangedMotion(wanted.shownPose);
     }
   }
+}
+
+/// What is no curve of volumes, or out of reach, is told; the sequence plays without it.
+void SessionView::prescribe(const presentation::Prescribed& prescribed) {
+  if (!window_.workspace.document().organ(prescribed.organ))
+    return; // Its file is missing, which is told.
+  std::vector<sequences::Key> keys;
+  for (const auto& [fraction, milliliters] : prescribed.curve)
+    keys.push_back({fraction, milliliters});
+  window_.workspace.guarded([&] {
+    waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(std::move(keys)), prescribed.file},
+                       window_.playback.sharedSequence()};
+  });
+  if (!window_.workspace.live().busy())
+    prescribeWaiting();
+}
+
+void SessionView::prescribeWaiting() {
+  const auto waiting = std::exchange(waiting_, std::nullopt);
+  if (waiting && waiting->sequence == window_.playback.sharedSequence())
+    window_.playback.prescribe(waiting->volume);
 }
 
 /// A program that has learnt another motion shows that one; whoever kept the picture is told.

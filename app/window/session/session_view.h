@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "viscera/presentation/view_state.h"
@@ -14,6 +16,7 @@
 namespace viscera::app {
 
 class Comparison;
+class Slides;
 
 /// Saves and restores the view of a session: gathers camera, selection, motions and the second view from the
 /// parts of the window into the view's state, and brings the window to a state that was saved. The theme and
@@ -31,12 +34,14 @@ public:
     ModeController& modes;
     MeasuredMotion& measured;
     Comparison& comparison;
+    const Slides& slides;
   };
 
   explicit SessionView(Window window, QObject* parent = nullptr);
 
-  /// The present view as JSON (docs/session_format.md).
-  std::string gather() const;
+  /// The present view as JSON (docs/session_format.md); `shown` as a slide shows it, else with the look from
+  /// before the slide: a session opens with that.
+  std::string gather(bool shown = false) const;
   /// Brings the window to that view. Motions are made on a worker and shown when they are there. Throws
   /// `DataError` for text that is no such view, with nothing of it done.
   void apply(const std::string& view);
@@ -58,9 +63,19 @@ private:
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
   void play(const Wanted& wanted);
+  void prescribe(const presentation::Prescribed& prescribed);
+  void prescribeWaiting();
   void warnAboutChangedMotion(const Points& saved);
 
+  /// A volume that can be judged once the organs are bound, and the sequence that it is for.
+  struct Waiting {
+    motion::PrescribedVolume volume;
+    std::shared_ptr<const sequences::Sequence> sequence;
+  };
+
   Window window_;
+  std::optional<Waiting> waiting_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

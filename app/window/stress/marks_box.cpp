@@ -62,7 +62,11 @@ MarksBox::MarksBox(Workspace& workspace, StressModel& model, const Actions& acti
   forAll_ = {list_, profile_, remove_, probes, profiles};
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
-  connect(&model, &StressModel::updated, this, &MarksBox::syncValues);
+  connect(&model, &StressModel::numbersChanged, this, &MarksBox::syncValues);
+  connect(&model, &StressModel::updated, this, [this] {
+    syncValues();
+    chart_->refresh();
+  });
   connect(&model, &StressModel::marksChanged, this, &MarksBox::rebuild);
   rebuild();
 }
@@ -129,6 +133,7 @@ void MarksBox::rebuild() {
   for (QWidget* widget : forAll_)
     widget->setVisible(rows > 0);
   syncValues();
+  chart_->refresh();
   const int rowHeight = rows > 0 ? list_->sizeHintForRow(0) : 0;
   list_->setFixedHeight(list_->header()->sizeHint().height() + std::min(rows, kMarkRowsShown) * rowHeight +
                         2 * list_->frameWidth() + 2);
@@ -189,7 +194,6 @@ void MarksBox::syncValues() {
       if (line.id.value == idOf(item))
         fill(item, line);
   }
-  chart_->refresh();
 }
 
 std::vector<document::StressProbeId> MarksBox::chosenProbes() const {

@@ -44,6 +44,7 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
   connect(&model, &StressModel::probeChanged, this, &ProbeCard::sync);
   connect(&model, &StressModel::activeChanged, this, &ProbeCard::sync);
   connect(&model, &StressModel::updated, this, &ProbeCard::sync);
+  connect(&model, &StressModel::numbersChanged, this, &ProbeCard::sync);
   hide();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QStackedLayout>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <numbers>
@@ -12,6 +13,7 @@
 
 #include "window/language.h"
 #include "window/phrase_translator.h"
+#include "window/timeline/chart_cursor.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -24,7 +26,8 @@ const Vec3 kMaxColor(0.88, 0.36, 0.32);
 
 StressChart::StressChart(StressModel& model, QWidget* parent)
     : QWidget(parent), model_(model), chart_(std::make_unique<scene::VolumeChart>()), hint_(new QLabel(this)),
-      widget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout) {
+      widget_(new QVTKOpenGLNativeWidget(this)), cursor_(new ChartCursor(*widget_)),
+      stack_(new QStackedLayout) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   chart_->setDecimalMark(decimalMark());
@@ -46,6 +49,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
                     {tr("95th percentile").toStdString(), kPercentileColor},
                     {tr("mean").toStdString(), kMeanColor}});
   connect(&model, &StressModel::updated, this, &StressChart::refresh);
+  connect(&model, &StressModel::numbersChanged, this, &StressChart::placeCursor);
 }
 
 StressChart::~StressChart() {
@@ -56,32 +60,56 @@ void StressChart::setTheme(const Theme& theme) {
   scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
   colors.panel = {theme.panel.redF(), theme.panel.greenF(), theme.panel.blueF()};
   chart_->setTheme(colors);
+  cursor_->setColor(theme.text);
   refresh();
+  draw();
 }
 
 void StressChart::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+  draw();
+}
+
+/// The cursor is placed when the chart is drawn at its new size.
+void StressChart::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QTimer::singleShot(0, this, &StressChart::draw);
 }
 
 void StressChart::refresh() {
   if (!isVisible())
     return;
-  if (std::exchange(drawn_, model_.cycle()) != model_.cycle())
-    drawCycle();
+  const bool another = std::exchange(drawn_, model_.cycle()) != model_.cycle();
   const std::string& failure = model_.live().cycleMessage();
   hint_->setText(
       failure.empty()
           ? tr("The stress over one cycle of the sequence is drawn here as soon as it is computed.")
           : messageInWords(failure));
   stack_->setCurrentIndex(drawn_ ? 1 : 0);
-  const std::optional<double> fraction = model_.shownFraction();
-  if (drawn_ && fraction)
-    chart_->setCursor(*fraction * drawn_->periodSeconds);
-  else
-    chart_->hideCursor();
+  if (another) {
+    drawCycle();
+    draw();
+  } else {
+    placeCursor();
+  }
+}
+
+void StressChart::draw() {
+  if (!isVisible())
+    return;
   chart_->update();
   widget_->renderWindow()->Render();
+  placeCursor();
+}
+
+/// A layer over the chart, which takes too long to be drawn for every frame.
+void StressChart::placeCursor() {
+  ChartCursor::Marks marks;
+  if (const std::optional<double> fraction = model_.shownFraction(); drawn_ && fraction)
+    if (const auto place = chart_->placeOf(*fraction * drawn_->periodSeconds))
+      marks.lines.push_back({place->x, place->low, place->high});
+  cursor_->setMarks(std::move(marks));
 }
 
 void StressChart::drawCycle() {

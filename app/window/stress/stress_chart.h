@@ -14,8 +14,11 @@ class QStackedLayout;
 
 namespace viscera::app {
 
+class ChartCursor;
+
 /// A chart of the rotational stress over one whole cycle of a sequence: mean, 95th percentile and largest as
-/// curves, with a cursor at the instant that is shown.
+/// curves, with a cursor at the instant that is shown. The cursor follows every frame; the chart is drawn
+/// anew when the cycle is another one.
 class StressChart final : public QWidget {
   Q_OBJECT
 
@@ -29,15 +32,19 @@ public:
 
 protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void refresh();
+  void draw();
+  void placeCursor();
   void drawCycle();
 
   StressModel& model_;
   std::unique_ptr<scene::VolumeChart> chart_;
   QLabel* hint_; ///< Why there is no chart yet.
   QVTKOpenGLNativeWidget* widget_;
+  ChartCursor* cursor_;
   QStackedLayout* stack_; ///< The hint, or the chart.
   std::shared_ptr<const live::CycleStress> drawn_;
 };

@@ -31,13 +31,22 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   throttle_.setSingleShot(true);
   throttle_.setInterval(kStressUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &StressModel::updated);
+  frame_.setSingleShot(true);
+  connect(&frame_, &QTimer::timeout, this, &StressModel::numbersChanged);
   connect(&playback, &Playback::advanced, this, [this] {
-    if (active() && !throttle_.isActive())
+    if (!active())
+      return;
+    frame_.start();
+    if (!throttle_.isActive())
       throttle_.start();
   });
   connect(&playback, &Playback::stateChanged, this, &StressModel::updated);
   connect(&view, &ViewModel::changed, this, &StressModel::onView);
   connect(&picture, &Picture::changed, this, &StressModel::shownChanged);
+  connect(&picture, &Picture::changed, this, [this] {
+    if (active()) // A picture is brought up to date several times a frame.
+      frame_.start();
+  });
   subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { follow(); }));
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {

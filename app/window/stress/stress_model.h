@@ -99,7 +99,9 @@ Q_SIGNALS:
   void probeChanged();
   /// Probes and lines, or the organs that they are in, are others.
   void marksChanged();
-  /// The same, at most ten times a second: for numbers to be read.
+  /// The numbers are those of the frame that is drawn: once a frame, for texts and cursors.
+  void numbersChanged();
+  /// The same, at most ten times a second: for what takes longer.
   void updated();
 
 private:
@@ -118,6 +120,7 @@ private:
   bool knownActive_ = false;
   QString caution_;
   QTimer throttle_;
+  QTimer frame_; ///< Ends with the frame that is drawn of what is new.
   std::vector<Subscription> subscriptions_;
 };
 

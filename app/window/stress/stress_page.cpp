@@ -81,10 +81,11 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
   connect(&model, &StressModel::lookChanged, this, &StressPage::syncLook);
   connect(&model, &StressModel::statusChanged, this, &StressPage::syncStatus);
   connect(&model, &StressModel::sampled, this, &StressPage::syncStatus);
-  connect(&model, &StressModel::updated, this, [this] {
-    syncNumbers();
-    syncThreshold();
-  });
+  for (const auto told : {&StressModel::updated, &StressModel::numbersChanged})
+    connect(&model, told, this, [this] {
+      syncNumbers();
+      syncThreshold();
+    });
   connect(&playback, &Playback::stateChanged, this, &StressPage::syncStatus);
   connect(&playback, &Playback::advanced, this, &StressPage::syncPose);
   syncLook();

@@ -25,8 +25,8 @@ class MeasuredMotion;
 /// Measures the volumes of the tracked organs: now, over the time of a sequence, and over the time in which
 /// handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker, so that
 /// curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a second view
-/// can be followed beside them. Tells of every frame of a sequence, for texts, and at most ten times a second
-/// that there is something new, for pictures.
+/// can be followed beside them. Tells of every frame, of a sequence and of a drag, for texts, and at most ten
+/// times a second that there is something new, for pictures.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 
@@ -92,8 +92,8 @@ public:
 Q_SIGNALS:
   /// Other organs are followed: everything that was recorded is gone.
   void linesChanged();
-  /// The volumes of `lines` are those of the organs as they are shown: after every frame of a sequence, and
-  /// with `updated`. For texts: pictures take too long for it.
+  /// The volumes of `lines` are those of the organs as they are shown: with every frame of a sequence or of a
+  /// drag, and with `updated`. For texts: pictures take too long for it.
   void shown();
   /// New volumes or another measured cycle, at most ten times a second.
   void updated();
@@ -112,6 +112,7 @@ private:
   void watch(Side& side);
   std::vector<Line> linesOf(int side) const;
   void rebuild();
+  void followFrame();
   void sample();
   void sampleDrag(bool goesOn);
   /// Begins to measure each cycle that is not the one known.
@@ -127,6 +128,7 @@ private:
   QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
   bool dragging_ = false;
   QTimer throttle_;
+  QTimer frame_;       ///< Ends with the frame that is drawn of what has moved.
   QTimer measureSoon_; ///< After everybody has heard of a change.
 };
 

@@ -79,8 +79,9 @@ presentation::ViewState Picture::state() const {
   state.selection = {selection.organ(), selection.group(), selection.handles()};
   if (role_ == Role::showing) {
     state.shown.movable = state.shown.tools = state.shown.regions = false;
-    state.stress.probe = -1;  // A point of the other view's mesh.
-    state.organsSeen.clear(); // By the ids of the other view's document.
+    state.stress.probe = -1; // A point of the other view's mesh.
+    if (!ofSameOrgans_)
+      state.organsSeen.clear(); // By the ids of the other view's document.
   }
   return state;
 }
@@ -99,6 +100,11 @@ void Picture::setTransientSurfaces(std::vector<presentation::TransientSurface> t
 void Picture::setMeasured(std::vector<presentation::TransientSurface> surfaces) {
   measured_ = std::move(surfaces);
   refresh();
+}
+
+void Picture::setOfSameOrgans(bool same) {
+  if (std::exchange(ofSameOrgans_, same) != same)
+    refresh();
 }
 
 void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts) {

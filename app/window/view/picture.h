@@ -42,6 +42,9 @@ public:
   void setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone = false);
   /// Surfaces that were measured, beside the organs that move through them.
   void setMeasured(std::vector<presentation::TransientSurface> surfaces);
+  /// Whether the document is made of the first view's organs, of which the view's state speaks by their ids:
+  /// then a slide shows them in both views alike. For one that only shows.
+  void setOfSameOrgans(bool same);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
   void setMap(std::optional<presentation::SurfaceMap> map);
   /// The range of the stress map's colours that another picture has, too, and whether this one has the
@@ -79,6 +82,7 @@ private:
   std::vector<presentation::TransientSurface> transient_;
   std::vector<presentation::TransientSurface> measured_;
   bool transientAlone_ = false;
+  bool ofSameOrgans_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   document::OrganId pointedOrgan_;
   std::optional<presentation::SurfaceMap> map_;

@@ -100,6 +100,11 @@ void ViewArea::showBadge(const QString& text) {
   badgeTimer_->start(kBadgeMilliseconds);
 }
 
+void ViewArea::reserveBelow(int pixels) {
+  if (views_->layout()->contentsMargins().bottom() != pixels)
+    views_->layout()->setContentsMargins(0, 0, 0, pixels);
+}
+
 void ViewArea::addCard(QWidget* card, Qt::Alignment alignment) {
   grid_->addWidget(card, 1, 1, alignment);
   card->raise();

@@ -58,9 +58,11 @@ std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesyst
   return rest;
 }
 
-void requireKnown(const std::filesystem::path& file) {
+void requireKnown(const std::filesystem::path& file, Sessions sessions) {
   const auto& extensions = medical_io::surfaceExtensions();
   const std::string name = lowerName(file);
+  if (endsWith(name, kSessionEnding) && sessions == Sessions::nowhere)
+    throw UsageError("A session cannot be opened beside another", file.string(), "open it with File > Open");
   if (endsWith(name, kSessionEnding))
     throw UsageError("A session is opened alone", file.string(),
                      "open it by itself, and the other files after it");
@@ -73,7 +75,8 @@ void requireKnown(const std::filesystem::path& file) {
         "It is a scan and no organ", file.string(),
         "open it beside the organs (File > Open a scan), or make a label map of it first, with 3D "
         "Slicer or TotalSegmentator");
-  std::string known = std::string(kSessionEnding) + ", .mrk.json, .fcsv";
+  std::string known = sessions == Sessions::alone ? std::string(kSessionEnding) + ", " : std::string();
+  known += ".mrk.json, .fcsv";
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
@@ -250,8 +253,8 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
 
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
-             const ArrivingOrganListener& arrives) {
-  requireKnown(file);
+             const ArrivingOrganListener& arrives, Sessions sessions) {
+  requireKnown(file, sessions);
   if (isHandleFile(file)) {
     if (opened.rig)
       throw UsageError("Two handle files cannot be opened at a time", file.string(), "choose one of them");
@@ -276,7 +279,7 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
 } // namespace
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
-                      const ArrivingOrganListener& arrives) {
+                      const ArrivingOrganListener& arrives, Sessions sessions) {
   if (named.empty())
     throw UsageError("There is no file to open");
   const std::vector<std::filesystem::path> files = withoutHalves(named);
@@ -286,11 +289,12 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
     try {
-      addFile(opened, files[i], progress, arrives);
+      addFile(opened, files[i], progress, arrives, sessions);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
       opened.failures.push_back(error);
+      opened.leftOut.push_back(files[i]);
       if (!first)
         first = std::current_exception();
     }

@@ -66,7 +66,8 @@ std::string sha256OfFile(const std::filesystem::path& file) {
   return hash.result().toHex().toStdString();
 }
 
-std::optional<FoundFile> findFile(const FileSource& source, const fs::path& folder) {
+std::optional<FoundFile> findFile(const FileSource& source, const fs::path& folder,
+                                  const std::vector<fs::path>& alsoIn) {
   std::vector<fs::path> places;
   if (!source.relative.empty())
     places.push_back(absoluteOf(folder / source.relative));
@@ -74,6 +75,9 @@ std::optional<FoundFile> findFile(const FileSource& source, const fs::path& fold
     places.push_back(source.absolute);
     places.push_back(absoluteOf(folder / source.absolute.filename()));
   }
+  const fs::path& named = source.absolute.empty() ? source.relative : source.absolute;
+  for (const fs::path& also : alsoIn)
+    places.push_back(absoluteOf(also / named.filename()));
   std::vector<fs::path> there;
   std::copy_if(places.begin(), places.end(), std::back_inserter(there), isThere);
   for (const fs::path& place : there)

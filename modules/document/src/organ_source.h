@@ -33,8 +33,10 @@ struct FoundFile {
 };
 
 /// Looks for the file: relative to `folder`, where it was, in `folder` by its name, and then for any file of
-/// the same contents in those folders. A file of other contents counts only when the right ones are nowhere.
-std::optional<FoundFile> findFile(const FileSource& source, const std::filesystem::path& folder);
+/// the same contents in those folders; in the folders `alsoIn` by its name and by its contents, too. A file
+/// of other contents counts only when the right ones are nowhere.
+std::optional<FoundFile> findFile(const FileSource& source, const std::filesystem::path& folder,
+                                  const std::vector<std::filesystem::path>& alsoIn = {});
 
 /// The file of an organ as it is now, when it still is what the organ was read from; else nothing.
 std::optional<FileSource> unchangedFile(const Organ& organ, const std::filesystem::path& folder);

@@ -164,9 +164,10 @@ bool isKnown(const SessionContents& contents, OrganId id) {
 /// Reads one session file with everything that it names.
 class SessionOpener {
 public:
-  SessionOpener(const fs::path& file, const sample_organs::SampleLibrary& samples, Progress& progress)
-      : reader_(file.string()), folder_(fs::absolute(file).parent_path()), maker_(samples),
-        progress_(progress) {}
+  SessionOpener(const fs::path& file, const sample_organs::SampleLibrary& samples, Progress& progress,
+                std::vector<fs::path> alsoIn)
+      : reader_(file.string()), folder_(fs::absolute(file).parent_path()), alsoIn_(std::move(alsoIn)),
+        maker_(samples), progress_(progress) {}
 
   OpenedSession read(const std::string& text) {
     const ordered_json root = reader_.parse(text);
@@ -386,7 +387,7 @@ private:
 
   std::optional<Organ> fromFile(const FileSource& source, SurfaceFinding& finding) {
     finding.source = source.absolute.string();
-    const auto found = findFile(source, folder_);
+    const auto found = findFile(source, folder_, alsoIn_);
     if (!found) {
       finding.state = State::missing;
       warn(finding.organ,
@@ -426,6 +427,7 @@ private:
 
   SessionReader reader_;
   fs::path folder_;
+  std::vector<fs::path> alsoIn_; ///< Folders in which organs' files may be.
   SampleMaker maker_;
   Progress& progress_;
   OpenedSession opened_;
@@ -447,8 +449,8 @@ bool isSessionFile(const fs::path& file) {
 }
 
 OpenedSession readSession(const fs::path& file, const sample_organs::SampleLibrary& samples,
-                          Progress& progress) {
-  return SessionOpener(file, samples, progress).read(readText(file));
+                          Progress& progress, const std::vector<fs::path>& alsoIn) {
+  return SessionOpener(file, samples, progress, alsoIn).read(readText(file));
 }
 
 void writeSession(const fs::path& file, const SessionContents& contents, Progress& progress) {

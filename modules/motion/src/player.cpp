@@ -1,6 +1,7 @@
 #include "viscera/motion/player.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace viscera::motion {
@@ -27,7 +28,9 @@ void Player::setSequence(std::shared_ptr<const sequences::Sequence> sequence, do
 
 void Player::exchangeSequence(std::shared_ptr<const sequences::Sequence> sequence) {
   transport_.passTime(); // What has passed, passed in the sequence before.
+  std::optional<PrescribedVolume> prescribed = runner_.prescribed();
   runner_.setSequence(std::move(sequence));
+  runner_.prescribe(std::move(prescribed));
   transport_.placeOthers();
 }
 

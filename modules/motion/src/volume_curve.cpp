@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "viscera/core/error.h"
@@ -132,6 +133,17 @@ sequences::Curve readVolumeCurve(const std::filesystem::path& file, double perio
   for (std::string line; std::getline(stream, line);)
     reader.take(std::move(line));
   return reader.curve();
+}
+
+sequences::Curve volumeCurve(std::vector<sequences::Key> keys) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string place = phrase("curve key %1", i + 1);
+    if (!(keys[i].value > 0))
+      throw DataError("has a volume that is not positive", place, "write volumes in ml");
+    if (!(keys[i].at >= 0 && keys[i].at <= 1))
+      throw DataError("names an instant outside the cycle", place, "name instants from 0 to 1");
+  }
+  return sequences::Curve::periodic(std::move(keys), 1);
 }
 
 } // namespace viscera::motion

@@ -293,9 +293,27 @@ SelectionState selectionFrom(const ordered_json& item) {
   return selection;
 }
 
+ordered_json prescribedJson(const Prescribed& prescribed) {
+  ordered_json item = {{"organ", prescribed.organ.value}};
+  if (!prescribed.file.empty())
+    item["file"] = prescribed.file;
+  item["curve"] = prescribed.curve;
+  return item;
+}
+
+Prescribed prescribedFrom(const ordered_json& item) {
+  Prescribed prescribed;
+  prescribed.organ.value = item.at("organ").get<std::int64_t>();
+  take(item, "file", prescribed.file);
+  prescribed.curve = item.at("curve").get<std::vector<std::array<double, 2>>>();
+  return prescribed;
+}
+
 Playing playingFrom(const ordered_json& item) {
   Playing playing;
   visitPlaying(playing, [&](const char* key, auto& value) { take(item, key, value); });
+  if (item.contains("prescribed"))
+    playing.prescribed = prescribedFrom(item.at("prescribed"));
   return playing;
 }
 
@@ -525,6 +543,8 @@ std::string toJson(const ViewState& state) {
         {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
   if (view.playing)
     visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
+  if (view.playing && view.playing->prescribed)
+    item["playing"]["prescribed"] = prescribedJson(*view.playing->prescribed);
   if (view.compared)
     item["compared"] = comparedJson(*view.compared);
   if (!view.slides.empty())

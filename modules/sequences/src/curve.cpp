@@ -83,6 +83,14 @@ Curve::Place Curve::find(double x) const {
   return {&knot, length, (x - knot.at) / length, rise};
 }
 
+std::vector<Key> Curve::keys() const {
+  std::vector<Key> keys;
+  const std::size_t repeated = period_ > 0 ? 1 : 0;
+  for (std::size_t i = 0; i + repeated < knots_.size(); ++i)
+    keys.push_back({knots_[i].at, knots_[i].value});
+  return keys;
+}
+
 double Curve::at(double x) const {
   const auto [knot, length, u, rise] = find(x);
   const Knot& next = knot[1];

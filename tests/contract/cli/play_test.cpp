@@ -362,6 +362,36 @@ TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
   EXPECT_LT(played["ejectionFraction"].get<double>(), rest["ejectionFraction"].get<double>() - 0.05);
 }
 
+TEST_F(CliPlaySession, MeetsTheVolumeThatItPrescribes) {
+  Progress progress;
+  const auto low = sample_organs::Resolution::low;
+  const motion::SequenceSetup setup =
+      motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat", low, progress);
+  document::Document document;
+  document::UndoStack undo(document);
+  std::vector<document::NewOrgan> organs;
+  for (const sample_organs::SampleSurface& surface : setup.organ.surfaces)
+    organs.push_back({document::makeOrgan(surface.name, surface.mesh), -1});
+  undo.perform(document::addOrgans(organs));
+  undo.perform(document::replaceRig(setup.rig));
+  undo.perform(document::setSystem(setup.system));
+  presentation::ViewState view;
+  view.motions = {{document.organs().front()->id, motion::sampleRecipe("heartbeat", low)}};
+  view.playing = presentation::Playing{0, 0, 0, 1, true, true};
+  const document::OrganId left = document.organs()[1]->id;
+  view.playing->prescribed = presentation::Prescribed{left, "lv.csv", {{0, 130}, {0.5, 70}}};
+  write("kept.viscera", document.state(), view);
+  runJson({"play", path("kept.viscera"), "--csv", path("kept.csv"), "--fps", "20"});
+  std::string heading;
+  const auto rows = rowsOf(contents(path("kept.csv")), heading);
+  ASSERT_GE(rows.size(), 8u);
+  EXPECT_NEAR(rows[0][2], 130, 1e-4) << heading;
+  EXPECT_NEAR(rows[rows.size() / 2][2], 70, 1e-4) << heading;
+  view.playing->prescribed->curve[1][1] = -1;
+  write("odd.viscera", document.state(), view);
+  expectFailure({"play", path("odd.viscera")}, kBadData, "not positive");
+}
+
 TEST_F(CliPlaySession, SaysWhatItDoesNotTake) {
   const std::string session = VISCERA_SOURCE_DIR "/tests/gui/sessions/play_recorded_locked.viscera";
   expectFailure({"play", session, "--organ", "sample:heart"}, kUsage, "--organ");

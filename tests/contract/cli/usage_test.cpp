@@ -40,6 +40,15 @@ TEST_F(CliUsage, TheWindowOpensOneSampleOrganThatThereIs) {
   EXPECT_NE(refusal({"sample:heart", "sample:liver"}).find("together"), std::string::npos);
 }
 
+TEST_F(CliUsage, FilesThatAreNotThereAreAllNamedBesideTheWindow) {
+  constexpr int kNoDisplay = 69; // Here is none for the window.
+  const test::ProcessResult result = run({path("none.stl"), path("lost.vtp")});
+  EXPECT_EQ(result.exitCode, kNoDisplay);
+  EXPECT_NE(result.err.find("none.stl"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("lost.vtp"), std::string::npos) << result.err;
+  expectFailure({path("none.stl"), "--screenshot", path("p.png")}, kNoInput, "none.stl");
+}
+
 TEST_F(CliUsage, MissingArgumentsAreUsageErrors) {
   expectFailure({"info"}, kUsage, "FILE");
   expectFailure({"bind", "sample:heart"}, kUsage, "--handles");

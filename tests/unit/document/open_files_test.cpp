@@ -102,6 +102,22 @@ TEST_F(OpenFiles, LeaveOutThoseThatFailAndSayWhich) {
     said.emplace_back(failure.what());
   EXPECT_THAT(said, ::testing::ElementsAre(HasSubstr("missing.stl"), HasSubstr("empty.stl"),
                                            HasSubstr("notes.docx")));
+  EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "missing.stl", folder_ / "empty.stl",
+                                                     folder_ / "notes.docx"));
+}
+
+TEST_F(OpenFiles, SayNothingOfSessionsWhereNoneCanBeOpened) {
+  Progress progress;
+  const auto said = [&](const char* name) {
+    try {
+      openFiles({folder_ / name}, progress, {}, Sessions::nowhere);
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing was thrown");
+  };
+  EXPECT_THAT(said("notes.docx"), AllOf(HasSubstr(".mrk.json"), ::testing::Not(HasSubstr(".viscera"))));
+  EXPECT_THAT(said("case.viscera"), HasSubstr("beside another"));
 }
 
 TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {

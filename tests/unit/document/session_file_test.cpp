@@ -190,6 +190,25 @@ TEST(SessionFile, FindsAnOrganThatMovedWithTheSessionOrBesideItOrUnderAnotherNam
   EXPECT_THAT(joined(opened.warnings), HasSubstr("liver.vtp"));
 }
 
+TEST(SessionFile, FindsAnOrganInAFolderThatIsNamed) {
+  TemporaryFolder folder;
+  const SessionContents contents = fullContents(folder);
+  write(folder / "a.viscera", contents);
+  for (const char* name : {"liver.vtp", "patient_7.vtp"}) {
+    const auto away = folder / "away" / "deeper";
+    std::filesystem::create_directories(away);
+    std::filesystem::rename(folder / "liver.vtp", away / name);
+    Progress progress;
+    const OpenedSession opened =
+        readSession(folder / "a.viscera", sample_organs::standardLibrary(), progress, {away});
+    ASSERT_EQ(opened.contents.state.organs->size(), 3u) << name;
+    EXPECT_EQ((*opened.contents.state.organs)[1]->file, away / name);
+    EXPECT_EQ(opened.surfaces[1].state, Finding::moved);
+    EXPECT_EQ(readBack(folder / "a.viscera").surfaces[1].state, Finding::missing);
+    std::filesystem::rename(away / name, folder / "liver.vtp");
+  }
+}
+
 TEST(SessionFile, NamesAnOrganWhoseFileVanishedOpensTheRestAndKeepsItsRecord) {
   TemporaryFolder folder;
   const SessionContents contents = fullContents(folder);

@@ -106,6 +106,18 @@ TEST(Transport, PausesAtTheInstantThatIsShown) {
   EXPECT_LT((s.live.shownPose() - s.swung(0.125)).norm(), kRounding);
 }
 
+TEST(Transport, KeepsAPrescribedVolumeWhileASequenceTakesThePlaceOfItsLike) {
+  Stage s;
+  const double rest = s.document.organ(s.organ())->restVolumeMm3 / kMm3PerMl;
+  s.player.prescribe(PrescribedVolume{s.organ(), sequences::Curve::periodic({{0, 1.01 * rest}}, 1)});
+  s.player.exchangeSequence(std::make_shared<Swing>());
+  ASSERT_TRUE(s.player.runner().prescribed());
+  s.transport.seek(0.3);
+  EXPECT_NEAR(s.live.volume(s.organ()).nowMl, 1.01 * rest, 1e-6 * rest);
+  s.player.setSequence(std::make_shared<Swing>(), s.organ());
+  EXPECT_FALSE(s.player.runner().prescribed()) << "another one begins without";
+}
+
 TEST(Transport, ShowsTheSamePoseEveryCycle) {
   Stage s;
   s.transport.play();

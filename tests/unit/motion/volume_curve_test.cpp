@@ -1,6 +1,7 @@
 #include "viscera/motion/volume_curve.h"
 
 #include <fstream>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,16 @@ TEST_F(VolumeCurveFile, TakesSecondsBehindAByteOrderMarkAndInCapitals) {
 TEST_F(VolumeCurveFile, RefusesAHeadingThatDoesNotSayWhatInstantsAre) {
   for (const char* header : {"t,LV_ml\n", "Zeit;ml\n", "x\ty\n"})
     EXPECT_THAT(refusal(std::string(header) + "0;130\n0.4;55\n"), testing::HasSubstr("line 1")) << header;
+}
+
+TEST(VolumeCurveOfASession, RefusesKeysThatAreNoVolumes) {
+  EXPECT_EQ(volumeCurve({{0, 100}, {0.5, 60}}).at(0.5), 60);
+  EXPECT_EQ(volumeCurve({{0, 100}, {0.5, 60}}).at(1), 100);
+  EXPECT_THROW(volumeCurve({}), DataError);
+  EXPECT_THROW(volumeCurve({{0, 100}, {0.5, -1}}), DataError);
+  EXPECT_THROW(volumeCurve({{0, 100}, {1.5, 1}}), DataError);
+  EXPECT_THROW(volumeCurve({{0.5, 100}, {0.5, 90}}), DataError);
+  EXPECT_THROW(volumeCurve({{0, std::numeric_limits<double>::quiet_NaN()}}), DataError);
 }
 
 TEST_F(VolumeCurveFile, SaysWhichLineIsWrong) {

@@ -44,5 +44,17 @@ TEST(ViewStateJson, WhatCannotBeComparedIsLeftOut) {
   EXPECT_THROW(withCompared("[]"), DataError);
 }
 
+TEST(ViewStateJson, APrescribedVolumeComesBackToTheLastBit) {
+  ViewState view;
+  view.playing = Playing{};
+  EXPECT_EQ(toJson(view).find("prescribed"), std::string::npos);
+  EXPECT_FALSE(viewFromJson(toJson(view)).playing->prescribed);
+  view.playing->prescribed = Prescribed{{7}, "beat.csv", {{0, 120}, {1 / 3.0, 49.1}}};
+  EXPECT_EQ(viewFromJson(toJson(view)).playing, view.playing);
+  EXPECT_THROW(viewFromJson(R"({"format": 2, "playing": {"prescribed": {"organ": 1}}})"), DataError);
+  EXPECT_THROW(viewFromJson(R"({"format": 2, "playing": {"prescribed": {"organ": 1, "curve": [[1]]}}})"),
+               DataError);
+}
+
 } // namespace
 } // namespace viscera::presentation

@@ -78,6 +78,18 @@ TEST(Curve, oneKeyOfAPeriodIsAConstant) {
     EXPECT_NEAR(curve.at(x), 7, 1e-14);
 }
 
+TEST(Curve, givesItsKeysBackToTheLastBit) {
+  const std::vector<Key> keys = {{0.1, 3.3}, {0.4, 1 / 3.0}, {0.7, 2}};
+  for (const Curve& curve : {Curve::through(keys), Curve::periodic(keys, 1, 0.5)}) {
+    const std::vector<Key> back = curve.keys();
+    ASSERT_EQ(back.size(), keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      EXPECT_EQ(back[i].at, keys[i].at);
+      EXPECT_EQ(back[i].value, keys[i].value);
+    }
+  }
+}
+
 TEST(Curve, refusesKeysThatAreNoCurve) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Curve::through({{0, 1}}), DataError);

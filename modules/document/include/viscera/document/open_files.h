@@ -39,6 +39,7 @@ struct OpenedFiles {
   std::optional<NewRig> rig;                   ///< When there was a handle file.
   std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
   std::vector<Error> failures; ///< Of files that could not be read, each with its file's name.
+  std::vector<std::filesystem::path> leftOut; ///< Those files, in the same order.
 
   /// Adds every organ, and the rig: one undo step.
   Command command() const;
@@ -56,6 +57,9 @@ struct ArrivingOrgan {
 /// two at a time.
 using ArrivingOrganListener = std::function<void(ArrivingOrgan)>;
 
+/// Where session files can be opened: by themselves, in place of everything, or nowhere here.
+enum class Sessions { alone, nowhere };
+
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
@@ -63,9 +67,10 @@ bool isHandleFile(const std::filesystem::path& file);
 /// file. One that cannot be read is left out and told in `failures`, and so are further handle files and
 /// sessions; when nothing is left, throws what the first of them throws (`NoInputError`, `DataError`,
 /// `UsageError` for a session or an ending that nothing is known about). Throws `UsageError` for no file at
-/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface.
+/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface. What is said of sessions depends on
+/// whether the caller opens them otherwise.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
-                      const ArrivingOrganListener& arrives = {});
+                      const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part

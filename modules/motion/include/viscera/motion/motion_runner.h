@@ -19,6 +19,7 @@ namespace viscera::motion {
 struct PrescribedVolume {
   document::OrganId organ;
   sequences::Curve milliliters; ///< Over the fraction of the cycle, with period 1.
+  std::string file = {};        ///< The name of the one that it came from, for texts.
 };
 
 /// Poses organs as they are at an instant of a sequence, and measures them: what the window, a movie and

@@ -26,7 +26,7 @@ public:
   /// first view the motion is stopped, at its beginning; another view is at the first one's instant.
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ);
   /// Takes another sequence of the same handles in place of the present one, at its standard rate: the place
-  /// in the cycle stays, and whether it plays. `Transport::match` shows it.
+  /// in the cycle stays, whether it plays, and what volume is prescribed. `Transport::match` shows it.
   void exchangeSequence(std::shared_ptr<const sequences::Sequence> sequence);
   /// Null while there is none, and while its organ is not in the document.
   const sequences::Sequence* sequence() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "viscera/sequences/curve.h"
 
@@ -17,5 +18,10 @@ namespace viscera::motion {
 /// not two numbers, for another header, for an instant outside the cycle or not later than the one before,
 /// for a volume that is not positive, and for a curve that ends at another volume than it begins.
 sequences::Curve readVolumeCurve(const std::filesystem::path& file, double periodSeconds);
+
+/// Such a curve out of its keys: fractions of the cycle with volumes in ml, as a session keeps them. Throws
+/// `DataError` when they do not ascend strictly within one cycle, for a volume that is not positive, and for
+/// numbers that are not finite.
+sequences::Curve volumeCurve(std::vector<sequences::Key> keys);
 
 } // namespace viscera::motion

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -54,6 +55,16 @@ struct MotionChoice {
   bool operator==(const MotionChoice&) const = default;
 };
 
+/// The volume that an organ is to have while the sequence moves it.
+struct Prescribed {
+  document::OrganId organ;
+  std::string file; ///< The name of the file that it came from, for texts; UTF-8.
+  /// Fraction of the cycle and volume, ml. As they were read: who plays them judges them.
+  std::vector<std::array<double, 2>> curve;
+
+  bool operator==(const Prescribed&) const = default;
+};
+
 /// The playing sequence, its rate and its present instant.
 struct Playing {
   int motion = -1;     ///< Among the motions; -1: the sequence that the document holds.
@@ -62,6 +73,7 @@ struct Playing {
   double speed = 1;
   bool loop = true;
   bool shown = false; ///< The organs are in the sequence's pose.
+  std::optional<Prescribed> prescribed = std::nullopt;
 
   bool operator==(const Playing&) const = default;
 };

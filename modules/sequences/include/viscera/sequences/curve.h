@@ -29,6 +29,9 @@ public:
   /// The value at x. O(log keys).
   double at(double x) const;
 
+  /// What it was made of, in the same order. O(keys).
+  std::vector<Key> keys() const;
+
 private:
   struct Knot {
     double at, value, slope;
