@@ -369,10 +369,10 @@ TEST_F(OneState, AKeysPoseThatIsTakenIsWhereTheTimelineStands) {
   ASSERT_TRUE(window().workspace().perform(document::recordKey(0.8)));
   const auto& keys = document().keySequence().keys;
   ASSERT_EQ(keys.size(), 2u);
-  window().playback().choose(parts().recorded().sequence());
+  window().playback().choose(parts().keySequence().sequence());
   window().playback().seek(0.8 / document().keySequence().periodSeconds);
   EXPECT_LT((window().workspace().live().shownPose() - pose).cwiseAbs().maxCoeff(), 1e-9);
-  ASSERT_TRUE(parts().recorded().takePose(keys[0].id));
+  ASSERT_TRUE(parts().keySequence().takePose(keys[0].id));
   waitForPeace();
   EXPECT_EQ(disagreement(window()), "");
   EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");

@@ -130,7 +130,7 @@ TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
   press("replaceKey");
   const document::KeySequence saved = keySequence();
   const QString file = path(QStringLiteral("mine.sequence.json"));
-  window().play().recorded().save(file);
+  window().play().keySequence().save(file);
   ASSERT_TRUE(QFile::exists(file)) << message().toStdString();
   for (int steps = 0; steps < 2; ++steps) {
     table.selectRow(0);
@@ -138,7 +138,7 @@ TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
   }
   EXPECT_TRUE(keySequence().keys.empty());
   EXPECT_EQ(window().playback().sequence(), nullptr);
-  window().play().recorded().open(file);
+  window().play().keySequence().open(file);
   settle();
   ASSERT_EQ(keySequence().keys.size(), 2u) << message().toStdString();
   EXPECT_EQ(keySequence().keys[0].displacements, saved.keys[0].displacements);

@@ -181,7 +181,7 @@ TEST_F(Readouts, NormalRangesOfABeatAreShownOfABeatOnly) {
     ASSERT_TRUE(window().workspace().perform(document::recordKey(seconds)));
   }
   settle();
-  window().playback().choose(parts().recorded().sequence());
+  window().playback().choose(parts().keySequence().sequence());
   ASSERT_EQ(window().playback().sequence()->id(), "keyframes");
   EXPECT_EQ(chart().normalsText(), QString()) << "keys by hand are no beat";
   EXPECT_TRUE(waitUntil([&] { return source->fullText().isEmpty(); }));

@@ -163,10 +163,10 @@ TEST_F(Track, IsSavedAndEditedLikeAnyRecordedSequence) {
   findMotion();
   const document::KeySequence found = document().keySequence();
   const QString file = path(QStringLiteral("beat.sequence.json"));
-  window().play().recorded().save(file);
+  window().play().keySequence().save(file);
   ASSERT_TRUE(QFile::exists(file));
   // One handle in one key changes that key only.
-  ASSERT_TRUE(window().play().recorded().takePose(found.keys[2].id));
+  ASSERT_TRUE(window().play().keySequence().takePose(found.keys[2].id));
   const auto handle = document().rig().handles[20].id;
   Points pose = document().pose();
   pose.row(20) += Vec3(1, 2, 3).transpose();
