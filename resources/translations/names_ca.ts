@@ -869,8 +869,8 @@
         <translation>Canvia l’aspecte</translation>
     </message>
     <message>
-        <source>Change recording</source>
-        <translation>Canvia l’enregistrament</translation>
+        <source>Change key sequence</source>
+        <translation>Canvia la seqüència de claus</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2417,8 +2417,8 @@
         <translation>Substitueix la postura de la clau</translation>
     </message>
     <message>
-        <source>Replace recording</source>
-        <translation>Substitueix l’enregistrament</translation>
+        <source>Replace key sequence</source>
+        <translation>Substitueix la seqüència de claus</translation>
     </message>
     <message>
         <source>Reproductive system</source>

@@ -869,8 +869,8 @@
         <translation>Darstellung ändern</translation>
     </message>
     <message>
-        <source>Change recording</source>
-        <translation>Aufzeichnung ändern</translation>
+        <source>Change key sequence</source>
+        <translation>Schlüsselfolge ändern</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2417,8 +2417,8 @@
         <translation>Pose des Schlüssels ersetzen</translation>
     </message>
     <message>
-        <source>Replace recording</source>
-        <translation>Aufzeichnung ersetzen</translation>
+        <source>Replace key sequence</source>
+        <translation>Schlüsselfolge ersetzen</translation>
     </message>
     <message>
         <source>Reproductive system</source>

@@ -869,8 +869,8 @@
         <translation>Cambiar aspecto</translation>
     </message>
     <message>
-        <source>Change recording</source>
-        <translation>Cambiar grabación</translation>
+        <source>Change key sequence</source>
+        <translation>Cambiar secuencia de claves</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2417,8 +2417,8 @@
         <translation>Sustituir pose de clave</translation>
     </message>
     <message>
-        <source>Replace recording</source>
-        <translation>Sustituir grabación</translation>
+        <source>Replace key sequence</source>
+        <translation>Sustituir secuencia de claves</translation>
     </message>
     <message>
         <source>Reproductive system</source>

@@ -869,8 +869,8 @@
         <translation>Changer l’aspect</translation>
     </message>
     <message>
-        <source>Change recording</source>
-        <translation>Modifier l’enregistrement</translation>
+        <source>Change key sequence</source>
+        <translation>Modifier la séquence de clés</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2417,8 +2417,8 @@
         <translation>Remplacer la pose de la clé</translation>
     </message>
     <message>
-        <source>Replace recording</source>
-        <translation>Remplacer l’enregistrement</translation>
+        <source>Replace key sequence</source>
+        <translation>Remplacer la séquence de clés</translation>
     </message>
     <message>
         <source>Reproductive system</source>

@@ -3850,8 +3850,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Si una circulació mou el cor, mostra’n les corbes sota la vista en comptes dels volums</translation>
     </message>
     <message>
-        <source>Keep as &amp;before</source>
-        <translation>Guarda com a &amp;anterior</translation>
+        <source>Keep circ&amp;ulation for comparison</source>
+        <translation>Guarda la circulació per comp&amp;arar</translation>
     </message>
     <message>
         <source>Ctrl+B</source>

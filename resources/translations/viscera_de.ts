@@ -3850,8 +3850,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Wo ein Kreislauf das Herz bewegt, unter der Ansicht dessen Kurven statt der Volumina zeigen</translation>
     </message>
     <message>
-        <source>Keep as &amp;before</source>
-        <translation>Als &amp;Vorher merken</translation>
+        <source>Keep circ&amp;ulation for comparison</source>
+        <translation>Kreislauf zum &amp;Vergleich behalten</translation>
     </message>
     <message>
         <source>Ctrl+B</source>

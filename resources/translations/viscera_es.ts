@@ -3850,8 +3850,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Cuando una circulación mueve el corazón, mostrar sus curvas bajo la vista en lugar de los volúmenes</translation>
     </message>
     <message>
-        <source>Keep as &amp;before</source>
-        <translation>Conservar como &amp;anterior</translation>
+        <source>Keep circ&amp;ulation for comparison</source>
+        <translation>Conservar la circulación para comp&amp;arar</translation>
     </message>
     <message>
         <source>Ctrl+B</source>

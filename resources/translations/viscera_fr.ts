@@ -3850,8 +3850,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Quand une circulation meut le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
     </message>
     <message>
-        <source>Keep as &amp;before</source>
-        <translation>&amp;Garder comme avant</translation>
+        <source>Keep circ&amp;ulation for comparison</source>
+        <translation>&amp;Garder la circulation pour comparer</translation>
     </message>
     <message>
         <source>Ctrl+B</source>

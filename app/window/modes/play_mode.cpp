@@ -176,7 +176,7 @@ void PlayMode::makeCirculationActions(Actions& actions) {
        tr("Where a circulation moves the heart, show its curves below the view instead of the volumes")},
       &presentation::ViewState::circulationChart);
   actions.add("play.keepBefore",
-              {tr("Keep as &before"),
+              {tr("Keep circ&ulation for comparison"),
                "compare",
                {tr("Ctrl+B")},
                tr("Keep this circulation to compare with: dashed loops and a second column of numbers")},

@@ -101,7 +101,7 @@ Command setEasing(std::vector<KeyId> keys, sequences::Easing easing) {
 }
 
 Command editKeySequence(KeySequenceEdit change) {
-  return edit::onPart("Change recording", &DocumentState::keySequence,
+  return edit::onPart("Change key sequence", &DocumentState::keySequence,
                       [change = std::move(change)](KeySequence& keySequence) {
                         if (change.periodSeconds)
                           setPeriod(keySequence, *change.periodSeconds, change.stretch);
@@ -113,7 +113,7 @@ Command editKeySequence(KeySequenceEdit change) {
 
 Command replaceKeySequence(KeySequence keySequence) {
   return edit::onPart(
-      "Replace recording", &DocumentState::keySequence,
+      "Replace key sequence", &DocumentState::keySequence,
       [keySequence = std::move(keySequence)](KeySequence& replaced, const DocumentState&, IdSource& ids) {
         replaced = keySequence;
         replaced.name = replaced.name.empty() ? KeySequence().name : toUtf8(replaced.name);

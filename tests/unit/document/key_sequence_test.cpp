@@ -136,6 +136,11 @@ TEST(KeySequence, refusesTimesAndKeysThatCannotBe) {
   EXPECT_EQ(sequenceOf(empty.document.keySequence(), empty.document.rig()), nullptr);
 }
 
+TEST(KeySequence, StepsSayKeySequence) {
+  EXPECT_EQ(editKeySequence({.loop = false}).name, "Change key sequence");
+  EXPECT_EQ(replaceKeySequence(KeySequence()).name, "Replace key sequence");
+}
+
 TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   Recorded session;
   session.undo.perform(editKeySequence({.name = "Hop", .periodSeconds = 3}));
