@@ -76,8 +76,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   if (status.givenCage) {
     message.text = asSentence(status.message);
     if (status.outsideCage > 0)
-      message.text = tr("%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.", nullptr,
-                        status.outsideCage)
+      message.text = tr("%n vertices of %1 have no coordinates in the cage.", nullptr, status.outsideCage)
                          .arg(inWords(organ.name));
     message.offers.push_back(
         {tr("Use the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
@@ -85,17 +84,16 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
     return message;
   }
   if (!status.inNoRegion.empty()) {
-    message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} in no group's region.", nullptr,
-                      static_cast<int>(status.inNoRegion.size()))
-                       .arg(inWords(organ.name));
+    message.text =
+        tr("%n vertices of %1 lie in no group's region.", nullptr, static_cast<int>(status.inNoRegion.size()))
+            .arg(inWords(organ.name));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
                                 mended_.perform(document::addEnclosingGroup(id, vertices));
                               }});
     return message;
   }
   if (status.outsideHull > 0) {
-    message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} outside the handles' hull.", nullptr,
-                      status.outsideHull)
+    message.text = tr("%n vertices of %1 lie outside the handles' hull.", nullptr, status.outsideHull)
                        .arg(inWords(organ.name));
     message.offers.push_back(
         {tr("Add enclosing handles"), [this] { mended_.perform(document::addEnclosingHandles()); }});

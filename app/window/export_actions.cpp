@@ -136,10 +136,9 @@ void ExportActions::exportTransform(const QString& file) {
           const deformation::DisplacementGrid field =
               deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);
           medical_io::writeTransform(path, field);
-          return field.unreached == 0
-                     ? QString()
-                     : tr("The rest position of %n {point|points} of the field is uncertain.", nullptr,
-                          static_cast<int>(field.unreached));
+          return field.unreached == 0 ? QString()
+                                      : tr("The rest position of %n points of the field is uncertain.",
+                                           nullptr, static_cast<int>(field.unreached));
         });
 }
 

@@ -119,9 +119,8 @@ void FileActions::open(const QStringList& files, bool check) {
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
     paths.emplace_back(file.toStdString());
-  const QString name = files.size() == 1
-                           ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
-                           : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
+  const QString name = files.size() == 1 ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
+                                         : tr("Opening %n files", nullptr, static_cast<int>(files.size()));
   const ArrivingSurfaces::Ticket arriving = arriving_ ? arriving_->begin(replacesPresent()) : nullptr;
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
@@ -269,7 +268,7 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
   if (lines.size() > kShownFileWarnings) {
     const int more = static_cast<int>(lines.size()) - kShownFileWarnings;
     lines = lines.mid(0, kShownFileWarnings);
-    lines.push_back(tr("%n more on the {page of its organ|pages of their organs} in Explore", nullptr, more));
+    lines.push_back(tr("%n more on the pages of their organs in Explore", nullptr, more));
   }
   workspace_.note(lines.join(QLatin1Char('\n')), 15);
 }
@@ -313,8 +312,7 @@ void FileActions::takeCage(const document::GivenCage& cage, const QString& file)
   workspace_.note( // First: what binding to it has to say counts more.
       document::handlesAtAllVertices(workspace_.document().rig(), *cage.mesh)
           ? tr("The handles at the vertices of %1 are now the corners of the cage.").arg(text(cage.name))
-          : tr("The %n {vertex|vertices} of %1 are now the handles.", nullptr, vertices)
-                .arg(text(cage.name)));
+          : tr("The %n vertices of %1 are now the handles.", nullptr, vertices).arg(text(cage.name)));
   workspace_.undo().seal();
   if (workspace_.perform(document::takeCage(cage)))
     rememberFolder(file);

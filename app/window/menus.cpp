@@ -215,7 +215,7 @@ void Menus::fillSteps(QMenu* menu) {
   for (std::size_t step = last; step > first; --step)
     add(messageInWords(names[step - 1]), step);
   if (first > 0)
-    menu->addAction(tr("%n earlier {step|steps}", nullptr, static_cast<int>(first)))->setEnabled(false);
+    menu->addAction(tr("%n earlier steps", nullptr, static_cast<int>(first)))->setEnabled(false);
   else
     add(tr("As opened"), 0);
 }

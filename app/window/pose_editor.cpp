@@ -88,15 +88,14 @@ std::optional<Vec3> PoseEditor::moveBy(const std::vector<document::HandleId>& ha
     if (motion.selection().empty())
       return;
     document::Command command = document::setPose(motion.pose());
-    command.name =
-        handles.size() == 1
-            ? tr("Move handle %1")
-                  .arg(text(workspace_.document()
-                                .rig()
-                                .handles[static_cast<std::size_t>(motion.selection().front())]
-                                .label))
-                  .toStdString()
-            : tr("Move %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString();
+    command.name = handles.size() == 1
+                       ? tr("Move handle %1")
+                             .arg(text(workspace_.document()
+                                           .rig()
+                                           .handles[static_cast<std::size_t>(motion.selection().front())]
+                                           .label))
+                             .toStdString()
+                       : tr("Move %n handles", nullptr, static_cast<int>(handles.size())).toStdString();
     workspace_.undo().perform(command);
     const int first = motion.selection().front();
     moved = (motion.pose().row(first) - motion.start().row(first)).transpose();
@@ -112,8 +111,7 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
       wanted.row(row) = workspace_.document().rig().handles[static_cast<std::size_t>(row)].rest.transpose();
     motion.reach(wanted);
     workspace_.undo().perform(document::setPose(
-        motion.pose(),
-        tr("Reset %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString()));
+        motion.pose(), tr("Reset %n handles", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
       return;
     workspace_.say(
@@ -167,12 +165,12 @@ void PoseEditor::offerToClose(const std::vector<document::OrganId>& organs) {
   }
   Message message;
   message.severity = Message::Severity::warning;
-  message.text = organs.size() == 1
-                     ? tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
-                          nullptr, edges)
-                           .arg(names.front())
-                     : tr("These organs are open, so they have no volumes that could be locked: %1.")
-                           .arg(names.join(QStringLiteral(", ")));
+  message.text =
+      organs.size() == 1
+          ? tr("%1 is open (%n boundary edges), so it has no volume that could be locked.", nullptr, edges)
+                .arg(names.front())
+          : tr("These organs are open, so they have no volumes that could be locked: %1.")
+                .arg(names.join(QStringLiteral(", ")));
   message.offers.push_back(
       {tr("Close the holes and lock"), [this, commands] {
          workspace_.perform(document::combined(tr("Close holes and lock volume").toStdString(), commands));

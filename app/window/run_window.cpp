@@ -4,7 +4,6 @@
 #include <QElapsedTimer>
 #include <QFontInfo>
 #include <QPixmap>
-#include <QRegularExpression>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
@@ -118,21 +117,13 @@ int takePicture(const WindowOptions& options, InstalledLanguage& language) {
   return 0;
 }
 
-/// Chooses singular or plural in the English texts as they stand in the source: "%n {vertex|vertices}"
-/// becomes "1 vertex" or "17 vertices". Translations to other languages are installed after it and come
-/// first.
-class EnglishPlurals final : public QTranslator {
-public:
-  using QTranslator::QTranslator;
-
-  bool isEmpty() const override { return false; }
-  QString translate(const char*, const char* source, const char*, int n) const override {
-    if (n < 0)
-      return {};
-    const QRegularExpression choice(QStringLiteral(R"(\{([^{}|]*)\|([^{}|]*)\})"));
-    return QString::fromUtf8(source).replace(choice, n == 1 ? QStringLiteral("\\1") : QStringLiteral("\\2"));
-  }
-};
+/// English has translations, too, of the texts with a number in them alone: "1 vertex", "17 vertices". Those
+/// of other languages are installed after it and come first.
+void installEnglishPlurals(QApplication& application) {
+  auto* english = new QTranslator(&application);
+  if (english->load(QStringLiteral(":/viscera/translations/viscera_en")))
+    QApplication::installTranslator(english);
+}
 
 } // namespace
 
@@ -146,7 +137,7 @@ void setUpApplication(QApplication& application) {
   QApplication::setApplicationName(QStringLiteral("viscera"));
   QApplication::setApplicationDisplayName(QStringLiteral("Viscera"));
   QApplication::setApplicationVersion(QStringLiteral(VISCERA_VERSION));
-  QApplication::installTranslator(new EnglishPlurals(&application));
+  installEnglishPlurals(application);
   QLocale::setDefault(localeOf(QStringLiteral("en")));
   scene::setTextFont(QFontInfo(QApplication::font()).family().toStdString());
 }

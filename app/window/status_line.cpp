@@ -88,7 +88,7 @@ QString StatusLine::bindingText() const {
   const std::size_t handles = workspace_.document().rig().handles.size();
   if (handles == 0)
     return tr("no handles");
-  QString line = tr("%n {handle|handles}", nullptr, static_cast<int>(handles));
+  QString line = tr("%n handles", nullptr, static_cast<int>(handles));
   const std::string& id = workspace_.document().system().id;
   if (workspace_.registry().contains(id))
     line += QStringLiteral(", ") + inWords(workspace_.registry().find(id)->name());

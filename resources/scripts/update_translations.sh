@@ -1,9 +1,10 @@
 #!/bin/sh
 # Brings resources/translations/viscera_*.ts to the texts of the sources: new ones come without a translation, to be
 # filled in by hand or with Qt Linguist; those that are gone leave. names_*.ts (names of the numerical modules, which know
-# no Qt) are kept by hand; the test Translations says what is missing in either.
+# no Qt) are kept by hand; viscera_en.ts has the plurals of English texts alone; the test Translations says what is missing in either.
 set -eu
 cd "$(dirname "$0")/../.."
 for language in ca de es fr; do
   lupdate -silent -no-obsolete -locations none app modules -ts "resources/translations/viscera_$language.ts"
 done
+lupdate -silent -no-obsolete -locations none -pluralonly app modules -ts resources/translations/viscera_en.ts

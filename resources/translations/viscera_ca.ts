@@ -623,7 +623,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Les etiquetes són al costat: %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
         <translation>
             <numerusform>La postura plega el teixit en %n vòxel: el valor és una estimació.</numerusform>
             <numerusform>La postura plega el teixit en %n vòxels: els valors són estimacions.</numerusform>
@@ -641,7 +641,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Vincula ara</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <source>%n vertices of %1 have no coordinates in the cage.</source>
         <translation>
             <numerusform>%n vèrtex de %1 no té coordenades a la gàbia.</numerusform>
             <numerusform>%n vèrtexs de %1 no tenen coordenades a la gàbia.</numerusform>
@@ -656,7 +656,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Desfés</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
             <numerusform>%n vèrtex de %1 no és a la regió de cap grup.</numerusform>
             <numerusform>%n vèrtexs de %1 no són a la regió de cap grup.</numerusform>
@@ -667,7 +667,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Afegeix un grup envoltant</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n vèrtex de %1 és fora de l’envolupant dels tiradors.</numerusform>
             <numerusform>%n vèrtexs de %1 són fora de l’envolupant dels tiradors.</numerusform>
@@ -1010,7 +1010,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::DeformPage</name>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n tirador</numerusform>
             <numerusform>%n tiradors</numerusform>
@@ -1392,7 +1392,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>tancada</translation>
     </message>
     <message numerus="yes">
-        <source>open, %n {edge|edges}</source>
+        <source>open, %n edges</source>
         <translation>
             <numerusform>oberta, %n aresta</numerusform>
             <numerusform>oberta, %n arestes</numerusform>
@@ -1526,7 +1526,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>tots els òrgans</translation>
     </message>
     <message numerus="yes">
-        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <source>The rest position of %n points of the field is uncertain.</source>
         <translation>
             <numerusform>La posició de repòs de %n punt del camp és incerta.</numerusform>
             <numerusform>La posició de repòs de %n punts del camp és incerta.</numerusform>
@@ -1640,7 +1640,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>S’obre %1</translation>
     </message>
     <message numerus="yes">
-        <source>Opening %n {file|files}</source>
+        <source>Opening %n files</source>
         <translation>
             <numerusform>S’obre %n fitxer</numerusform>
             <numerusform>S’obren %n fitxers</numerusform>
@@ -1651,7 +1651,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Obre %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <source>%n more on the pages of their organs in Explore</source>
         <translation>
             <numerusform>%n més a la pàgina del seu òrgan a Explora</numerusform>
             <numerusform>%n més a les pàgines dels seus òrgans a Explora</numerusform>
@@ -1686,7 +1686,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Els tiradors als vèrtexs de %1 són ara els cantons de la gàbia.</translation>
     </message>
     <message numerus="yes">
-        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <source>The %n vertices of %1 are now the handles.</source>
         <translation>
             <numerusform>L’únic vèrtex (%n) de %1 és ara el tirador.</numerusform>
             <numerusform>Els %n vèrtexs de %1 són ara els tiradors.</numerusform>
@@ -1759,7 +1759,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>per la forma</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point|points}</source>
+        <source>%n points</source>
         <translation>
             <numerusform>%n punt</numerusform>
             <numerusform>%n punts</numerusform>
@@ -1968,14 +1968,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Fes servir %1</translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <source>Automatic grouping has added %n corner handles to the group.</source>
         <translation>
             <numerusform>L’agrupació automàtica ha afegit %n tirador de cantó al grup.</numerusform>
             <numerusform>L’agrupació automàtica ha afegit %n tiradors de cantó al grup.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <source>Automatic grouping has added %n corner handles to %1 of %2 groups.</source>
         <translation>
             <numerusform>L’agrupació automàtica ha afegit %n tirador de cantó a %1 de %2 grups.</numerusform>
             <numerusform>L’agrupació automàtica ha afegit %n tiradors de cantó a %1 de %2 grups.</numerusform>
@@ -1985,7 +1985,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Mou %n tirador</numerusform>
             <numerusform>Mou %n tiradors</numerusform>
@@ -1996,14 +1996,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Mou el tirador %1</translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n {handle|handles}</source>
+        <source>Turn %n handles</source>
         <translation>
             <numerusform>Gira %n tirador</numerusform>
             <numerusform>Gira %n tiradors</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Scale %n {handle|handles}</source>
+        <source>Scale %n handles</source>
         <translation>
             <numerusform>Escala %n tirador</numerusform>
             <numerusform>Escala %n tiradors</numerusform>
@@ -2302,7 +2302,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>La gàbia té %1 triangles sobre %2 tiradors.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 ms, %n {thread|threads}</source>
+        <source>%1 ms, %n threads</source>
         <translation>
             <numerusform>%1 ms, %n fil</numerusform>
             <numerusform>%1 ms, %n fils</numerusform>
@@ -2410,7 +2410,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Comprovació de %1</translation>
     </message>
     <message numerus="yes">
-        <source>Check of %n {file|files}</source>
+        <source>Check of %n files</source>
         <translation>
             <numerusform>Comprovació de %n fitxer</numerusform>
             <numerusform>Comprovació de %n fitxers</numerusform>
@@ -2480,7 +2480,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>No importis cap òrgan d’aquesta llista</translation>
     </message>
     <message numerus="yes">
-        <source>Import %n {organ|organs}</source>
+        <source>Import %n organs</source>
         <translation>
             <numerusform>Importa %n òrgan</numerusform>
             <numerusform>Importa %n òrgans</numerusform>
@@ -2926,7 +2926,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
+        <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
             <numerusform>Moviment de %n fase. Distància mitjana a les superfícies mesurades: %1.</numerusform>
             <numerusform>Moviment de %n fases. Distància mitjana a les superfícies mesurades: %1.</numerusform>
@@ -2945,7 +2945,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>La sèrie no mostra com es mouen els punts al llarg d’una paret. La mitjana i el percentil 95 del batec són fiables; el patró local d’aquest mapa, no.</translation>
     </message>
     <message numerus="yes">
-        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <source>%n phases need attention: see the table below the chart.</source>
         <translation>
             <numerusform>%n fase requereix atenció: vegeu la taula sota el gràfic.</numerusform>
             <numerusform>%n fases requereixen atenció: vegeu la taula sota el gràfic.</numerusform>
@@ -3075,7 +3075,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Encara no s’ha obert res</translation>
     </message>
     <message numerus="yes">
-        <source>%n earlier {step|steps}</source>
+        <source>%n earlier steps</source>
         <translation>
             <numerusform>%n pas anterior</numerusform>
             <numerusform>%n passos anteriors</numerusform>
@@ -3273,14 +3273,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Es llegeix %1 ...</translation>
     </message>
     <message numerus="yes">
-        <source>%1: label maps, %n {phase|phases}</source>
+        <source>%1: label maps, %n phases</source>
         <translation>
             <numerusform>%1: mapes d’etiquetes, %n fase</numerusform>
             <numerusform>%1: mapes d’etiquetes, %n fases</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: surfaces, %n {phase|phases}</source>
+        <source>%1: surfaces, %n phases</source>
         <translation>
             <numerusform>%1: superfícies, %n fase</numerusform>
             <numerusform>%1: superfícies, %n fases</numerusform>
@@ -3446,7 +3446,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n {check|checks} passed</source>
+        <source>%n checks passed</source>
         <translation>
             <numerusform>%n comprovació superada</numerusform>
             <numerusform>%n comprovacions superades</numerusform>
@@ -3582,7 +3582,7 @@ Obriu un fitxer (Ctrl+O), deixeu-ne anar un aquí o agafeu un òrgan de mostra d
     </message>
     <message numerus="yes">
         <source>%1
-%n {triangle|triangles}</source>
+%n triangles</source>
         <translation>
             <numerusform>%1
 %n triangle</numerusform>
@@ -4067,14 +4067,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mou el tirador %1</translation>
     </message>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Mou %n tirador</numerusform>
             <numerusform>Mou %n tiradors</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Reset %n {handle|handles}</source>
+        <source>Reset %n handles</source>
         <translation>
             <numerusform>Restableix %n tirador</numerusform>
             <numerusform>Restableix %n tiradors</numerusform>
@@ -4089,7 +4089,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Volum de %1</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <source>%1 is open (%n boundary edges), so it has no volume that could be locked.</source>
         <translation>
             <numerusform>%1 és una superfície oberta (%n aresta de vora): no té volum per bloquejar.</numerusform>
             <numerusform>%1 és una superfície oberta (%n arestes de vora): no té volum per bloquejar.</numerusform>
@@ -4232,7 +4232,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>S’han trobat totes (%1) sense cap error.</translation>
     </message>
     <message numerus="yes">
-        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <source>All %1 found, with %n mistakes.</source>
         <translation>
             <numerusform>S’han trobat totes (%1), amb %n error.</numerusform>
             <numerusform>S’han trobat totes (%1), amb %n errors.</numerusform>
@@ -4321,7 +4321,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>S’escriu l’informe</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n {page|pages}.</source>
+        <source>%1: %n pages.</source>
         <translation>
             <numerusform>%1: %n pàgina.</numerusform>
             <numerusform>%1: %n pàgines.</numerusform>
@@ -4332,7 +4332,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Es copia com a ordres</translation>
     </message>
     <message numerus="yes">
-        <source>%n {command is|commands are} in the clipboard.</source>
+        <source>%n commands are in the clipboard.</source>
         <translation>
             <numerusform>Hi ha %n ordre al porta-retalls.</numerusform>
             <numerusform>Hi ha %n ordres al porta-retalls.</numerusform>
@@ -5029,7 +5029,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>sense tiradors</translation>
     </message>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n tirador</numerusform>
             <numerusform>%n tiradors</numerusform>
@@ -5603,7 +5603,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>diferències</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <source>%n points lie outside the handles&apos; hull and stay where they are.</source>
         <translation>
             <numerusform>%n punt és fora de l’envolupant dels tiradors i es queda on és.</numerusform>
             <numerusform>%n punts són fora de l’envolupant dels tiradors i es queden on són.</numerusform>

@@ -623,7 +623,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Seine Labels liegen daneben: %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
         <translation>
             <numerusform>Die Pose faltet das Gewebe an %n Voxel: Sein Wert ist geschätzt.</numerusform>
             <numerusform>Die Pose faltet das Gewebe an %n Voxeln: Ihre Werte sind geschätzt.</numerusform>
@@ -641,7 +641,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Jetzt binden</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <source>%n vertices of %1 have no coordinates in the cage.</source>
         <translation>
             <numerusform>%n Eckpunkt von %1 hat keine Koordinaten im Käfig.</numerusform>
             <numerusform>%n Eckpunkte von %1 haben keine Koordinaten im Käfig.</numerusform>
@@ -656,7 +656,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Rückgängig</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
             <numerusform>%n Eckpunkt von %1 liegt in keiner Region einer Gruppe.</numerusform>
             <numerusform>%n Eckpunkte von %1 liegen in keiner Region einer Gruppe.</numerusform>
@@ -667,7 +667,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Umschließende Gruppe hinzufügen</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n Eckpunkt von %1 liegt außerhalb der Hülle der Griffe.</numerusform>
             <numerusform>%n Eckpunkte von %1 liegen außerhalb der Hülle der Griffe.</numerusform>
@@ -1010,7 +1010,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::DeformPage</name>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n Griff</numerusform>
             <numerusform>%n Griffe</numerusform>
@@ -1392,7 +1392,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>geschlossen</translation>
     </message>
     <message numerus="yes">
-        <source>open, %n {edge|edges}</source>
+        <source>open, %n edges</source>
         <translation>
             <numerusform>offen, %n Kante</numerusform>
             <numerusform>offen, %n Kanten</numerusform>
@@ -1526,7 +1526,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>alle Organe</translation>
     </message>
     <message numerus="yes">
-        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <source>The rest position of %n points of the field is uncertain.</source>
         <translation>
             <numerusform>Die Ruhelage von %n Punkt des Felds ist unsicher.</numerusform>
             <numerusform>Die Ruhelage von %n Punkten des Felds ist unsicher.</numerusform>
@@ -1640,7 +1640,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 wird geöffnet</translation>
     </message>
     <message numerus="yes">
-        <source>Opening %n {file|files}</source>
+        <source>Opening %n files</source>
         <translation>
             <numerusform>%n Datei wird geöffnet</numerusform>
             <numerusform>%n Dateien werden geöffnet</numerusform>
@@ -1651,7 +1651,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 öffnen</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <source>%n more on the pages of their organs in Explore</source>
         <translation>
             <numerusform>%n weiterer auf der Seite seines Organs in Erkunden</numerusform>
             <numerusform>%n weitere auf den Seiten ihrer Organe in Erkunden</numerusform>
@@ -1686,7 +1686,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Die Griffe an den Eckpunkten von %1 sind jetzt die Ecken des Käfigs.</translation>
     </message>
     <message numerus="yes">
-        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <source>The %n vertices of %1 are now the handles.</source>
         <translation>
             <numerusform>Der %n Eckpunkt von %1 ist jetzt der Griff.</numerusform>
             <numerusform>Die %n Eckpunkte von %1 sind jetzt die Griffe.</numerusform>
@@ -1759,7 +1759,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>nach der Form</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point|points}</source>
+        <source>%n points</source>
         <translation>
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
@@ -1968,14 +1968,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 verwenden</translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <source>Automatic grouping has added %n corner handles to the group.</source>
         <translation>
             <numerusform>Das automatische Gruppieren hat der Gruppe %n Eckgriff hinzugefügt.</numerusform>
             <numerusform>Das automatische Gruppieren hat der Gruppe %n Eckgriffe hinzugefügt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <source>Automatic grouping has added %n corner handles to %1 of %2 groups.</source>
         <translation>
             <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriff hinzugefügt.</numerusform>
             <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriffe hinzugefügt.</numerusform>
@@ -1985,7 +1985,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>%n Griff bewegen</numerusform>
             <numerusform>%n Griffe bewegen</numerusform>
@@ -1996,14 +1996,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Griff %1 bewegen</translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n {handle|handles}</source>
+        <source>Turn %n handles</source>
         <translation>
             <numerusform>%n Griff drehen</numerusform>
             <numerusform>%n Griffe drehen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Scale %n {handle|handles}</source>
+        <source>Scale %n handles</source>
         <translation>
             <numerusform>%n Griff skalieren</numerusform>
             <numerusform>%n Griffe skalieren</numerusform>
@@ -2302,7 +2302,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Der Käfig hat %1 Dreiecke über %2 Griffen.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 ms, %n {thread|threads}</source>
+        <source>%1 ms, %n threads</source>
         <translation>
             <numerusform>%1 ms, %n Thread</numerusform>
             <numerusform>%1 ms, %n Threads</numerusform>
@@ -2410,7 +2410,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Prüfung von %1</translation>
     </message>
     <message numerus="yes">
-        <source>Check of %n {file|files}</source>
+        <source>Check of %n files</source>
         <translation>
             <numerusform>Prüfung von %n Datei</numerusform>
             <numerusform>Prüfung von %n Dateien</numerusform>
@@ -2480,7 +2480,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Kein Organ dieser Liste importieren</translation>
     </message>
     <message numerus="yes">
-        <source>Import %n {organ|organs}</source>
+        <source>Import %n organs</source>
         <translation>
             <numerusform>%n Organ importieren</numerusform>
             <numerusform>%n Organe importieren</numerusform>
@@ -2926,7 +2926,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
+        <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
             <numerusform>Bewegung aus %n Phase. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
             <numerusform>Bewegung aus %n Phasen. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
@@ -2945,7 +2945,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Die Serie zeigt nicht, wie sich Punkte entlang einer Wand bewegen. Mittelwert und 95. Perzentil über den Schlag sind zuverlässig, das örtliche Muster dieser Karte nicht.</translation>
     </message>
     <message numerus="yes">
-        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <source>%n phases need attention: see the table below the chart.</source>
         <translation>
             <numerusform>%n Phase braucht Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
             <numerusform>%n Phasen brauchen Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
@@ -3075,7 +3075,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Noch nichts geöffnet</translation>
     </message>
     <message numerus="yes">
-        <source>%n earlier {step|steps}</source>
+        <source>%n earlier steps</source>
         <translation>
             <numerusform>%n früherer Schritt</numerusform>
             <numerusform>%n frühere Schritte</numerusform>
@@ -3273,14 +3273,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1 wird gelesen ...</translation>
     </message>
     <message numerus="yes">
-        <source>%1: label maps, %n {phase|phases}</source>
+        <source>%1: label maps, %n phases</source>
         <translation>
             <numerusform>%1: Labelmaps, %n Phase</numerusform>
             <numerusform>%1: Labelmaps, %n Phasen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: surfaces, %n {phase|phases}</source>
+        <source>%1: surfaces, %n phases</source>
         <translation>
             <numerusform>%1: Oberflächen, %n Phase</numerusform>
             <numerusform>%1: Oberflächen, %n Phasen</numerusform>
@@ -3446,7 +3446,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n {check|checks} passed</source>
+        <source>%n checks passed</source>
         <translation>
             <numerusform>%n Prüfung bestanden</numerusform>
             <numerusform>%n Prüfungen bestanden</numerusform>
@@ -3582,7 +3582,7 @@ Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</sour
     </message>
     <message numerus="yes">
         <source>%1
-%n {triangle|triangles}</source>
+%n triangles</source>
         <translation>
             <numerusform>%1
 %n Dreieck</numerusform>
@@ -4067,14 +4067,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Griff %1 bewegen</translation>
     </message>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>%n Griff bewegen</numerusform>
             <numerusform>%n Griffe bewegen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Reset %n {handle|handles}</source>
+        <source>Reset %n handles</source>
         <translation>
             <numerusform>%n Griff zurücksetzen</numerusform>
             <numerusform>%n Griffe zurücksetzen</numerusform>
@@ -4089,7 +4089,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Volumen %1</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <source>%1 is open (%n boundary edges), so it has no volume that could be locked.</source>
         <translation>
             <numerusform>%1 ist offen (%n Randkante) und hat daher kein Volumen, das gesperrt werden könnte.</numerusform>
             <numerusform>%1 ist offen (%n Randkanten) und hat daher kein Volumen, das gesperrt werden könnte.</numerusform>
@@ -4232,7 +4232,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Alle %1 ohne Fehler gefunden.</translation>
     </message>
     <message numerus="yes">
-        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <source>All %1 found, with %n mistakes.</source>
         <translation>
             <numerusform>Alle %1 gefunden, mit %n Fehler.</numerusform>
             <numerusform>Alle %1 gefunden, mit %n Fehlern.</numerusform>
@@ -4321,7 +4321,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Bericht wird geschrieben</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n {page|pages}.</source>
+        <source>%1: %n pages.</source>
         <translation>
             <numerusform>%1: %n Seite.</numerusform>
             <numerusform>%1: %n Seiten.</numerusform>
@@ -4332,7 +4332,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Als Befehle kopieren</translation>
     </message>
     <message numerus="yes">
-        <source>%n {command is|commands are} in the clipboard.</source>
+        <source>%n commands are in the clipboard.</source>
         <translation>
             <numerusform>%n Befehl ist in der Zwischenablage.</numerusform>
             <numerusform>%n Befehle sind in der Zwischenablage.</numerusform>
@@ -5029,7 +5029,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>keine Griffe</translation>
     </message>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n Griff</numerusform>
             <numerusform>%n Griffe</numerusform>
@@ -5603,7 +5603,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Differenzen</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <source>%n points lie outside the handles&apos; hull and stay where they are.</source>
         <translation>
             <numerusform>%n Punkt liegt außerhalb der Hülle der Griffe und bleibt, wo er ist.</numerusform>
             <numerusform>%n Punkte liegen außerhalb der Hülle der Griffe und bleiben, wo sie sind.</numerusform>

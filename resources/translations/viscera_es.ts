@@ -623,7 +623,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Sus etiquetas están al lado: %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
         <translation>
             <numerusform>La pose pliega el tejido en %n vóxel: su valor es una estimación.</numerusform>
             <numerusform>La pose pliega el tejido en %n vóxeles: sus valores son estimaciones.</numerusform>
@@ -641,7 +641,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Vincular ahora</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <source>%n vertices of %1 have no coordinates in the cage.</source>
         <translation>
             <numerusform>%n vértice de %1 no tiene coordenadas en la jaula.</numerusform>
             <numerusform>%n vértices de %1 no tienen coordenadas en la jaula.</numerusform>
@@ -656,7 +656,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Deshacer</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
             <numerusform>%n vértice de %1 no está en la región de ningún grupo.</numerusform>
             <numerusform>%n vértices de %1 no están en la región de ningún grupo.</numerusform>
@@ -667,7 +667,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Añadir grupo envolvente</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n vértice de %1 está fuera de la envolvente de los tiradores.</numerusform>
             <numerusform>%n vértices de %1 están fuera de la envolvente de los tiradores.</numerusform>
@@ -1010,7 +1010,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::DeformPage</name>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n tirador</numerusform>
             <numerusform>%n tiradores</numerusform>
@@ -1392,7 +1392,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>cerrada</translation>
     </message>
     <message numerus="yes">
-        <source>open, %n {edge|edges}</source>
+        <source>open, %n edges</source>
         <translation>
             <numerusform>abierta, %n arista</numerusform>
             <numerusform>abierta, %n aristas</numerusform>
@@ -1526,7 +1526,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>todos los órganos</translation>
     </message>
     <message numerus="yes">
-        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <source>The rest position of %n points of the field is uncertain.</source>
         <translation>
             <numerusform>La posición de reposo de %n punto del campo es incierta.</numerusform>
             <numerusform>La posición de reposo de %n puntos del campo es incierta.</numerusform>
@@ -1640,7 +1640,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Abriendo %1</translation>
     </message>
     <message numerus="yes">
-        <source>Opening %n {file|files}</source>
+        <source>Opening %n files</source>
         <translation>
             <numerusform>Abriendo %n archivo</numerusform>
             <numerusform>Abriendo %n archivos</numerusform>
@@ -1651,7 +1651,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Abrir %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <source>%n more on the pages of their organs in Explore</source>
         <translation>
             <numerusform>%n más en la página de su órgano, en Explorar</numerusform>
             <numerusform>%n más en las páginas de sus órganos, en Explorar</numerusform>
@@ -1686,7 +1686,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Los tiradores en los vértices de %1 son ahora las esquinas de la jaula.</translation>
     </message>
     <message numerus="yes">
-        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <source>The %n vertices of %1 are now the handles.</source>
         <translation>
             <numerusform>El %n vértice de %1 es ahora el tirador.</numerusform>
             <numerusform>Los %n vértices de %1 son ahora los tiradores.</numerusform>
@@ -1759,7 +1759,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>por la forma</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point|points}</source>
+        <source>%n points</source>
         <translation>
             <numerusform>%n punto</numerusform>
             <numerusform>%n puntos</numerusform>
@@ -1968,14 +1968,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Usar %1</translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <source>Automatic grouping has added %n corner handles to the group.</source>
         <translation>
             <numerusform>La agrupación automática ha añadido %n tirador de esquina al grupo.</numerusform>
             <numerusform>La agrupación automática ha añadido %n tiradores de esquina al grupo.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <source>Automatic grouping has added %n corner handles to %1 of %2 groups.</source>
         <translation>
             <numerusform>La agrupación automática ha añadido %n tirador de esquina a %1 de %2 grupos.</numerusform>
             <numerusform>La agrupación automática ha añadido %n tiradores de esquina a %1 de %2 grupos.</numerusform>
@@ -1985,7 +1985,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Mover %n tirador</numerusform>
             <numerusform>Mover %n tiradores</numerusform>
@@ -1996,14 +1996,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Mover tirador %1</translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n {handle|handles}</source>
+        <source>Turn %n handles</source>
         <translation>
             <numerusform>Girar %n tirador</numerusform>
             <numerusform>Girar %n tiradores</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Scale %n {handle|handles}</source>
+        <source>Scale %n handles</source>
         <translation>
             <numerusform>Escalar %n tirador</numerusform>
             <numerusform>Escalar %n tiradores</numerusform>
@@ -2302,7 +2302,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>La jaula tiene %1 triángulos sobre %2 tiradores.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 ms, %n {thread|threads}</source>
+        <source>%1 ms, %n threads</source>
         <translation>
             <numerusform>%1 ms, %n hilo</numerusform>
             <numerusform>%1 ms, %n hilos</numerusform>
@@ -2410,7 +2410,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Comprobación de %1</translation>
     </message>
     <message numerus="yes">
-        <source>Check of %n {file|files}</source>
+        <source>Check of %n files</source>
         <translation>
             <numerusform>Comprobación de %n archivo</numerusform>
             <numerusform>Comprobación de %n archivos</numerusform>
@@ -2480,7 +2480,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>No importar ningún órgano de esta lista</translation>
     </message>
     <message numerus="yes">
-        <source>Import %n {organ|organs}</source>
+        <source>Import %n organs</source>
         <translation>
             <numerusform>Importar %n órgano</numerusform>
             <numerusform>Importar %n órganos</numerusform>
@@ -2926,7 +2926,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
+        <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
             <numerusform>Movimiento de %n fase. Distancia media a las superficies medidas: %1.</numerusform>
             <numerusform>Movimiento de %n fases. Distancia media a las superficies medidas: %1.</numerusform>
@@ -2945,7 +2945,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>La serie no muestra cómo se mueven los puntos a lo largo de una pared. La media y el percentil 95 del latido son fiables; el patrón local de este mapa, no.</translation>
     </message>
     <message numerus="yes">
-        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <source>%n phases need attention: see the table below the chart.</source>
         <translation>
             <numerusform>%n fase requiere atención: vea la tabla debajo de la gráfica.</numerusform>
             <numerusform>%n fases requieren atención: vea la tabla debajo de la gráfica.</numerusform>
@@ -3075,7 +3075,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Aún no se ha abierto nada</translation>
     </message>
     <message numerus="yes">
-        <source>%n earlier {step|steps}</source>
+        <source>%n earlier steps</source>
         <translation>
             <numerusform>%n paso anterior</numerusform>
             <numerusform>%n pasos anteriores</numerusform>
@@ -3273,14 +3273,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Leyendo %1 ...</translation>
     </message>
     <message numerus="yes">
-        <source>%1: label maps, %n {phase|phases}</source>
+        <source>%1: label maps, %n phases</source>
         <translation>
             <numerusform>%1: mapas de etiquetas, %n fase</numerusform>
             <numerusform>%1: mapas de etiquetas, %n fases</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: surfaces, %n {phase|phases}</source>
+        <source>%1: surfaces, %n phases</source>
         <translation>
             <numerusform>%1: superficies, %n fase</numerusform>
             <numerusform>%1: superficies, %n fases</numerusform>
@@ -3446,7 +3446,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n {check|checks} passed</source>
+        <source>%n checks passed</source>
         <translation>
             <numerusform>%n comprobación superada</numerusform>
             <numerusform>%n comprobaciones superadas</numerusform>
@@ -3582,7 +3582,7 @@ Abra un archivo (Ctrl+O), suelte uno aquí o elija un órgano de muestra en el m
     </message>
     <message numerus="yes">
         <source>%1
-%n {triangle|triangles}</source>
+%n triangles</source>
         <translation>
             <numerusform>%1
 %n triángulo</numerusform>
@@ -4067,14 +4067,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Mover tirador %1</translation>
     </message>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Mover %n tirador</numerusform>
             <numerusform>Mover %n tiradores</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Reset %n {handle|handles}</source>
+        <source>Reset %n handles</source>
         <translation>
             <numerusform>Restablecer %n tirador</numerusform>
             <numerusform>Restablecer %n tiradores</numerusform>
@@ -4089,7 +4089,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Volumen %1</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <source>%1 is open (%n boundary edges), so it has no volume that could be locked.</source>
         <translation>
             <numerusform>%1 tiene una superficie abierta (%n arista de borde), sin volumen que se pueda bloquear.</numerusform>
             <numerusform>%1 tiene una superficie abierta (%n aristas de borde), sin volumen que se pueda bloquear.</numerusform>
@@ -4232,7 +4232,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Encontradas las %1 sin ningún error.</translation>
     </message>
     <message numerus="yes">
-        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <source>All %1 found, with %n mistakes.</source>
         <translation>
             <numerusform>Encontradas las %1, con %n error.</numerusform>
             <numerusform>Encontradas las %1, con %n errores.</numerusform>
@@ -4321,7 +4321,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Escribiendo el informe</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n {page|pages}.</source>
+        <source>%1: %n pages.</source>
         <translation>
             <numerusform>%1: %n página.</numerusform>
             <numerusform>%1: %n páginas.</numerusform>
@@ -4332,7 +4332,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Copiando como órdenes</translation>
     </message>
     <message numerus="yes">
-        <source>%n {command is|commands are} in the clipboard.</source>
+        <source>%n commands are in the clipboard.</source>
         <translation>
             <numerusform>%n orden en el portapapeles.</numerusform>
             <numerusform>%n órdenes en el portapapeles.</numerusform>
@@ -5029,7 +5029,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>sin tiradores</translation>
     </message>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n tirador</numerusform>
             <numerusform>%n tiradores</numerusform>
@@ -5603,7 +5603,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>diferencias</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <source>%n points lie outside the handles&apos; hull and stay where they are.</source>
         <translation>
             <numerusform>%n punto está fuera de la envolvente de los tiradores y no se mueve.</numerusform>
             <numerusform>%n puntos están fuera de la envolvente de los tiradores y no se mueven.</numerusform>

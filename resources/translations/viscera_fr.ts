@@ -623,7 +623,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Ses étiquettes sont à côté&#x202f;: %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
         <translation>
             <numerusform>La pose replie le tissu dans %n voxel&#x202f;: sa valeur est une estimation.</numerusform>
             <numerusform>La pose replie le tissu dans %n voxels&#x202f;: leurs valeurs sont des estimations.</numerusform>
@@ -641,7 +641,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Lier maintenant</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <source>%n vertices of %1 have no coordinates in the cage.</source>
         <translation>
             <numerusform>%n sommet de %1 n’a pas de coordonnées dans la cage.</numerusform>
             <numerusform>%n sommets de %1 n’ont pas de coordonnées dans la cage.</numerusform>
@@ -656,7 +656,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Annuler</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
             <numerusform>%n sommet de %1 n’est dans la région d’aucun groupe.</numerusform>
             <numerusform>%n sommets de %1 ne sont dans la région d’aucun groupe.</numerusform>
@@ -667,7 +667,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Ajouter un groupe englobant</translation>
     </message>
     <message numerus="yes">
-        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n sommet de %1 est hors de l’enveloppe des poignées.</numerusform>
             <numerusform>%n sommets de %1 sont hors de l’enveloppe des poignées.</numerusform>
@@ -1010,7 +1010,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::DeformPage</name>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n poignée</numerusform>
             <numerusform>%n poignées</numerusform>
@@ -1392,7 +1392,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>fermée</translation>
     </message>
     <message numerus="yes">
-        <source>open, %n {edge|edges}</source>
+        <source>open, %n edges</source>
         <translation>
             <numerusform>ouverte, %n arête</numerusform>
             <numerusform>ouverte, %n arêtes</numerusform>
@@ -1526,7 +1526,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>tous les organes</translation>
     </message>
     <message numerus="yes">
-        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <source>The rest position of %n points of the field is uncertain.</source>
         <translation>
             <numerusform>La position de repos de %n point du champ est incertaine.</numerusform>
             <numerusform>La position de repos de %n points du champ est incertaine.</numerusform>
@@ -1640,7 +1640,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Ouverture de %1</translation>
     </message>
     <message numerus="yes">
-        <source>Opening %n {file|files}</source>
+        <source>Opening %n files</source>
         <translation>
             <numerusform>Ouverture de %n fichier</numerusform>
             <numerusform>Ouverture de %n fichiers</numerusform>
@@ -1651,7 +1651,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Ouvrir %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <source>%n more on the pages of their organs in Explore</source>
         <translation>
             <numerusform>%n autre sur la page de son organe dans Explorer</numerusform>
             <numerusform>%n autres sur les pages de leurs organes dans Explorer</numerusform>
@@ -1686,7 +1686,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Les poignées aux sommets de %1 sont maintenant les coins de la cage.</translation>
     </message>
     <message numerus="yes">
-        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <source>The %n vertices of %1 are now the handles.</source>
         <translation>
             <numerusform>Le sommet (%n) de %1 est maintenant la poignée.</numerusform>
             <numerusform>Les %n sommets de %1 sont maintenant les poignées.</numerusform>
@@ -1759,7 +1759,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>par la forme</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point|points}</source>
+        <source>%n points</source>
         <translation>
             <numerusform>%n point</numerusform>
             <numerusform>%n points</numerusform>
@@ -1968,14 +1968,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Utiliser %1</translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to the group.</source>
+        <source>Automatic grouping has added %n corner handles to the group.</source>
         <translation>
             <numerusform>Le groupement automatique a ajouté %n poignée de coin au groupe.</numerusform>
             <numerusform>Le groupement automatique a ajouté %n poignées de coin au groupe.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.</source>
+        <source>Automatic grouping has added %n corner handles to %1 of %2 groups.</source>
         <translation>
             <numerusform>Le groupement automatique a ajouté %n poignée de coin à %1 des %2 groupes.</numerusform>
             <numerusform>Le groupement automatique a ajouté %n poignées de coin à %1 des %2 groupes.</numerusform>
@@ -1985,7 +1985,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Déplacer %n poignée</numerusform>
             <numerusform>Déplacer %n poignées</numerusform>
@@ -1996,14 +1996,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Déplacer la poignée %1</translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n {handle|handles}</source>
+        <source>Turn %n handles</source>
         <translation>
             <numerusform>Tourner %n poignée</numerusform>
             <numerusform>Tourner %n poignées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Scale %n {handle|handles}</source>
+        <source>Scale %n handles</source>
         <translation>
             <numerusform>Mettre %n poignée à l’échelle</numerusform>
             <numerusform>Mettre %n poignées à l’échelle</numerusform>
@@ -2302,7 +2302,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>La cage a %1 triangles sur %2 poignées.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 ms, %n {thread|threads}</source>
+        <source>%1 ms, %n threads</source>
         <translation>
             <numerusform>%1 ms, %n thread</numerusform>
             <numerusform>%1 ms, %n threads</numerusform>
@@ -2410,7 +2410,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Contrôle de %1</translation>
     </message>
     <message numerus="yes">
-        <source>Check of %n {file|files}</source>
+        <source>Check of %n files</source>
         <translation>
             <numerusform>Contrôle de %n fichier</numerusform>
             <numerusform>Contrôle de %n fichiers</numerusform>
@@ -2480,7 +2480,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>N’importer aucun organe de cette liste</translation>
     </message>
     <message numerus="yes">
-        <source>Import %n {organ|organs}</source>
+        <source>Import %n organs</source>
         <translation>
             <numerusform>Importer %n organe</numerusform>
             <numerusform>Importer %n organes</numerusform>
@@ -2926,7 +2926,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>%1 %2 mm</translation>
     </message>
     <message numerus="yes">
-        <source>Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.</source>
+        <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
             <numerusform>Mouvement de %n phase. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
             <numerusform>Mouvement de %n phases. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
@@ -2945,7 +2945,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e percentile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
     </message>
     <message numerus="yes">
-        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <source>%n phases need attention: see the table below the chart.</source>
         <translation>
             <numerusform>%n phase demande attention&#x202f;: voir le tableau sous le graphique.</numerusform>
             <numerusform>%n phases demandent attention&#x202f;: voir le tableau sous le graphique.</numerusform>
@@ -3075,7 +3075,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Rien n’a encore été ouvert</translation>
     </message>
     <message numerus="yes">
-        <source>%n earlier {step|steps}</source>
+        <source>%n earlier steps</source>
         <translation>
             <numerusform>%n étape antérieure</numerusform>
             <numerusform>%n étapes antérieures</numerusform>
@@ -3273,14 +3273,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Lecture de %1 ...</translation>
     </message>
     <message numerus="yes">
-        <source>%1: label maps, %n {phase|phases}</source>
+        <source>%1: label maps, %n phases</source>
         <translation>
             <numerusform>%1&#x202f;: cartes d’étiquettes, %n phase</numerusform>
             <numerusform>%1&#x202f;: cartes d’étiquettes, %n phases</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: surfaces, %n {phase|phases}</source>
+        <source>%1: surfaces, %n phases</source>
         <translation>
             <numerusform>%1&#x202f;: surfaces, %n phase</numerusform>
             <numerusform>%1&#x202f;: surfaces, %n phases</numerusform>
@@ -3446,7 +3446,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n {check|checks} passed</source>
+        <source>%n checks passed</source>
         <translation>
             <numerusform>%n contrôle réussi</numerusform>
             <numerusform>%n contrôles réussis</numerusform>
@@ -3582,7 +3582,7 @@ Ouvrez un fichier (Ctrl+O), déposez-en un ici, ou prenez un organe type dans le
     </message>
     <message numerus="yes">
         <source>%1
-%n {triangle|triangles}</source>
+%n triangles</source>
         <translation>
             <numerusform>%1
 %n triangle</numerusform>
@@ -4067,14 +4067,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Déplacer la poignée %1</translation>
     </message>
     <message numerus="yes">
-        <source>Move %n {handle|handles}</source>
+        <source>Move %n handles</source>
         <translation>
             <numerusform>Déplacer %n poignée</numerusform>
             <numerusform>Déplacer %n poignées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Reset %n {handle|handles}</source>
+        <source>Reset %n handles</source>
         <translation>
             <numerusform>Rétablir %n poignée</numerusform>
             <numerusform>Rétablir %n poignées</numerusform>
@@ -4089,7 +4089,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Volume %1</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <source>%1 is open (%n boundary edges), so it has no volume that could be locked.</source>
         <translation>
             <numerusform>%1&#x202f;: surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
             <numerusform>%1&#x202f;: surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
@@ -4232,7 +4232,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Les %1 trouvées sans erreur.</translation>
     </message>
     <message numerus="yes">
-        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <source>All %1 found, with %n mistakes.</source>
         <translation>
             <numerusform>Les %1 trouvées, avec %n erreur.</numerusform>
             <numerusform>Les %1 trouvées, avec %n erreurs.</numerusform>
@@ -4321,7 +4321,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Écriture du rapport</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n {page|pages}.</source>
+        <source>%1: %n pages.</source>
         <translation>
             <numerusform>%1&#x202f;: %n page.</numerusform>
             <numerusform>%1&#x202f;: %n pages.</numerusform>
@@ -4332,7 +4332,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Copie comme commandes</translation>
     </message>
     <message numerus="yes">
-        <source>%n {command is|commands are} in the clipboard.</source>
+        <source>%n commands are in the clipboard.</source>
         <translation>
             <numerusform>%n commande est dans le presse-papiers.</numerusform>
             <numerusform>%n commandes sont dans le presse-papiers.</numerusform>
@@ -5029,7 +5029,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>aucune poignée</translation>
     </message>
     <message numerus="yes">
-        <source>%n {handle|handles}</source>
+        <source>%n handles</source>
         <translation>
             <numerusform>%n poignée</numerusform>
             <numerusform>%n poignées</numerusform>
@@ -5603,7 +5603,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>différences</translation>
     </message>
     <message numerus="yes">
-        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <source>%n points lie outside the handles&apos; hull and stay where they are.</source>
         <translation>
             <numerusform>%n point est hors de l’enveloppe des poignées et reste où il est.</numerusform>
             <numerusform>%n points sont hors de l’enveloppe des poignées et restent où ils sont.</numerusform>

@@ -105,20 +105,38 @@ constexpr const char* kTextsOfAPlugin = R"(<?xml version="1.0" encoding="utf-8"?
 
 class Translations : public ::testing::TestWithParam<const char*> {};
 
+/// What lupdate makes of a copy of the file and the sources.
+std::vector<Text> broughtUpToDate(const QString& name, QStringList options) {
+  const QTemporaryDir folder;
+  const QString copy = folder.filePath(name);
+  EXPECT_TRUE(QFile::copy(folderOfTranslations() + name, copy));
+  const QDir root(QStringLiteral(VISCERA_SOURCE_DIR));
+  options << QStringLiteral("-silent") << QStringLiteral("-no-obsolete") << QStringLiteral("-locations")
+          << QStringLiteral("none") << root.filePath(QStringLiteral("app"))
+          << root.filePath(QStringLiteral("modules")) << QStringLiteral("-ts") << copy;
+  EXPECT_EQ(QProcess::execute(QStringLiteral(VISCERA_LUPDATE), options), 0);
+  return textsOf(copy);
+}
+
+/// The source has the plural, so that it reads well without the file, too.
+TEST(EnglishPlurals, HaveBothFormsOfEveryTextWithANumber) {
+  const std::vector<Text> texts =
+      broughtUpToDate(QStringLiteral("viscera_en.ts"), {QStringLiteral("-pluralonly")});
+  EXPECT_GT(texts.size(), 30u);
+  for (const Text& text : texts) {
+    EXPECT_TRUE(text.finished)
+        << text.source.toStdString()
+        << " has no plural; resources/scripts/update_translations.sh adds it to the file";
+    ASSERT_EQ(text.translations.size(), 2) << text.source.toStdString();
+    EXPECT_EQ(text.translations[1], text.source);
+    EXPECT_FALSE(text.source.contains(QLatin1Char('{'))) << text.source.toStdString();
+  }
+}
+
 /// The file is what lupdate would make of the sources, with nothing left to translate.
 TEST_P(Translations, HaveEveryTextOfTheWindow) {
-  const QTemporaryDir folder;
-  const QString name = QStringLiteral("viscera_%1.ts").arg(QLatin1String(GetParam()));
-  const QString copy = folder.filePath(name);
-  ASSERT_TRUE(QFile::copy(folderOfTranslations() + name, copy));
-  const QDir root(QStringLiteral(VISCERA_SOURCE_DIR));
-  const int code = QProcess::execute(QStringLiteral(VISCERA_LUPDATE),
-                                     {QStringLiteral("-silent"), QStringLiteral("-no-obsolete"),
-                                      QStringLiteral("-locations"), QStringLiteral("none"),
-                                      root.filePath(QStringLiteral("app")),
-                                      root.filePath(QStringLiteral("modules")), QStringLiteral("-ts"), copy});
-  ASSERT_EQ(code, 0);
-  const std::vector<Text> texts = textsOf(copy);
+  const std::vector<Text> texts =
+      broughtUpToDate(QStringLiteral("viscera_%1.ts").arg(QLatin1String(GetParam())), {});
   EXPECT_GT(texts.size(), 1000u);
   for (const Text& text : texts)
     EXPECT_TRUE(text.finished && !text.translations.isEmpty())

@@ -79,7 +79,7 @@ void ImportController::close() {
 void ImportController::show() {
   panel_->showDraft(draft_, names_.size() == 1
                                 ? tr("Check of %1").arg(QFileInfo(names_.front()).fileName())
-                                : tr("Check of %n {file|files}", nullptr, static_cast<int>(names_.size())));
+                                : tr("Check of %n files", nullptr, static_cast<int>(names_.size())));
   preview();
 }
 

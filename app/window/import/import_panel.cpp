@@ -149,7 +149,7 @@ void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& t
   const auto taken = std::count_if(draft.organs.begin(), draft.organs.end(),
                                    [](const auto& organ) { return organ.included; });
   const bool whole = taken == static_cast<std::ptrdiff_t>(draft.organs.size());
-  import_->setText(!whole                 ? tr("Import %n {organ|organs}", nullptr, static_cast<int>(taken))
+  import_->setText(!whole                 ? tr("Import %n organs", nullptr, static_cast<int>(taken))
                    : draft.questionable() ? tr("Import as it is")
                                           : tr("Import"));
   import_->setProperty("quiet", draft.questionable());

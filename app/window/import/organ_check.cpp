@@ -170,7 +170,7 @@ QWidget* OrganCheck::makeGoodLine(const document::DraftOrgan& organ) {
   auto* line = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(line, 8);
   row->addWidget(severityLabel(medical_io::FindingSeverity::good, line));
-  auto* label = new QLabel(tr("%n {check|checks} passed", nullptr, static_cast<int>(good.size())), line);
+  auto* label = new QLabel(tr("%n checks passed", nullptr, static_cast<int>(good.size())), line);
   label->setObjectName(QStringLiteral("muted"));
   label->setToolTip(good.join(QLatin1Char('\n')));
   row->addWidget(label, 1);

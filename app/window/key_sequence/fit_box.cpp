@@ -30,7 +30,7 @@ QString placeText(const std::vector<Vec3>& places) {
   if (places.empty())
     return FitBox::tr("by the shape");
   if (places.size() > 1)
-    return FitBox::tr("%n {point|points}", nullptr, static_cast<int>(places.size()));
+    return FitBox::tr("%n points", nullptr, static_cast<int>(places.size()));
   return QStringLiteral("%1, %2, %3")
       .arg(formatNumber(places.front().x(), 0))
       .arg(formatNumber(places.front().y(), 0))

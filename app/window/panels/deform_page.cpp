@@ -17,7 +17,7 @@ namespace {
 QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>& handles) {
   constexpr std::size_t kMostNames = 4;
   if (handles.size() > kMostNames)
-    return DeformPage::tr("%n {handle|handles}", nullptr, static_cast<int>(handles.size()));
+    return DeformPage::tr("%n handles", nullptr, static_cast<int>(handles.size()));
   QStringList names;
   for (const document::HandleId id : handles)
     if (const int row = rig.indexOf(id); row >= 0)

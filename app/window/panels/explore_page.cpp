@@ -92,7 +92,7 @@ void ExplorePage::sync() {
   triangles_->setText(organ ? locale().toString(static_cast<int>(organ->mesh->triangles.rows())) : none);
   surface_->setText(!organ            ? none
                     : organ->closed() ? tr("closed")
-                                      : tr("open, %n {edge|edges}", nullptr, organ->boundaryEdges));
+                                      : tr("open, %n edges", nullptr, organ->boundaryEdges));
   file_->setText(organ && !organ->file.empty() ? QFileInfo(text(organ->file.string())).fileName() : none);
   file_->setToolTip(organ ? text(organ->file.string()) : QString());
   size_->setText(none);

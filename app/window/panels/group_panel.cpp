@@ -203,8 +203,8 @@ QString GroupPanel::added() const {
   if (count == 0 || where == 0)
     return {};
   if (rig.groups.size() == 1)
-    return tr("Automatic grouping has added %n corner {handle|handles} to the group.", nullptr, count);
-  return tr("Automatic grouping has added %n corner {handle|handles} to %1 of %2 groups.", nullptr, count)
+    return tr("Automatic grouping has added %n corner handles to the group.", nullptr, count);
+  return tr("Automatic grouping has added %n corner handles to %1 of %2 groups.", nullptr, count)
       .arg(where)
       .arg(rig.groups.size());
 }

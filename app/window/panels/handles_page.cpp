@@ -88,7 +88,7 @@ void HandlesPage::sync() {
   const bool bound = organ && workspace_.live().deformer(organ->id);
   const QString none = QStringLiteral("-");
   state_->setText(nameOf(status.state));
-  time_->setText(bound ? tr("%1 ms, %n {thread|threads}", nullptr, status.report.threads)
+  time_->setText(bound ? tr("%1 ms, %n threads", nullptr, status.report.threads)
                              .arg(formatNumber(1000 * status.report.seconds, 1))
                        : none);
   identity_->setText(bound ? tr("%1 mm").arg(formatDigits(status.report.identityError, 2)) : none);

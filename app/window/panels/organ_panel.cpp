@@ -347,7 +347,7 @@ void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) 
   item->setIcon(kOrganName, swatch(asColor(presentation::shownColor(organ.look.color))));
   item->setIcon(kOrganEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kOrganEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
-  QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
+  QString tip = tr("%1\n%n triangles", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
                     .arg(inWords(organ.name));
   for (const std::string& warning : organ.warnings)
     tip += QStringLiteral("\n") + messageInWords(warning);

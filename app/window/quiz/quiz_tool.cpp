@@ -49,7 +49,7 @@ void QuizTool::ask() {
   else
     question_ = quiz_->mistakes() == 0
                     ? tr("All %1 found without a mistake.").arg(all)
-                    : tr("All %1 found, with %n {mistake|mistakes}.", nullptr, quiz_->mistakes()).arg(all);
+                    : tr("All %1 found, with %n mistakes.", nullptr, quiz_->mistakes()).arg(all);
   if (quiz_->asked())
     question_ += QStringLiteral("\n") + tr("%1 of %2").arg(found + 1).arg(all);
   picture_.setNamedParts(quiz_->found());

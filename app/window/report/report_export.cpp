@@ -95,8 +95,8 @@ void ReportExport::write(const QString& file) {
       },
       [this, file](int pages) {
         window_.settings.setValue(kFolderKey, QFileInfo(file).absolutePath());
-        window_.workspace.noteWritten(
-            tr("%1: %n {page|pages}.", nullptr, pages).arg(QFileInfo(file).fileName()), file);
+        window_.workspace.noteWritten(tr("%1: %n pages.", nullptr, pages).arg(QFileInfo(file).fileName()),
+                                      file);
       });
 }
 
@@ -111,8 +111,8 @@ void ReportExport::copyCommands() {
       tr("Copying as commands"), "commands", [source](Progress&) { return report::sessionScript(source); },
       [this](const report::SessionScript& script) {
         QGuiApplication::clipboard()->setText(QString::fromStdString(script.text));
-        window_.workspace.note(tr("%n {command is|commands are} in the clipboard.", nullptr,
-                                  static_cast<int>(script.commands.size())));
+        window_.workspace.note(
+            tr("%n commands are in the clipboard.", nullptr, static_cast<int>(script.commands.size())));
       });
 }
 

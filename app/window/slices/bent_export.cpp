@@ -133,9 +133,8 @@ void BentExport::exportScan(const QString& file) {
         if (!written.labels.isEmpty())
           said += QLatin1Char(' ') + tr("Its labels are beside it: %1.").arg(written.labels);
         if (written.folded > 0)
-          said += QLatin1Char(' ') +
-                  tr("The pose folds the tissue at %n {voxel|voxels}: their values are estimates.", nullptr,
-                     static_cast<int>(written.folded));
+          said += QLatin1Char(' ') + tr("The pose folds the tissue at %n voxels: their values are estimates.",
+                                        nullptr, static_cast<int>(written.folded));
         workspace_.noteWritten(said, file);
       });
 }

@@ -400,8 +400,8 @@ void StressPage::syncStatus() {
   for (const std::string& remark : status.remarks)
     lines.push_back(messageInWords(remark));
   if (status.state == State::ready && status.outside > 0)
-    lines.push_back(tr("%n {point lies|points lie} outside the handles' hull and stay where they are.",
-                       nullptr, status.outside));
+    lines.push_back(
+        tr("%n points lie outside the handles' hull and stay where they are.", nullptr, status.outside));
   remarks_->setText(lines.join(QLatin1Char('\n')));
   remarks_->setVisible(mesh && !lines.isEmpty());
   syncPose();

@@ -56,8 +56,8 @@ QString summaryOf(const MeasuredMotion::Found& found) {
     parts.push_back(
         MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
   }
-  return MeasuredMotion::tr("Motion of %n {phase|phases}. Mean distance from the measured surfaces: %1.",
-                            nullptr, static_cast<int>(motion.phases.size()))
+  return MeasuredMotion::tr("Motion of %n phases. Mean distance from the measured surfaces: %1.", nullptr,
+                            static_cast<int>(motion.phases.size()))
       .arg(parts.join(QStringLiteral(", ")));
 }
 
@@ -204,9 +204,8 @@ void MeasuredMotion::say(const Found& found) {
   if (doubtful > 0) {
     message.severity = Message::Severity::warning;
     message.seconds = 0;
-    message.text +=
-        QLatin1Char(' ') + tr("%n {phase needs|phases need} attention: see the table below the chart.",
-                              nullptr, static_cast<int>(doubtful));
+    message.text += QLatin1Char(' ') + tr("%n phases need attention: see the table below the chart.", nullptr,
+                                          static_cast<int>(doubtful));
   }
   if (!motion.outliers.empty()) {
     motion::SeriesRequest fewer = found.request;

@@ -275,8 +275,8 @@ void MotionDialog::sync() {
   if (looking_)
     what = tr("Reading %1 ...").arg(QFileInfo(files_.front()).fileName());
   else if (!contents_.items.empty())
-    what = (contents_.labels ? tr("%1: label maps, %n {phase|phases}", nullptr, int(contents_.phases))
-                             : tr("%1: surfaces, %n {phase|phases}", nullptr, int(contents_.phases)))
+    what = (contents_.labels ? tr("%1: label maps, %n phases", nullptr, int(contents_.phases))
+                             : tr("%1: surfaces, %n phases", nullptr, int(contents_.phases)))
                .arg(QFileInfo(files_.front()).fileName());
   what_->setText(what);
   start_->setEnabled(!contents_.items.empty() && contents_.phases != 1 && period > 0 && !finding_);

@@ -106,7 +106,7 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
   const auto& handles = workspace_.document().rig().handles;
   const QString name =
       event.moving.size() > 1
-          ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
+          ? tr("Move %n handles", nullptr, static_cast<int>(event.moving.size()))
           : tr("Move handle %1").arg(text(handles.at(static_cast<std::size_t>(event.handle)).label));
   if (grabbed_.rest) {
     workspace_.guarded([&] { step_.emplace(workspace_.undo(), name.toStdString()); });
@@ -170,8 +170,7 @@ void HandleController::onGizmoGrabbed(const scene::GizmoEvent& event) {
     if (const int row = rig.indexOf(id); row >= 0 && !rig.handles[static_cast<std::size_t>(row)].locked)
       ids.push_back(id);
   const int count = static_cast<int>(ids.size());
-  poses_.begin(event.rotates ? tr("Turn %n {handle|handles}", nullptr, count)
-                             : tr("Scale %n {handle|handles}", nullptr, count),
+  poses_.begin(event.rotates ? tr("Turn %n handles", nullptr, count) : tr("Scale %n handles", nullptr, count),
                ids, false);
 }
 
