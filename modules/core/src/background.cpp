@@ -1,0 +1,43 @@
+#include "viscera/core/background.h"
+
+#include <exception>
+#include <thread>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
+namespace viscera {
+namespace {
+
+/// On Linux each thread has a priority of its own, which those that it starts take over. It cannot be raised
+/// again without privileges: hence the new thread.
+void lowerOwnPriority() {
+#if defined(__linux__)
+  // A tenth of the usual share: little beside a picture, and not nothing on a machine that others keep busy.
+  constexpr int kNiceness = 10;
+  // Whatever forbids it, the work is done all the same.
+  static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNiceness));
+#endif
+}
+
+} // namespace
+
+void inBackground(const std::function<void()>& work) {
+  std::exception_ptr problem;
+  std::thread worker([&] {
+    try {
+      lowerOwnPriority();
+      work();
+    } catch (...) {
+      problem = std::current_exception();
+    }
+  });
+  worker.join();
+  if (problem)
+    std::rethrow_exception(problem);
+}
+
+} // namespace viscera
