@@ -1,5 +1,6 @@
 #include "viscera/core/background.h"
 
+#include <algorithm>
 #include <exception>
 #include <thread>
 
@@ -19,7 +20,8 @@ void lowerOwnPriority() {
   // A tenth of the usual share: little beside a picture, and not nothing on a machine that others keep busy.
   constexpr int kNiceness = 10;
   // Whatever forbids it, the work is done all the same.
-  static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNiceness));
+  const auto own = static_cast<id_t>(syscall(SYS_gettid));
+  static_cast<void>(setpriority(PRIO_PROCESS, own, std::max(kNiceness, getpriority(PRIO_PROCESS, own))));
 #endif
 }
 
