@@ -139,7 +139,7 @@ TEST_F(DeformMode, LockingAVolumeHasItsFormMadeByAWorkerAndUnlockingDoesNot) {
   std::int64_t last = 0;
   const Subscription subscription = window().workspace().jobs().onChange([&] {
     for (const JobInfo& job : window().workspace().jobs().jobs())
-      if (job.slot == "lock" && job.id != last) {
+      if (job.slot.starts_with("lock/") && job.id != last) {
         last = job.id;
         ++begun;
       }

@@ -12,6 +12,7 @@ namespace viscera::tests {
 /// How often the bindings of a `CountingSystem` were asked for what is dear.
 struct BindingCounts {
   std::atomic<int> influences{0}; ///< Of one handle each; a volume form asks for all of them.
+  std::atomic<int> deforms{0};    ///< Each a pass over all weights.
   std::atomic<int> pullBacks{0};  ///< Each for one gradient of the volume.
   std::function<void()> beforeInfluence = [] {};
 };
@@ -39,6 +40,7 @@ private:
     Eigen::Index pointCount() const override { return inner_->pointCount(); }
     const coordinates::BindingReport& report() const override { return inner_->report(); }
     void deform(const Points& pose, Points& points, Threads threads) const override {
+      ++counts_->deforms;
       inner_->deform(pose, points, threads);
     }
     void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,

@@ -19,7 +19,7 @@ constexpr std::size_t kMostMotions = 8;
 
 Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent)
     : QObject(parent), workspace_(workspace), transport_(std::move(transport)),
-      player_(*transport_, workspace.state(), workspace.live()) {
+      player_(*transport_, workspace.state(), workspace.live(), &workspace.jobs()) {
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMilliseconds);
   connect(&frames_, &QTimer::timeout, this, &Playback::advance);

@@ -5,6 +5,7 @@
 
 #include <QPointer>
 
+#include "viscera/core/background.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/heartbeat.h"
 #include "window/language.h"
@@ -172,8 +173,13 @@ void VolumeMonitor::measure(int index) {
   side.cause = cause;
   side.curves.reset();
   ++cycles_;
-  auto work = [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](
-                  Progress& progress) { return motion::measureCycle(ahead->runner(), progress); };
+  auto work =
+      [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](Progress& progress) {
+        // A lock that is set has the cycle measured anew, just when a drag under it begins.
+        motion::CycleCurves curves;
+        inBackground([&] { curves = motion::measureCycle(ahead->runner(), progress); });
+        return curves;
+      };
   auto done = [self = QPointer(this), index, mine = ++side.ticket](JobResult<motion::CycleCurves> result) {
     if (!self || self->sides_[index].ticket != mine)
       return;

@@ -142,9 +142,20 @@ std::vector<double> VolumeLock::volumes(const Points& pose) const {
   return result;
 }
 
-double VolumeLock::volume(std::size_t surface, const Points& pose) const {
+/// The surface in this pose, which is found out unless `looks` has it.
+const VolumeLock::Look& VolumeLock::lookAt(std::size_t surface, const Points& pose, Looks& looks) const {
+  Look& look = looks[surface];
+  if (look.pose.rows() == pose.rows() && look.pose == pose)
+    return look;
+  shape(surface, pose, look.points);
+  look.volume = geometry::volume(look.points, surfaces_[surface].rest->triangles, threads_);
+  look.pose = pose;
+  return look;
+}
+
+double VolumeLock::volume(std::size_t surface, const Points& pose, Looks& looks) const {
   const VolumeForm* known = form(surface);
-  return known ? known->volume(pose) : volumeOnSurface(surface, pose);
+  return known ? known->volume(pose) : lookAt(surface, pose, looks).volume;
 }
 
 double VolumeLock::volumeOnSurface(std::size_t surface, const Points& pose) const {
@@ -160,10 +171,19 @@ double VolumeLock::error(const std::vector<double>& volumes) const {
   return worst;
 }
 
-double VolumeLock::expectedError(const Points& pose) const {
+/// On the surfaces themselves.
+double VolumeLock::measuredError(const Points& pose, Looks& looks) const {
   std::vector<double> now;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)
-    now.push_back(volume(k, pose));
+    now.push_back(lookAt(k, pose, looks).volume);
+  return error(now);
+}
+
+/// By the forms, where there are some.
+double VolumeLock::expectedError(const Points& pose, Looks& looks) const {
+  std::vector<double> now;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    now.push_back(volume(k, pose, looks));
   return error(now);
 }
 
@@ -176,10 +196,19 @@ Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose) co
   return ofHandles;
 }
 
-Points VolumeLock::gradient(std::size_t surface, const Points& pose) const {
+Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose, Looks& looks) const {
+  const auto& locked = surfaces_[surface];
+  Points ofPoints, ofHandles;
+  geometry::volumeGradient(lookAt(surface, pose, looks).points, locked.rest->triangles,
+                           *known_[surface].around, ofPoints, threads_);
+  locked.binding->pullBack(pose, ofPoints, ofHandles, threads_);
+  return ofHandles;
+}
+
+Points VolumeLock::gradient(std::size_t surface, const Points& pose, Looks& looks) const {
   const VolumeForm* known = form(surface);
   if (!known)
-    return gradientOnSurface(surface, pose);
+    return gradientOnSurface(surface, pose, looks);
   Points ofHandles;
   known->gradient(pose, ofHandles);
   return ofHandles;
@@ -196,48 +225,51 @@ Points VolumeLock::translationGradient(const Points& pose, const std::vector<int
 }
 
 /// The only surface's volume at `pose + s direction` as a cubic in s.
-std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction) const {
+std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction, Looks& looks) const {
   if (const VolumeForm* known = form(0))
     return known->along(pose, direction);
   const auto& triangles = surfaces_.front().rest->triangles;
   const auto& around = *known_.front().around;
-  Points points, moved, gradientAtPoints, gradientAtMotion;
-  shape(0, pose, points);
+  const Look& here = lookAt(0, pose, looks);
+  const Points& points = here.points;
+  Points moved, gradientAtPoints, gradientAtMotion;
   shape(0, pose + direction, moved);
   const Points motion = moved - points;
   // V is a cubic form of the points: V(P + sQ) = V(P) + s DV(P)[Q] + s^2 DV(Q)[P] + s^3 V(Q).
   geometry::volumeGradient(points, triangles, around, gradientAtPoints, threads_);
   geometry::volumeGradient(motion, triangles, around, gradientAtMotion, threads_);
-  return {geometry::volume(points, triangles, threads_), innerProduct(gradientAtPoints, motion),
-          innerProduct(gradientAtMotion, points), geometry::volume(motion, triangles, threads_)};
+  return {here.volume, innerProduct(gradientAtPoints, motion), innerProduct(gradientAtMotion, points),
+          geometry::volume(motion, triangles, threads_)};
 }
 
 /// The step along `direction` that gives the only surface its target; NaN when there is none within
 /// `limitMm`.
-double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm) const {
+double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm,
+                             Looks& looks) const {
   const double longest = longestRow(direction);
   if (longest == 0)
     return std::nan("");
   // The root of V(pose + s direction) - target nearest to s = 0.
-  std::array<double, 4> cubic = along(pose, direction);
+  std::array<double, 4> cubic = along(pose, direction, looks);
   cubic[0] -= surfaces_.front().targetMm3;
   return nearestCubicRoot(cubic, -limitMm / longest, limitMm / longest).value_or(std::nan(""));
 }
 
 /// One Newton step of all volumes at once, in the span of the surfaces' restoring directions; false when
 /// singular.
-bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const {
+bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model,
+                            Looks& looks) const {
   const auto count = static_cast<Eigen::Index>(surfaces_.size());
   std::vector<Points> gradients, directions;
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    gradients.push_back(gradient(k, pose));
+    gradients.push_back(gradient(k, pose, looks));
     directions.push_back(model.direction(pose, gradients.back(), free));
   }
   // sum_j <g_k, d_j> s_j = target_k - V_k for each surface k, then pose += sum_j s_j d_j.
   Eigen::MatrixXd system(count, count);
   Values missing(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    missing[k] = surfaces_[std::size_t(k)].targetMm3 - volume(std::size_t(k), pose);
+    missing[k] = surfaces_[std::size_t(k)].targetMm3 - volume(std::size_t(k), pose, looks);
     for (Eigen::Index j = 0; j < count; ++j)
       system(k, j) = innerProduct(gradients[std::size_t(k)], directions[std::size_t(j)]);
   }
@@ -252,7 +284,8 @@ bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const Re
 
 RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& free,
                                  const RestorationModel& model, double limitMm) const {
-  RestoredPose result{wanted, false, 0, error(volumes(wanted)), {}};
+  Looks looks(surfaces_.size()), ofNext(surfaces_.size());
+  RestoredPose result{wanted, false, 0, measuredError(wanted, looks), {}};
   const auto fail = [&](const std::string& reason) {
     result.reason = reason;
     return result;
@@ -262,30 +295,34 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
   if (left > kRoundingOfVolume && free.empty())
     return fail("no handle is left to compensate the change of volume");
   if (left > kRoundingOfVolume && surfaces_.size() == 1) {
-    pose += model.relaxation(pose, gradient(0, pose), free);
-    Points direction = model.direction(pose, gradient(0, pose), free);
+    Points slope = gradient(0, pose, looks);
+    pose += model.relaxation(pose, slope, free);
+    if (pose != wanted)
+      slope = gradient(0, pose, looks);
+    Points direction = model.direction(pose, slope, free);
     // A step of a millimetre: where points are not linear in the pose, the cubic is what holds near by.
     if (const double longest = longestRow(direction); longest > 0)
       direction /= longest;
-    const double step = cubicStep(pose, direction, limitMm);
+    const double step = cubicStep(pose, direction, limitMm, looks);
     if (!std::isfinite(step))
       return fail(phrase("no compensation within %1 mm restores the volume", std::lround(limitMm)));
     pose += step * direction;
-    left = expectedError(pose);
+    left = expectedError(pose, looks);
   }
   // Rounding, several surfaces, or coordinates that are not linear: Newton's steps double the digits.
   for (int i = 0; i < kMostNewtonSteps && left > kRoundingOfVolume; ++i) {
     Points next = pose;
-    if (!newtonStep(next, free, model))
+    if (!newtonStep(next, free, model, looks))
       break;
-    const double nextLeft = expectedError(next);
+    const double nextLeft = expectedError(next, ofNext);
     if (!(nextLeft < left))
       break;
     pose = std::move(next);
+    std::swap(looks, ofNext);
     left = nextLeft;
   }
   const double shift = longestRow(pose - wanted);
-  const double reached = error(volumes(pose));
+  const double reached = measuredError(pose, looks);
   if (!(reached <= kRelativeTolerance))
     return fail("the handles that may compensate cannot restore the volume");
   if (shift > limitMm)

@@ -1,15 +1,16 @@
 #include "lock_preparation.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+
+#include "viscera/core/background.h"
 
 namespace viscera::live {
 namespace {
 
 using deformation::LockedSurface;
 using deformation::VolumeLock;
-
-const char* const kLockSlot = "lock";
 
 } // namespace
 
@@ -19,10 +20,11 @@ bool sameSurfaces(const std::vector<LockedSurface>& a, const std::vector<LockedS
 }
 
 LockPreparation::LockPreparation(JobQueue& jobs, Threads threads)
-    : jobs_(jobs), threads_{std::max(1, threads.resolved() - 1)} {}
+    : jobs_(jobs), slot_("lock/" + std::to_string(reinterpret_cast<std::uintptr_t>(this))),
+      threads_{std::max(1, threads.resolved() - 1)} {}
 
 LockPreparation::~LockPreparation() {
-  jobs_.cancelSlot(kLockSlot);
+  jobs_.cancelSlot(slot_);
 }
 
 void LockPreparation::want(std::vector<LockedSurface> surfaces, const VolumeLock* known) {
@@ -35,12 +37,15 @@ void LockPreparation::want(std::vector<LockedSurface> surfaces, const VolumeLock
     others.push_back(std::make_shared<const VolumeLock>(*known));
   const auto work = [locked = std::move(surfaces), with = threads_,
                      others = std::move(others)](Progress& progress) {
-    const auto lock = std::make_shared<const VolumeLock>(locked, with, VolumeLock::Forms::whenAsked, others);
-    lock->makeForms(progress);
+    std::shared_ptr<const VolumeLock> lock;
+    inBackground([&] {
+      lock = std::make_shared<const VolumeLock>(locked, with, VolumeLock::Forms::whenAsked, others);
+      lock->makeForms(progress);
+    });
     return lock;
   };
   using Lock = std::shared_ptr<const VolumeLock>;
-  jobs_.submit<Lock>("Preparing the volume lock", kLockSlot, work,
+  jobs_.submit<Lock>("Preparing the volume lock", slot_, work,
                      [weak = weak_from_this()](JobResult<Lock> result) {
                        // Without a value the surfaces themselves are passed over; a motion says what is wrong
                        // with them.
@@ -53,7 +58,7 @@ void LockPreparation::want(std::vector<LockedSurface> surfaces, const VolumeLock
 void LockPreparation::keepOnly(const std::vector<LockedSurface>& surfaces) {
   if (sameSurfaces(surfaces, wanted_))
     return;
-  jobs_.cancelSlot(kLockSlot);
+  jobs_.cancelSlot(slot_);
   wanted_.clear();
   if (surfaces.empty())
     ready_.reset();

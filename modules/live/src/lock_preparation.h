@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "viscera/core/job_queue.h"
@@ -34,6 +35,7 @@ public:
 
 private:
   JobQueue& jobs_;
+  std::string slot_; ///< Of its own: who drags and who plays do not give up each other's work.
   Threads threads_;
   std::vector<deformation::LockedSurface> wanted_; ///< Under way, ready, or impossible.
   std::shared_ptr<const deformation::VolumeLock> ready_;

@@ -11,8 +11,9 @@
 
 namespace viscera::motion {
 
-MotionRunner::MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads)
-    : state_(state), organs_(organs), keeper_(state, organs, threads) {}
+MotionRunner::MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads,
+                           JobQueue* jobs)
+    : state_(state), organs_(organs), keeper_(state, organs, threads, jobs) {}
 
 void MotionRunner::setSequence(std::shared_ptr<const sequences::Sequence> sequence) {
   sequence_ = std::move(sequence);

@@ -6,8 +6,9 @@
 
 namespace viscera::motion {
 
-Player::Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live)
-    : transport_(transport), state_(state), live_(live), runner_(state, live) {
+Player::Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live,
+               JobQueue* jobs)
+    : transport_(transport), state_(state), live_(live), runner_(state, live, {}, jobs) {
   transport_.players_.push_back(this);
 }
 

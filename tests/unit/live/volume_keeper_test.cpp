@@ -253,6 +253,37 @@ TEST(VolumeKeeper, AMotionThatBeginsBeforeTheFormIsThereNeitherMakesItNorWaits) 
   EXPECT_TRUE(s.jobs.idle()) << "what is ready is made again";
 }
 
+TEST(VolumeKeeper, WithoutFormsEachPoseThatIsTriedTakesOnePassOverEachSurface) {
+  Preparing s;
+  s.undo.perform(document::addOrgans({ball("Second", 9, 2, {12, 0, 0})}));
+  s.undo.perform(document::setVolumeLocked(s.organ(1), true));
+  VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);
+  LockedMotion motion = keeper.begin({s.handle(9)});
+  const int deforms = s.counts->deforms;
+  const int pullBacks = s.counts->pullBacks;
+  const Points& pose = motion.translate({5, 1, 2});
+  EXPECT_EQ(motion.obstacle(), "");
+  const int gradients = s.counts->pullBacks - pullBacks;
+  EXPECT_GE(gradients, 4);
+  EXPECT_LE(s.counts->deforms - deforms, gradients + 2) << "the wish, and where each step leads";
+  s.undo.perform(document::setPose(pose));
+  for (const std::size_t place : {0, 1})
+    EXPECT_LE(std::abs(s.live.volume(s.organ(place)).relativeChange()), 1e-12) << place;
+  s.go();
+}
+
+TEST(VolumeKeeper, TwoKeepersPrepareOnOneQueueWithoutGivingUpEachOthersWork) {
+  Preparing s;
+  VolumeKeeper drags(s.document.state(), s.live, {2}, &s.jobs);
+  VolumeKeeper plays(s.document.state(), s.live, {2}, &s.jobs);
+  drags.prepare();
+  plays.prepare();
+  s.go();
+  s.finishJobs();
+  EXPECT_EQ(s.turn(drags), 0);
+  EXPECT_EQ(s.turn(plays), 0);
+}
+
 TEST(VolumeKeeper, GivesUpTheFormOfAnOrganThatIsNoLongerLocked) {
   Preparing s;
   VolumeKeeper keeper(s.document.state(), s.live, {2}, &s.jobs);

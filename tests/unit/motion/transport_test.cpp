@@ -1,11 +1,14 @@
 #include "viscera/motion/transport.h"
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "counting_system.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
@@ -289,6 +292,68 @@ TEST(SequenceRig, FitsTheRigThatTheSequenceBringsAndNoOther) {
   EXPECT_NO_THROW(document::requireFits(s.document.rig(), swing));
   ASSERT_EQ(s.document.rig().groups.size(), 1u);
   EXPECT_EQ(s.document.rig().groups[0].handles, (std::vector<document::HandleId>{s.handle(4), s.handle(8)}));
+}
+
+/// Four corners go out and in again: the ball would gain and lose volume.
+class Breathe final : public sequences::Sequence {
+public:
+  std::string id() const override { return "breathe"; }
+  std::string name() const override { return "Breathe"; }
+  const Points& restHandles() const override { return swing_.restHandles(); }
+  double standardRatePerMinute() const override { return 60; }
+  double lowestRatePerMinute() const override { return 30; }
+  double highestRatePerMinute() const override { return 240; }
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override {
+    pose = restHandles();
+    pose.topRows(4) *= 1 + 0.1 * std::sin(2 * std::numbers::pi * seconds * ratePerMinute / 60);
+  }
+  std::vector<sequences::Phase> phases(double) const override { return {{"breath", 0, 1}}; }
+
+private:
+  Swing swing_;
+};
+
+TEST(Player, UnderALockNoFrameMakesTheVolumeFormAndAllKeepTheVolumeExactly) {
+  constexpr double kAllowedVolumeError = 1e-9;
+  tests::BoundSession s;
+  const auto counts = std::make_shared<tests::BindingCounts>();
+  std::atomic<int> madeHere{0};
+  counts->beforeInfluence = [&madeHere, here = std::this_thread::get_id()] {
+    if (std::this_thread::get_id() == here)
+      ++madeHere;
+  };
+  s.registry.add(std::make_shared<tests::CountingSystem>(counts), "test");
+  s.undo.perform(document::setSystem({"counting", {}}));
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  double now = 1000;
+  Transport transport([&now] { return now; });
+  Player player(transport, s.document.state(), s.live, &s.jobs);
+  player.setSequence(std::make_shared<Breathe>(), s.organ());
+  transport.setPose(WantedPose::sequence);
+  const auto kept = [&] {
+    return std::abs(s.live.volume(s.organ()).relativeChange()) <= kAllowedVolumeError;
+  };
+  transport.seek(0.25);
+  ASSERT_TRUE(player.runner().obstacle().empty()) << player.runner().obstacle();
+  const Points early = s.live.shownPose();
+  EXPECT_GT(counts->pullBacks, 0) << "the surface itself was passed over";
+  EXPECT_TRUE(kept());
+  EXPECT_FALSE(s.jobs.idle()) << "the form is made on the queue";
+  s.box.runUntil([&] { return s.jobs.idle(); });
+  EXPECT_EQ(counts->influences, 10) << "a column for each handle";
+  const int pullBacks = counts->pullBacks;
+  transport.play();
+  for (int frame = 0; frame < 20; ++frame) {
+    now += 0.05;
+    transport.advance();
+    EXPECT_TRUE(kept()) << "frame " << frame;
+  }
+  EXPECT_EQ(counts->pullBacks, pullBacks) << "the form is there";
+  EXPECT_EQ(madeHere, 0);
+  transport.pause();
+  transport.seek(0.25);
+  EXPECT_LT((s.live.shownPose() - early).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_TRUE(s.jobs.idle()) << "what is ready is not made again";
 }
 
 } // namespace

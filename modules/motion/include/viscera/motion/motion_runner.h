@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
 #include "viscera/live/posed_organs.h"
@@ -32,7 +33,11 @@ public:
   static constexpr int kTriedInstants = 64;
 
   /// Both must live longer. `state` is the document's own, or the one of which `organs` are a copy.
-  MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads = {});
+  /// With a job queue, whose main thread is that of the organs, what makes locks quick is prepared there and
+  /// no frame waits for it: until it is there a frame takes longer, its volumes are as exact and its pose is
+  /// the same but for rounding. Without one the first frame that needs it waits.
+  MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads = {},
+               JobQueue* jobs = nullptr);
 
   /// Takes another sequence (or none) at its standard rate; nothing is prescribed then.
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence);

@@ -17,7 +17,9 @@ class Player {
 public:
   /// Joins the views of `transport`, as the one that leads when it is the first. All must live longer;
   /// `state` is the document's own.
-  Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live);
+  /// `jobs` as for `MotionRunner`.
+  Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live,
+         JobQueue* jobs = nullptr);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
