@@ -32,6 +32,9 @@ QByteArray bytesOf(const QString& file) {
 
 class ReportOfTheHeart : public PlayMode {
 protected:
+  bool coarseSamples() const override {
+    return false;
+  } // Its ejection fraction is that of the window's heart.
   app::ReportExport& reports() { return *window().findChild<app::ReportExport*>(); }
 };
 
