@@ -69,7 +69,8 @@ std::string surfacePhases(std::size_t format, bool corresponding) {
 std::vector<std::string> surfacePhaseSeeds() {
   std::vector<std::string> out;
   for (std::size_t format = 0; format < medical_io::surfaceExtensions().size(); ++format)
-    out.push_back(surfacePhases(format, true));
+    if (medical_io::surfaceExtensions()[format] != ".gltf") // Which is read, but not written.
+      out.push_back(surfacePhases(format, true));
   out.push_back(surfacePhases(0, false));
   return out;
 }
