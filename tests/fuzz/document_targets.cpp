@@ -186,7 +186,8 @@ void readOrganDefinition(Bytes bytes) {
 
 /// A pear with a little of everything that is quick to make.
 constexpr const char* kSmallDefinition = R"({"name": "organ", "units": "mm", "frame": "LPS", "nodes": [
-  {"name": "body", "type": "tube", "paint": [0.8, 0.7, 0.3], "points": [[0, 0, 0, 30], [0, 0, 40, 22], [0, 0, 70, 14]]},
+  {"name": "body", "type": "tube", "paint": [0.8, 0.7, 0.3],
+   "points": [[0, 0, 0, 30], [0, 0, 40, 22], [0, 0, 70, 14]]},
   {"name": "ball", "type": "ellipsoid", "center": [20, 0, 10], "radii": [20, 24, 18]}],
   "surfaces": [{"name": "outer", "spacing": 5, "triangles": {"low": 400, "medium": 400, "high": 400},
     "places": [{"name": "tip", "at": [0, 0, 84]}],
