@@ -10,7 +10,7 @@ longest_input() {
   case $1 in
   surface_soups) echo 320 ;;
   command_lines | volume_curves | plugins) echo 1024 ;;
-  surfaces | handles | lessons | label_maps | label_series | scans) echo 8192 ;;
+  surfaces | handles | landmarks | lessons | label_maps | label_series | scans) echo 8192 ;;
   *) echo 16384 ;;
   esac
 }

@@ -1,3 +1,5 @@
+#include <chrono>
+#include <cmath>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -6,6 +8,7 @@
 #include "session_scene.h"
 #include "temporary_folder.h"
 #include "viscera/document/validate.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/lesson/lesson_spec.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/volume_curve.h"
@@ -124,11 +127,77 @@ std::vector<std::string> lessonSeeds() {
                          {"title": "Here", "position": [0, -300, 40], "focus": [0, 0, 10], "fraction": 0.25}]})"};
 }
 
+/// Surfaces that are made, not only read: small ones, that a run may take some milliseconds.
+constexpr int kMostTrianglesMade = 800;
+constexpr double kLeastSpacingMade = 4, kMostCoordinateMade = 150; ///< mm
+constexpr std::chrono::seconds kLongestMaking{3};
+
+/// The largest number anywhere in a definition, such as a radius or a scale.
+double largestNumber(const nlohmann::json& value) {
+  if (value.is_number())
+    return std::abs(value.get<double>());
+  double most = 0;
+  if (value.is_structured())
+    for (const nlohmann::json& part : value)
+      most = std::max(most, largestNumber(part));
+  return most;
+}
+
+/// The name of the first surface where it is small enough to be made at low resolution; else empty.
+std::string smallSurface(Bytes bytes) {
+  const auto content = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false, true);
+  if (!content.is_object() || !content.contains("surfaces") || !content["surfaces"].is_array() ||
+      content["surfaces"].empty() || content.contains("include"))
+    return {};
+  const nlohmann::json first = content["surfaces"].front();
+  const auto number = [&](const nlohmann::json::json_pointer& at) {
+    return first.contains(at) && first[at].is_number() ? first[at].get<double>() : 0.0;
+  };
+  const double triangles = number(nlohmann::json::json_pointer("/triangles/low"));
+  const bool small = triangles > 0 && triangles <= kMostTrianglesMade &&
+                     number(nlohmann::json::json_pointer("/spacing")) >= kLeastSpacingMade &&
+                     largestNumber(first.value("root", nlohmann::json())) <= kMostCoordinateMade &&
+                     largestNumber(content.value("nodes", nlohmann::json())) <= kMostCoordinateMade;
+  return small && first.contains("name") && first["name"].is_string() ? first["name"].get<std::string>() : "";
+}
+
 void readOrganDefinition(Bytes bytes) {
   const std::filesystem::path file = scratchFile("organ.json", bytes);
-  const sample_organs::SampleLibrary library{file.parent_path(), file.parent_path() / "none"};
-  // Reads all of the definition, then refuses the surface.
-  sample_organs::implicitSurface(library, "organ", "surf no such surface", sample_organs::Resolution::low);
+  const sample_organs::SampleLibrary library{file.parent_path(), {}};
+  const std::string small = smallSurface(bytes);
+  if (small.empty()) { // Reads all of the definition, then refuses the surface.
+    sample_organs::implicitSurface(library, "organ", "surf no such surface", sample_organs::Resolution::low);
+    return;
+  }
+  const auto end = std::chrono::steady_clock::now() + kLongestMaking;
+  Progress* running = nullptr;
+  Progress progress({}, [&] {
+    if (std::chrono::steady_clock::now() > end)
+      running->cancel(); // Scales of scales are large as well.
+  });
+  running = &progress;
+  const sample_organs::SampleSurface made =
+      sample_organs::sampleSurface(library, "organ", small, sample_organs::Resolution::low, progress, {1});
+  geometry::requireValid(*made.mesh, "the surface that was made");
+  require(made.mesh->colors.rows() == made.mesh->points.rows(), "Every point has its colour.");
+  const geometry::SurfaceReport report = geometry::checkSurface(*made.mesh);
+  require(report.closed() && report.manifold(), "A surface that was made is closed and manifold.");
+}
+
+/// A pear with a little of everything that is quick to make.
+constexpr const char* kSmallDefinition = R"({"name": "organ", "units": "mm", "frame": "LPS", "nodes": [
+  {"name": "body", "type": "tube", "paint": [0.8, 0.7, 0.3],
+   "points": [[0, 0, 0, 30], [0, 0, 40, 22], [0, 0, 70, 14]]},
+  {"name": "ball", "type": "ellipsoid", "center": [20, 0, 10], "radii": [20, 24, 18]}],
+  "surfaces": [{"name": "outer", "spacing": 5, "triangles": {"low": 400, "medium": 400, "high": 400},
+    "places": [{"name": "tip", "at": [0, 0, 84]}],
+    "root": {"type": "ROOT"}}]})";
+
+std::string smallDefinition(const std::string& root) {
+  std::string text = kSmallDefinition;
+  const std::string place = R"("type": "ROOT")";
+  text.replace(text.find(place), place.size(), root);
+  return text;
 }
 
 std::vector<std::string> definitionSeeds() {
@@ -138,6 +207,14 @@ std::vector<std::string> definitionSeeds() {
         nlohmann::json::parse(viscera::tests::contentsOf(sample_organs::standardLibrary().definitions /
                                                          (std::string(organ) + ".json")))
             .dump());
+  for (const char* root :
+       {R"("type": "displace", "amplitude": 0.6, "wavelength": 20, "child": "body")",
+        R"("type": "union", "k": 6, "children": ["body", "ball"])",
+        R"("type": "subtract", "from": "body", "k": 3, "children": ["ball"])",
+        R"("type": "offset", "distance": 3, "child": {"type": "intersect", "k": 2, "children": ["body",
+           {"type": "half_space", "point": [0, 0, 50], "normal": [0, 0, 1]}]})",
+        R"("type": "frame", "origin": [5, 5, 5], "rotate_deg": [10, 20, 30], "scale": 1.2, "child": "ball")"})
+    out.push_back(smallDefinition(root));
   return out;
 }
 

@@ -17,7 +17,7 @@ const tests::TemporaryFolder& scratch() {
 
 std::vector<Target> readerTargets() {
   std::vector<Target> all = {surfaceFileTarget(), handleFileTarget(), surfaceSoupTarget()};
-  for (const auto& some : {imageTargets(), documentTargets()})
+  for (const auto& some : {imageTargets(), documentTargets(), motionTargets()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

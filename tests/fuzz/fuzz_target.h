@@ -52,6 +52,7 @@ const std::filesystem::path& scratchFolder();
 // The parts of `readerTargets`.
 std::vector<Target> imageTargets();
 std::vector<Target> documentTargets();
+std::vector<Target> motionTargets();
 Target surfaceFileTarget();
 Target handleFileTarget();
 Target surfaceSoupTarget();

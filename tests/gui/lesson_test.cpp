@@ -23,7 +23,10 @@ QString contentsOf(const QString& file) {
 
 } // namespace
 
-class LessonOfTheHeart : public PlayMode {};
+class LessonOfTheHeart : public PlayMode {
+protected:
+  bool coarseSamples() const override { return false; } // Pages are as large as those that users make.
+};
 
 TEST_F(LessonOfTheHeart, ShowsEveryTextAndTakesItBackChanged) {
   const app::LessonExport& lessons = window().lessons();

@@ -226,7 +226,11 @@ void PrintTo(const Stage& stage, std::ostream* stream) {
   *stream << stage.name;
 }
 
-class LeavingStress : public OneState, public testing::WithParamInterface<Stage> {};
+class LeavingStress : public OneState, public testing::WithParamInterface<Stage> {
+protected:
+  /// Work that is interrupted has to last.
+  bool coarseSamples() const override { return false; }
+};
 
 TEST_P(LeavingStress, ForPlayLeavesNoColoursOfTheMapThatWasUnderWay) {
   app::StressLook look = window().stress().model().look();

@@ -12,6 +12,7 @@ namespace viscera::tests {
 /// The window as it starts, in Play mode: the sample heart with its motion.
 class PlayMode : public WindowTest {
 protected:
+  bool coarseSamples() const override { return true; }
   void SetUp() override {
     WindowTest::SetUp();
     loadSample(QStringLiteral("heart"));

@@ -17,6 +17,7 @@ namespace {
 /// The sample heart in Explore, seen from the front.
 class Parts : public PlayMode {
 protected:
+  bool coarseSamples() const override { return false; } // Clicks find narrow vessels.
   void SetUp() override {
     PlayMode::SetUp();
     window().setMode("explore");

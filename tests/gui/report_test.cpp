@@ -32,6 +32,8 @@ QByteArray bytesOf(const QString& file) {
 
 class ReportOfTheHeart : public PlayMode {
 protected:
+  /// Its ejection fraction is that of the window's heart.
+  bool coarseSamples() const override { return false; }
   app::ReportExport& reports() { return *window().findChild<app::ReportExport*>(); }
 };
 

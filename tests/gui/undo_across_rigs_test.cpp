@@ -451,6 +451,8 @@ std::string Walk::checkAgainstFresh() {
 /// A window of its own for each walk.
 class UndoAcrossRigs : public WindowTest, public testing::WithParamInterface<unsigned> {
 protected:
+  bool coarseSamples() const override { return true; }
+
   /// What went wrong, and after which of the steps.
   struct Failure {
     std::size_t step = 0;

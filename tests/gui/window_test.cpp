@@ -21,6 +21,8 @@ constexpr int kDragSteps = 8;
 } // namespace
 
 void WindowTest::SetUp() {
+  if (coarseSamples())
+    coarse_.emplace();
   settings_ = std::make_unique<app::Settings>(path(QStringLiteral("viscera.ini")));
   QDir().mkpath(path(QStringLiteral("pictures")));
   settings_->setValue("files/pictures", path(QStringLiteral("pictures")));

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "coarse_samples.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "window/main_window.h"
 #include "window/view/view_area.h"
@@ -31,6 +32,10 @@ protected:
   /// Of the picture in the window; nothing where a test is about how much room that has. The software
   /// renderer takes by the pixel, and few tests look at the picture.
   virtual std::optional<QSize> viewSize() const { return QSize(480, 360); }
+
+  /// Whether the sample organs have as few triangles as at low resolution, as where no test of the fixture
+  /// depends on how fine they are.
+  virtual bool coarseSamples() const { return false; }
 
   app::MainWindow& window() { return *window_; }
   const document::Document& document() { return window_->workspace().document(); }
@@ -83,6 +88,7 @@ protected:
 
 private:
   QTemporaryDir folder_;
+  std::optional<CoarseSamples> coarse_;
   std::unique_ptr<app::Settings> settings_;
   std::unique_ptr<app::MainWindow> window_;
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "../lent_display.h"
+#include "coarse_samples.h"
 #include "printed.h"
 #include "window/application.h"
 #include "window/run_window.h"
@@ -23,13 +25,22 @@
 ///   window_monkey --seed N [--runs N] [--actions N]   so many runs from that seed on, each a process
 ///   window_monkey --replay FILE                       the actions of a file, told one by one
 ///   window_monkey --shrink FILE                       leaves out what does not matter, and writes FILE again
-/// What a run that goes wrong did is left in monkey-SEED.txt.
+/// The sample organs are coarse, for more actions in the time; with --full before all else they are those of
+/// the window. A file goes wrong alike only with the organs that it was found with. What a run that goes
+/// wrong did is left in monkey-SEED.txt.
 namespace {
 
+using viscera::tests::Invariant;
 using viscera::tests::MonkeyAction;
+using viscera::tests::Violation;
 using Actions = std::vector<MonkeyAction>;
 
 constexpr int kViolation = 1;
+// How a run in a process of its own ended: 0, or what kind of fault it had. Beside these, its own exit code
+// (what a sanitiser gives).
+constexpr int kErrorsPrinted = 2;
+constexpr int kFirstInvariant = 64; ///< And the number of the invariant that does not hold.
+constexpr int kFirstSignal = 128;
 constexpr long kMostMegabytes = 2048;
 constexpr unsigned kLongestRun = 900; ///< s; longer, and it hangs.
 
@@ -45,34 +56,35 @@ long mostMegabytes() {
   return usage.ru_maxrss / 1024;
 }
 
-/// Does the actions in this process; says on standard output what goes wrong.
+/// Does the actions in this process; says on standard output what goes wrong. 0 or the kind of fault.
 int perform(const Actions& actions, Arguments arguments, bool tell) {
   viscera::app::prepareForApplication();
   viscera::app::Application application(arguments.count, arguments.values);
   viscera::app::setUpApplication(application);
   viscera::tests::keepPrinted();
   viscera::tests::WindowMonkey monkey;
-  std::string wrong;
+  Violation wrong;
   std::size_t number = 0;
-  for (; number < actions.size() && wrong.empty(); ++number) {
+  for (; number < actions.size() && !wrong; ++number) {
     QElapsedTimer timer;
     timer.start();
     monkey.act(actions[number]);
     wrong = monkey.violation();
-    if (const long megabytes = mostMegabytes(); wrong.empty() && megabytes > kMostMegabytes)
-      wrong = "it took " + std::to_string(megabytes) + " MB";
+    if (const long megabytes = mostMegabytes(); megabytes > kMostMegabytes)
+      wrong.add(Invariant::memory, "it took " + std::to_string(megabytes) + " MB");
     if (tell)
       std::cout << number << ": " << monkey.did() << ", " << timer.elapsed() << " ms" << std::endl;
   }
   const std::string last = monkey.did();
-  if (wrong.empty())
+  if (!wrong)
     wrong = monkey.undoViolation();
-  if (wrong.empty())
+  if (!wrong)
     wrong = monkey.closeViolation();
-  if (wrong.empty())
+  if (!wrong)
     return 0;
-  std::cout << "after action " << number << " (" << last << "): " << wrong << std::endl;
-  return kViolation;
+  std::cout << "after action " << number << " (" << last << "), " << nameOf(wrong.invariant) << ": "
+            << wrong.text << std::endl;
+  return kFirstInvariant + static_cast<int>(wrong.invariant);
 }
 
 /// What a run wrote to standard error, but for what Mesa says of a display without a graphics processor.
@@ -85,7 +97,8 @@ std::string errorsIn(std::FILE* file) {
   return errors;
 }
 
-/// The same in a process of its own; 0 when all holds and nothing stands on standard error.
+/// The same in a process of its own; 0 when all holds and nothing stands on standard error, else the kind of
+/// fault.
 int performApart(const Actions& actions, const Arguments& arguments, bool tell = false) {
   std::cout.flush();
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> errorFile(std::tmpfile(), std::fclose);
@@ -104,7 +117,11 @@ int performApart(const Actions& actions, const Arguments& arguments, bool tell =
   const std::string errors = errorsIn(errorFile.get());
   if (!errors.empty())
     std::cout << "on standard error: " << errors << std::endl;
-  return WIFEXITED(status) && errors.empty() ? WEXITSTATUS(status) : kViolation;
+  if (WIFSIGNALED(status))
+    return kFirstSignal + WTERMSIG(status);
+  if (WEXITSTATUS(status) != 0)
+    return WEXITSTATUS(status);
+  return errors.empty() ? 0 : kErrorsPrinted;
 }
 
 Actions read(const std::string& file) {
@@ -122,15 +139,20 @@ void write(const std::string& file, const Actions& actions) {
     stream << viscera::tests::lineOf(action) << "\n";
 }
 
-/// Leaves out parts, halves first, as long as something still goes wrong.
-void shrink(const std::string& file, const Arguments& arguments) {
+/// Leaves out parts, halves first, as long as the same kind of fault comes as with all of them.
+int shrink(const std::string& file, const Arguments& arguments) {
   Actions actions = read(file);
+  const int fault = performApart(actions, arguments);
+  if (fault == 0) {
+    std::cout << "nothing goes wrong\n";
+    return kViolation;
+  }
   for (std::size_t part = actions.size() / 2; part > 0; part /= 2) {
     for (std::size_t first = 0; first < actions.size();) {
       Actions less = actions;
       less.erase(less.begin() + static_cast<std::ptrdiff_t>(first),
                  less.begin() + static_cast<std::ptrdiff_t>(std::min(first + part, less.size())));
-      if (performApart(less, arguments) != 0) {
+      if (performApart(less, arguments) == fault) {
         actions = less;
         write(file, actions);
       } else {
@@ -139,6 +161,7 @@ void shrink(const std::string& file, const Arguments& arguments) {
     }
   }
   std::cout << actions.size() << " actions are left\n";
+  return 0;
 }
 
 int runSeeds(unsigned seed, int runs, int count, const Arguments& arguments) {
@@ -164,14 +187,16 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "xcb");
   viscera::tests::useLentDisplay();
   const Arguments arguments{argc, argv};
-  for (int i = 1; i + 1 < argc; i += 2) {
+  const bool full = argc > 1 && std::strcmp(argv[1], "--full") == 0;
+  std::optional<viscera::tests::CoarseSamples> coarse;
+  if (!full)
+    coarse.emplace();
+  for (int i = full ? 2 : 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
     if (option == "--replay")
       return performApart(read(argv[i + 1]), arguments, true);
-    if (option == "--shrink") {
-      shrink(argv[i + 1], arguments);
-      return 0;
-    }
+    if (option == "--shrink")
+      return shrink(argv[i + 1], arguments);
     const int number = std::atoi(argv[i + 1]);
     if (option == "--seed")
       seed = static_cast<unsigned>(number);

@@ -40,6 +40,9 @@ constexpr int kLongestWait = 90000; ///< ms; a sample heart may have to be made 
 constexpr int kTick = 5;            ///< ms between looks at a window that works.
 /// ms, after which also those parts of the window have come round that wait for the hand to rest.
 constexpr int kPause = 130;
+/// Of the fourth numbers, those above have the hand rest: one action in fifty, or most of a run would be
+/// rest.
+constexpr double kRest = 0.98;
 constexpr double kVolumeTolerance = 1e-9;
 
 /// What would leave the window or ask the desktop for something.
@@ -135,6 +138,25 @@ std::vector<MonkeyAction> randomActions(unsigned seed, int count) {
   return actions;
 }
 
+std::string nameOf(Invariant invariant) {
+  constexpr std::array<const char*, 11> kNames = {
+      "nothing",  "silence",     "memory",      "work that ends", "the document",      "what is shown",
+      "the pose", "the volumes", "undoing all", "redoing all",    "the window's close"};
+  return kNames.at(static_cast<std::size_t>(invariant));
+}
+
+void Violation::add(Invariant which, const std::string& what) {
+  if (what.empty())
+    return;
+  if (invariant == Invariant::none)
+    invariant = which;
+  text += (text.empty() ? "" : "; ") + what;
+}
+
+void Violation::add(const Violation& other) {
+  add(other.invariant, other.text);
+}
+
 WindowMonkey::WindowMonkey() {
   QDesktopServices::setUrlHandler(QStringLiteral("file"), &refused_, "take");
   makeFiles();
@@ -216,7 +238,7 @@ void WindowMonkey::act(const MonkeyAction& action) {
   pump();
   if (!action.hasty)
     settle();
-  if (action.d > 0.95)
+  if (action.d > kRest)
     QTest::qWait(kPause);
   dismissDialogs();
 }
@@ -391,21 +413,28 @@ void WindowMonkey::play(const MonkeyAction& action) {
   }
 }
 
-std::string WindowMonkey::violation() {
-  std::ostringstream wrong;
-  wrong << takePrinted() << (stuck_ ? "the work that was begun does not end; " : "");
+Violation WindowMonkey::violation() {
+  Violation wrong;
+  wrong.add(Invariant::silence, takePrinted());
+  wrong.add(Invariant::end, stuck_ ? "the work that was begun does not end" : "");
   try {
     document::validate(window_->workspace().state());
   } catch (const Error& error) {
-    wrong << "the document is not valid: " << error.what() << "; ";
+    wrong.add(Invariant::document, std::string("the document is not valid: ") + error.what());
   }
   if (!atPeace(*window_))
-    return wrong.str();
+    return wrong;
   if (!window_->imports().isOpen()) // It shows organs that are not in the document yet.
-    wrong << disagreement(*window_);
+    wrong.add(Invariant::shown, disagreement(*window_));
   // Elsewhere the timeline keeps its place until the sequence is wanted again.
   if (window_->playback().wantedPose() == motion::WantedPose::sequence)
-    wrong << offTheTimeline(window_->workspace(), window_->playback());
+    wrong.add(Invariant::timeline, offTheTimeline(window_->workspace(), window_->playback()));
+  wrong.add(Invariant::volume, wrongVolumes());
+  return wrong;
+}
+
+std::string WindowMonkey::wrongVolumes() {
+  std::ostringstream wrong;
   for (const auto& organ : window_->workspace().document().organs()) {
     const live::OrganVolume shown = window_->workspace().live().volume(organ->id);
     if (!shown.closed)
@@ -418,7 +447,7 @@ std::string WindowMonkey::violation() {
   return wrong.str();
 }
 
-std::string WindowMonkey::undoViolation() {
+Violation WindowMonkey::undoViolation() {
   window_->playback().pause();
   settle();
   document::UndoStack& undo = window_->workspace().undo();
@@ -427,27 +456,29 @@ std::string WindowMonkey::undoViolation() {
   while (undo.canUndo())
     undo.undo();
   settle();
-  std::ostringstream wrong;
+  Violation wrong;
   if (!(window_->workspace().state() == begin_))
-    wrong << "undoing all does not give the first document; ";
-  wrong << violation();
+    wrong.add(Invariant::undo, "undoing all does not give the first document");
+  wrong.add(violation());
   while (undo.canRedo() && undo.position() < position)
     undo.redo();
   settle();
   if (!(window_->workspace().state() == end))
-    wrong << "redoing all does not give the last document; ";
-  wrong << violation();
-  return wrong.str();
+    wrong.add(Invariant::redo, "redoing all does not give the last document");
+  wrong.add(violation());
+  return wrong;
 }
 
-std::string WindowMonkey::closeViolation() {
+Violation WindowMonkey::closeViolation() {
   window_->samples().load(QStringLiteral("stomach"), true); // It closes while that is under way.
   pump();
   changes_ = {};
   window_->close();
   window_.reset();
   pump();
-  return takePrinted();
+  Violation wrong;
+  wrong.add(Invariant::closing, takePrinted());
+  return wrong;
 }
 
 } // namespace viscera::tests

@@ -29,6 +29,20 @@ MonkeyAction actionFrom(const std::string& line);
 /// `count` actions from a seed: always the same.
 std::vector<MonkeyAction> randomActions(unsigned seed, int count);
 
+/// What must hold, and did not.
+enum class Invariant { none, silence, memory, end, document, shown, timeline, volume, undo, redo, closing };
+/// In a word or two: "the volumes".
+std::string nameOf(Invariant invariant);
+
+struct Violation {
+  Invariant invariant = Invariant::none; ///< The first of those that do not hold.
+  std::string text;                      ///< All that is wrong; empty when nothing is.
+
+  explicit operator bool() const { return invariant != Invariant::none; }
+  void add(Invariant which, const std::string& what);
+  void add(const Violation& other);
+};
+
 /// Takes what the window would hand to a file manager.
 class RefusedUrls final : public QObject {
   Q_OBJECT
@@ -47,12 +61,12 @@ public:
   void act(const MonkeyAction& action);
   /// What the last action did, in words: "trigger edit.undo".
   const std::string& did() const { return did_; }
-  /// What does not hold; empty when all does.
-  std::string violation();
-  /// Undoes everything, then redoes it: what of it does not bring back the documents; empty when it does.
-  std::string undoViolation();
+  /// What does not hold after the last action.
+  Violation violation();
+  /// Undoes everything, then redoes it: what of it does not bring back the documents.
+  Violation undoViolation();
   /// Closes the window while a sample organ is on its way, and says what that printed.
-  std::string closeViolation();
+  Violation closeViolation();
 
 private:
   void openSomething(double which);
@@ -69,6 +83,7 @@ private:
   void settle();
   QPoint placeInView(double x, double y);
   void makeFiles();
+  std::string wrongVolumes();
 
   RefusedUrls refused_;
   QTemporaryDir folder_;

@@ -1,0 +1,132 @@
+#include <algorithm>
+
+#include "fuzz_target.h"
+#include "shapes.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/motion/motion_series.h"
+#include "viscera/motion/retarget.h"
+
+/// Folders of surfaces as a motion, and landmarks.
+namespace viscera::fuzz {
+namespace {
+
+// ---- series of surfaces -----------------------------------------------------------------------------------
+
+constexpr std::string_view kNextPhase = "\n==next phase==\n";
+constexpr int kMostPhases = 6;
+
+/// Files of one folder, all of the format that the first byte chooses, as phases of one surface.
+void readSurfacePhases(Bytes bytes) {
+  const auto& endings = medical_io::surfaceExtensions();
+  const Choice choice = choose(bytes, endings.size());
+  const std::filesystem::path folder = scratchFolder() / "phases";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const std::string text = textOf(choice.rest);
+  std::size_t begin = 0;
+  for (int phase = 0; phase < kMostPhases && begin <= text.size(); ++phase) {
+    const std::size_t end = std::min(text.find(kNextPhase, begin), text.size());
+    scratchFile("phases/organ_" + std::to_string(phase) + endings[choice.kind],
+                choice.rest.subspan(begin, end - begin));
+    begin = end + kNextPhase.size();
+  }
+  motion::SeriesRequest request;
+  request.inputs = {folder};
+  request.periodSeconds = 0.8;
+  Progress progress;
+  const motion::MotionSeries series = motion::readMotionSeries(request, progress);
+  require(series.phases() >= 2, "A series has phases.");
+  require(std::is_sorted(series.times.seconds.begin(), series.times.seconds.end()), "Times ascend.");
+  require(series.volumesMl.size() == series.phases(), "Each phase has its volumes.");
+  for (const tracking::SurfaceSeries& surface : series.corresponding)
+    for (const Points& points : surface.phases)
+      require(points.allFinite() && surface.triangles.maxCoeff() < points.rows(),
+              "Each phase has the points of its triangles.");
+  for (const auto& phase : series.meshes)
+    for (const auto& mesh : phase)
+      geometry::requireValid(*mesh, "a phase");
+}
+
+/// A tetrahedron that grows and shrinks again, of the same points in all phases or of others in the third.
+std::string surfacePhases(std::size_t format, bool corresponding) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder / ("a" + medical_io::surfaceExtensions()[format]);
+  std::string out;
+  int phase = 0;
+  for (const double size : {60, 63, 66, 63}) {
+    geometry::TriangleMesh mesh = tests::tetrahedron(size, size, size);
+    if (!corresponding && phase == 2)
+      mesh.triangles.row(0).swap(mesh.triangles.row(1));
+    medical_io::writeSurface(file, mesh);
+    out += (phase++ > 0 ? std::string(kNextPhase) : "") + tests::contentsOf(file);
+  }
+  return chosen(format, out);
+}
+
+std::vector<std::string> surfacePhaseSeeds() {
+  std::vector<std::string> out;
+  for (std::size_t format = 0; format < medical_io::surfaceExtensions().size(); ++format)
+    if (medical_io::surfaceExtensions()[format] != ".gltf") // Which is read, but not written.
+      out.push_back(surfacePhases(format, true));
+  out.push_back(surfacePhases(0, false));
+  return out;
+}
+
+// ---- landmarks --------------------------------------------------------------------------------------------
+
+const std::vector<std::string> kLandmarkEndings = {".mrk.json", ".fcsv"};
+const std::vector<std::string> kFittedSequences = {"heartbeat", "peristalsis", "breathing"};
+
+/// The first byte chooses the format and the sequence that asks for them.
+void readLandmarks(Bytes bytes) {
+  const Choice choice = choose(bytes, kLandmarkEndings.size() * kFittedSequences.size());
+  const std::string& ending = kLandmarkEndings[choice.kind % kLandmarkEndings.size()];
+  const std::string& sequence = kFittedSequences[choice.kind / kLandmarkEndings.size()];
+  const auto read = [&](const std::filesystem::path& file) {
+    return motion::landmarksFrom(medical_io::readHandles(file), sequence, file.string());
+  };
+  const motion::Landmarks landmarks = read(scratchFile("a" + ending, choice.rest));
+  const auto written = scratchFolder() / "b.mrk.json";
+  medical_io::writeHandles(written, motion::landmarkFile(landmarks, "again"));
+  const motion::Landmarks again = read(written);
+  require(again.points.size() == landmarks.points.size(), "Landmarks that are written and read are as many.");
+  for (const motion::Landmark& landmark : landmarks.points) {
+    require(landmark.position.allFinite(), "A landmark has a place.");
+    const auto same = [&](const motion::Landmark& other) {
+      return other.role == landmark.role && other.position == landmark.position;
+    };
+    require(std::any_of(again.points.begin(), again.points.end(), same),
+            "Landmarks that are written and read have the same roles and places.");
+  }
+}
+
+std::vector<std::string> landmarkSeeds() {
+  const tests::TemporaryFolder folder;
+  std::vector<std::string> out;
+  for (std::size_t sequence = 0; sequence < kFittedSequences.size(); ++sequence) {
+    motion::Landmarks landmarks;
+    for (const motion::LandmarkRole& role : motion::landmarkRoles(kFittedSequences[sequence]))
+      for (int i = 0; i < (role.several ? 3 : 1); ++i)
+        landmarks.points.push_back({role.role, Vec3(10 * i, 5, 40), false});
+    if (landmarks.points.empty())
+      continue; // No file of handles is without a point.
+    for (std::size_t ending = 0; ending < kLandmarkEndings.size(); ++ending) {
+      const auto file = folder / ("a" + kLandmarkEndings[ending]);
+      medical_io::writeHandles(file, motion::landmarkFile(landmarks, "landmarks"));
+      out.push_back(chosen(sequence * kLandmarkEndings.size() + ending, tests::contentsOf(file)));
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<Target> motionTargets() {
+  return {{"surface_series", readSurfacePhases, surfacePhaseSeeds},
+          {"landmarks", readLandmarks, landmarkSeeds}};
+}
+
+} // namespace viscera::fuzz
