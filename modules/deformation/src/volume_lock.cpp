@@ -142,20 +142,21 @@ std::vector<double> VolumeLock::volumes(const Points& pose) const {
   return result;
 }
 
-/// The surface in this pose, which is found out unless `looks` has it.
-const VolumeLock::Look& VolumeLock::lookAt(std::size_t surface, const Points& pose, Looks& looks) const {
-  Look& look = looks[surface];
-  if (look.pose.rows() == pose.rows() && look.pose == pose)
-    return look;
-  shape(surface, pose, look.points);
-  look.volume = geometry::volume(look.points, surfaces_[surface].rest->triangles, threads_);
-  look.pose = pose;
-  return look;
+/// The surface in this pose, which is found out unless `posed` has it.
+const VolumeLock::PosedSurface& VolumeLock::posedSurface(std::size_t surface, const Points& pose,
+                                                         PosedSurfaces& posed) const {
+  PosedSurface& there = posed[surface];
+  if (there.pose.rows() == pose.rows() && there.pose == pose)
+    return there;
+  shape(surface, pose, there.points);
+  there.volume = geometry::volume(there.points, surfaces_[surface].rest->triangles, threads_);
+  there.pose = pose;
+  return there;
 }
 
-double VolumeLock::volume(std::size_t surface, const Points& pose, Looks& looks) const {
+double VolumeLock::volume(std::size_t surface, const Points& pose, PosedSurfaces& posed) const {
   const VolumeForm* known = form(surface);
-  return known ? known->volume(pose) : lookAt(surface, pose, looks).volume;
+  return known ? known->volume(pose) : posedSurface(surface, pose, posed).volume;
 }
 
 double VolumeLock::volumeOnSurface(std::size_t surface, const Points& pose) const {
@@ -172,18 +173,18 @@ double VolumeLock::error(const std::vector<double>& volumes) const {
 }
 
 /// On the surfaces themselves.
-double VolumeLock::measuredError(const Points& pose, Looks& looks) const {
+double VolumeLock::measuredError(const Points& pose, PosedSurfaces& posed) const {
   std::vector<double> now;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)
-    now.push_back(lookAt(k, pose, looks).volume);
+    now.push_back(posedSurface(k, pose, posed).volume);
   return error(now);
 }
 
 /// By the forms, where there are some.
-double VolumeLock::expectedError(const Points& pose, Looks& looks) const {
+double VolumeLock::expectedError(const Points& pose, PosedSurfaces& posed) const {
   std::vector<double> now;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)
-    now.push_back(volume(k, pose, looks));
+    now.push_back(volume(k, pose, posed));
   return error(now);
 }
 
@@ -196,19 +197,19 @@ Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose) co
   return ofHandles;
 }
 
-Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose, Looks& looks) const {
+Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose, PosedSurfaces& posed) const {
   const auto& locked = surfaces_[surface];
   Points ofPoints, ofHandles;
-  geometry::volumeGradient(lookAt(surface, pose, looks).points, locked.rest->triangles,
+  geometry::volumeGradient(posedSurface(surface, pose, posed).points, locked.rest->triangles,
                            *known_[surface].around, ofPoints, threads_);
   locked.binding->pullBack(pose, ofPoints, ofHandles, threads_);
   return ofHandles;
 }
 
-Points VolumeLock::gradient(std::size_t surface, const Points& pose, Looks& looks) const {
+Points VolumeLock::gradient(std::size_t surface, const Points& pose, PosedSurfaces& posed) const {
   const VolumeForm* known = form(surface);
   if (!known)
-    return gradientOnSurface(surface, pose, looks);
+    return gradientOnSurface(surface, pose, posed);
   Points ofHandles;
   known->gradient(pose, ofHandles);
   return ofHandles;
@@ -225,12 +226,13 @@ Points VolumeLock::translationGradient(const Points& pose, const std::vector<int
 }
 
 /// The only surface's volume at `pose + s direction` as a cubic in s.
-std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction, Looks& looks) const {
+std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction,
+                                        PosedSurfaces& posed) const {
   if (const VolumeForm* known = form(0))
     return known->along(pose, direction);
   const auto& triangles = surfaces_.front().rest->triangles;
   const auto& around = *known_.front().around;
-  const Look& here = lookAt(0, pose, looks);
+  const PosedSurface& here = posedSurface(0, pose, posed);
   const Points& points = here.points;
   Points moved, gradientAtPoints, gradientAtMotion;
   shape(0, pose + direction, moved);
@@ -245,12 +247,12 @@ std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direct
 /// The step along `direction` that gives the only surface its target; NaN when there is none within
 /// `limitMm`.
 double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm,
-                             Looks& looks) const {
+                             PosedSurfaces& posed) const {
   const double longest = longestRow(direction);
   if (longest == 0)
     return std::nan("");
   // The root of V(pose + s direction) - target nearest to s = 0.
-  std::array<double, 4> cubic = along(pose, direction, looks);
+  std::array<double, 4> cubic = along(pose, direction, posed);
   cubic[0] -= surfaces_.front().targetMm3;
   return nearestCubicRoot(cubic, -limitMm / longest, limitMm / longest).value_or(std::nan(""));
 }
@@ -258,18 +260,18 @@ double VolumeLock::cubicStep(const Points& pose, const Points& direction, double
 /// One Newton step of all volumes at once, in the span of the surfaces' restoring directions; false when
 /// singular.
 bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model,
-                            Looks& looks) const {
+                            PosedSurfaces& posed) const {
   const auto count = static_cast<Eigen::Index>(surfaces_.size());
   std::vector<Points> gradients, directions;
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    gradients.push_back(gradient(k, pose, looks));
+    gradients.push_back(gradient(k, pose, posed));
     directions.push_back(model.direction(pose, gradients.back(), free));
   }
   // sum_j <g_k, d_j> s_j = target_k - V_k for each surface k, then pose += sum_j s_j d_j.
   Eigen::MatrixXd system(count, count);
   Values missing(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    missing[k] = surfaces_[std::size_t(k)].targetMm3 - volume(std::size_t(k), pose, looks);
+    missing[k] = surfaces_[std::size_t(k)].targetMm3 - volume(std::size_t(k), pose, posed);
     for (Eigen::Index j = 0; j < count; ++j)
       system(k, j) = innerProduct(gradients[std::size_t(k)], directions[std::size_t(j)]);
   }
@@ -284,8 +286,8 @@ bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const Re
 
 RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& free,
                                  const RestorationModel& model, double limitMm) const {
-  Looks looks(surfaces_.size()), ofNext(surfaces_.size());
-  RestoredPose result{wanted, false, 0, measuredError(wanted, looks), {}};
+  PosedSurfaces posed(surfaces_.size()), posedNext(surfaces_.size());
+  RestoredPose result{wanted, false, 0, measuredError(wanted, posed), {}};
   const auto fail = [&](const std::string& reason) {
     result.reason = reason;
     return result;
@@ -295,34 +297,34 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
   if (left > kRoundingOfVolume && free.empty())
     return fail("no handle is left to compensate the change of volume");
   if (left > kRoundingOfVolume && surfaces_.size() == 1) {
-    Points slope = gradient(0, pose, looks);
+    Points slope = gradient(0, pose, posed);
     pose += model.relaxation(pose, slope, free);
     if (pose != wanted)
-      slope = gradient(0, pose, looks);
+      slope = gradient(0, pose, posed);
     Points direction = model.direction(pose, slope, free);
     // A step of a millimetre: where points are not linear in the pose, the cubic is what holds near by.
     if (const double longest = longestRow(direction); longest > 0)
       direction /= longest;
-    const double step = cubicStep(pose, direction, limitMm, looks);
+    const double step = cubicStep(pose, direction, limitMm, posed);
     if (!std::isfinite(step))
       return fail(phrase("no compensation within %1 mm restores the volume", std::lround(limitMm)));
     pose += step * direction;
-    left = expectedError(pose, looks);
+    left = expectedError(pose, posed);
   }
   // Rounding, several surfaces, or coordinates that are not linear: Newton's steps double the digits.
   for (int i = 0; i < kMostNewtonSteps && left > kRoundingOfVolume; ++i) {
     Points next = pose;
-    if (!newtonStep(next, free, model, looks))
+    if (!newtonStep(next, free, model, posed))
       break;
-    const double nextLeft = expectedError(next, ofNext);
+    const double nextLeft = expectedError(next, posedNext);
     if (!(nextLeft < left))
       break;
     pose = std::move(next);
-    std::swap(looks, ofNext);
+    std::swap(posed, posedNext);
     left = nextLeft;
   }
   const double shift = longestRow(pose - wanted);
-  const double reached = measuredError(pose, looks);
+  const double reached = measuredError(pose, posed);
   if (!(reached <= kRelativeTolerance))
     return fail("the handles that may compensate cannot restore the volume");
   if (shift > limitMm)

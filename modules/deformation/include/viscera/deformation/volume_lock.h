@@ -93,32 +93,32 @@ private:
     std::shared_ptr<Form> form; ///< Null: nobody makes one.
   };
 
-  /// A surface in one pose. Whoever restores looks at each pose once: a pass over the weights of a large
-  /// organ costs more than all that is then done with its points.
-  struct Look {
-    Points pose; ///< Empty: nobody has looked yet.
+  /// A surface in one pose. Each pose is evaluated once while volumes are restored: a pass over the weights
+  /// of a large organ costs more than all that is then done with its points.
+  struct PosedSurface {
+    Points pose; ///< Empty: not evaluated yet.
     Points points;
     double volume = 0;
   };
-  using Looks = std::vector<Look>; ///< One a surface.
+  using PosedSurfaces = std::vector<PosedSurface>; ///< One a surface.
 
   void takeOver(Surface& own, const LockedSurface& surface) const;
   const VolumeForm* form(std::size_t surface) const;
   const VolumeForm* form(std::size_t surface, Progress& progress) const;
   void shape(std::size_t surface, const Points& pose, Points& points) const;
   Points gradientOnSurface(std::size_t surface, const Points& pose) const;
-  Points gradientOnSurface(std::size_t surface, const Points& pose, Looks& looks) const;
-  Points gradient(std::size_t surface, const Points& pose, Looks& looks) const;
-  const Look& lookAt(std::size_t surface, const Points& pose, Looks& looks) const;
-  double volume(std::size_t surface, const Points& pose, Looks& looks) const;
+  Points gradientOnSurface(std::size_t surface, const Points& pose, PosedSurfaces& posed) const;
+  Points gradient(std::size_t surface, const Points& pose, PosedSurfaces& posed) const;
+  const PosedSurface& posedSurface(std::size_t surface, const Points& pose, PosedSurfaces& posed) const;
+  double volume(std::size_t surface, const Points& pose, PosedSurfaces& posed) const;
   double volumeOnSurface(std::size_t surface, const Points& pose) const;
   double error(const std::vector<double>& volumes) const;
-  double measuredError(const Points& pose, Looks& looks) const;
-  double expectedError(const Points& pose, Looks& looks) const;
-  std::array<double, 4> along(const Points& pose, const Points& direction, Looks& looks) const;
-  double cubicStep(const Points& pose, const Points& direction, double limitMm, Looks& looks) const;
+  double measuredError(const Points& pose, PosedSurfaces& posed) const;
+  double expectedError(const Points& pose, PosedSurfaces& posed) const;
+  std::array<double, 4> along(const Points& pose, const Points& direction, PosedSurfaces& posed) const;
+  double cubicStep(const Points& pose, const Points& direction, double limitMm, PosedSurfaces& posed) const;
   bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model,
-                  Looks& looks) const;
+                  PosedSurfaces& posed) const;
 
   std::vector<LockedSurface> surfaces_;
   std::vector<Surface> known_; ///< Of each surface; shared with copies, for other targets.
