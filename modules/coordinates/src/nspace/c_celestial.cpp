@@ -28,6 +28,8 @@ constexpr double kRounding = 1e-15;
 /// Positive numbers `exp(q_i . x)` that balance the directions: somewhere well inside the cone. Damped
 /// Newton on a convex function of three variables.
 bool startInside(const Points& units, Values& beta) {
+  // f(x) = sum exp(q_i . x) has the gradient sum beta_i q_i with beta_i = exp(q_i . x), which is zero where
+  // beta balances the directions (thesis 3.15), and the Hessian sum beta_i q_i q_i^T.
   Vec3 x = Vec3::Zero();
   for (int step = 0; step < kMostCelestialSteps; ++step) {
     beta = (units * x).array().exp();
@@ -36,6 +38,7 @@ bool startInside(const Points& units, Values& beta) {
       return true;
     const Eigen::Matrix3d bend = units.transpose() * beta.asDiagonal() * units;
     const Vec3 way = -bend.ldlt().solve(slope);
+    // Halved until f(x + length way) <= f(x) + 0.1 length slope . way (Armijo's condition), but for rounding.
     double length = 1;
     while (length > kConverged && !((units * (x + length * way)).array().exp().sum() <=
                                     beta.sum() * (1 + kRounding) + 0.1 * length * slope.dot(way)))
@@ -64,6 +67,7 @@ struct Sampler {
     Values at(beta.size());
     if (!startInside(sight.units, at))
       return false;
+    // Without the balance's remaining error, and with |at| = 1/2: inside the unit ball.
     at = space.project(at);
     at /= 2 * at.norm();
     if (at.minCoeff() < 0)
@@ -75,7 +79,7 @@ struct Sampler {
     for (int sample = 0; sample < samples; ++sample) {
       for (Eigen::Index i = 0; i < way.size(); ++i)
         way[i] = number(random);
-      way = space.project(way);
+      way = space.project(way); // Every direction within the space is as likely as any other.
       const double where = part(random);
       const auto [low, high] = chord(at, way);
       beta += at + (low + high) / 2 * way; // What is expected of the next place varies less than the place.
@@ -89,8 +93,10 @@ struct Sampler {
     const double square = way.squaredNorm(), half = at.dot(way), out = at.squaredNorm() - 1;
     if (!(square > 0))
       return {0, 0};
+    // |at + s way|^2 = 1: |way|^2 s^2 + 2 (at . way) s + |at|^2 - 1 = 0.
     const double root = std::sqrt(std::max(0.0, half * half - square * out));
     double low = (-half - root) / square, high = (-half + root) / square;
+    // at_i + s way_i >= 0: s is at least -at_i / way_i where way_i > 0, and at most that where way_i < 0.
     for (Eigen::Index i = 0; i < at.size(); ++i) {
       if (way[i] > 0)
         low = std::max(low, -at[i] / way[i]);
@@ -100,6 +106,8 @@ struct Sampler {
     return low < high ? std::pair(low, high) : std::pair(0.0, 0.0);
   }
 
+  /// The sum of the projected samples without a negative number, which is their centroid (thesis 4.2) but for
+  /// a factor.
   bool throwAtCone(const BalancedSpace<3>& space, Values& beta) const {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> number;

@@ -50,6 +50,8 @@ bool addSimplex(const std::array<std::size_t, Corners>& corners,
   if (positive == negative ||
       shares.norm() < kFlatSimplex) // Mixed signs, or directions that do not span space.
     return false;
+  // beta += b / |b|, b with the sign that makes it positive (thesis 3.3.3); the thesis's division by the
+  // number of simplices drops out when the coordinates are divided by their sum.
   const double norm = positive ? shares.norm() : -shares.norm();
   for (std::size_t corner = 0; corner < corners.size(); ++corner)
     beta[static_cast<Eigen::Index>(corners[corner])] += shares[static_cast<Eigen::Index>(corner)] / norm;
@@ -57,6 +59,8 @@ bool addSimplex(const std::array<std::size_t, Corners>& corners,
 }
 
 bool balance(const HandleDirections& sight, Values& beta) {
+  // Any four vectors have det(jkl) u_i - det(ikl) u_j + det(ijl) u_k - det(ijk) u_l = 0 (thesis 3.3.3, whose
+  // M_3 and M_4 are the second and the third with their columns turned).
   const Determinants determinants(sight.units);
   const auto count = static_cast<std::size_t>(beta.size());
   bool found = false;
@@ -82,6 +86,7 @@ BalanceIn<2> planeDeterminants() {
                  b = sight.units.row(static_cast<Eigen::Index>(j));
       return a[0] * b[1] - a[1] * b[0];
     };
+    // det(jk) u_i - det(ik) u_j + det(ij) u_k = 0.
     bool found = false;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j)

@@ -23,7 +23,10 @@ const Parameter kGradientSeed =
 /// Of one: slower than this the smallest number does not rise.
 constexpr double kStill = 1e-12;
 
-/// Where a balanced vector goes when its tied numbers are raised together, staying balanced and tied.
+/// Where a balanced vector goes when its tied numbers are raised together, staying balanced and tied. What is
+/// maximised is `min_i beta_i` under `sum beta_i u_i = 0`. The gradient is taken as 1 for the tied numbers
+/// and 0 for the others; the way is the gradient's projection onto the balanced vectors whose tied numbers
+/// are equal (thesis 3.3.4 and 3.31).
 template <int Dim>
 class Ascent {
 public:
@@ -72,6 +75,7 @@ public:
 
   /// How far to the next tie, and with whom; -1 when there is none.
   std::pair<double, Eigen::Index> nextTie() const {
+    // beta_i + s way_i = smallest + s rate.
     std::pair<double, Eigen::Index> next{std::numeric_limits<double>::infinity(), -1};
     for (Eigen::Index i = 0; i < values_.size(); ++i) {
       const double closing = rate() - direction_[i];
@@ -109,6 +113,7 @@ bool ascend(const HandleDirectionsOf<Dim>& sight, const Values& start, Stop stop
   Ascent<Dim> ascent(sight.units, space.project(start));
   while ((stop == Stop::highest || ascent.smallest() < 0) && ascent.findDirection()) {
     const auto [distance, handle] = ascent.nextTie();
+    // smallest + s rate = 0.
     const double toZero = -ascent.smallest() / ascent.rate();
     if (stop == Stop::inside && toZero <= distance) {
       ascent.move(toZero);

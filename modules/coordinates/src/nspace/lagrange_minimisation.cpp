@@ -84,7 +84,9 @@ std::vector<Problem> problemsAt(const Points& points, const Points& handles, Tar
   return problems;
 }
 
-/// The first choice of handles without influence that fits all problems; nothing where that takes too long.
+/// The first choice of handles without influence that fits all problems; nothing where that takes too long. A
+/// choice has `beta_i = 0` for its handles, and the others solve `sum (beta_i - t_i)^2 -> min` under
+/// `sum beta_i u_i = 0`: one of the 2^n cases of the Kuhn-Tucker conditions (thesis 3.28).
 std::optional<std::vector<Eigen::Index>> deadHandles(const std::vector<Problem>& problems, Eigen::Index count,
                                                      Progress& progress) {
   int trials = 0;
@@ -127,6 +129,8 @@ double shiftFor(const std::vector<Problem>& problems, Eigen::Index count, double
       }
     if (smallest >= -0.1 * kNotNegative * scale)
       break;
+    // With beta_min < 0 the least of all: t_i + beta_min when lowered (thesis, below 3.29), t_i - beta_min
+    // when raised.
     shift += sign * smallest;
   }
   return shift;

@@ -56,6 +56,7 @@ LagrangeProblem<Dim>::LagrangeProblem(const HandleDirectionsOf<Dim>& sight, Valu
 template <int Dim>
 LagrangeProblem<Dim> LagrangeProblem<Dim>::shifted(double amount) const {
   LagrangeProblem moved = *this;
+  // U^T (t + a 1) = U^T t + a sum u_i.
   moved.target_.array() += amount;
   moved.pull_ += amount * units_.colwise().sum().transpose();
   return moved;
@@ -69,6 +70,8 @@ bool LagrangeProblem<Dim>::solve(const std::vector<Eigen::Index>& dead, Values& 
     outer -= units_.row(handle).transpose() * units_.row(handle);
     pull -= target_[handle] * units_.row(handle).transpose();
   }
+  // sum (beta_i - t_i)^2 is least under sum beta_i u_i = 0 (thesis 3.21) where beta = t + U m, with m half
+  // the Lagrange multipliers (3.23), and so U^T U m = -U^T t (3.24).
   Matrix inverse;
   double determinant = 0;
   bool invertible = false;

@@ -25,7 +25,7 @@ Eigen::MatrixXd wireEnds(Eigen::Index count, const BalancedSpace<Dim>& space, Po
     axes.col(i) = space.projectAxis(i);
   if (points == PointSet::axes)
     return axes;
-  if (points == PointSet::opposites) {
+  if (points == PointSet::opposites) { // The projection P is linear: P (1 - e_i) = sum_k P e_k - P e_i.
     const Values ones = axes.rowwise().sum();
     return ones.replicate(1, count) - axes;
   }
@@ -39,6 +39,8 @@ Eigen::MatrixXd wireEnds(Eigen::Index count, const BalancedSpace<Dim>& space, Po
 
 /// Adds the middle of the segment's positive part, times its length.
 void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Values>& to, Values& beta) {
+  // Number i is from_i + t (to_i - from_i): where its ends differ in sign it is zero at
+  // t = from_i / (from_i - to_i), and positive on the side of its positive end.
   double begin = 0, end = 1;
   for (Eigen::Index i = 0; i < from.size() && begin < end; ++i) {
     if (from[i] < 0 && to[i] < 0)
@@ -50,6 +52,8 @@ void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Val
   }
   if (!(begin < end))
     return;
+  // The integral along a straight piece is its length times its middle. The centroid is the sum of these
+  // (thesis 3.3.2); what the thesis divides it by is a common factor.
   const double middle = (begin + end) / 2;
   beta += ((end - begin) * (to - from).norm()) * ((1 - middle) * from + middle * to);
 }

@@ -50,11 +50,14 @@ std::map<Edge, Quad> quadsNearFlip(const Points& units, const Triangles& triangl
     const auto other = opposite.find({edge.second, edge.first});
     if (edge.first > edge.second || other == opposite.end())
       continue;
+    // At a flip the four lie on one circle: the angles at c and d, opposite to the edge ab, sum up to pi
+    // (thesis 3.1.1). slack = pi - (angle at c + angle at d).
     Quad quad{edge.first, edge.second, c, other->second};
     quad.slack = std::max(0.0, std::numbers::pi - angleAt(units, c, quad.a, quad.b) -
                                    angleAt(units, quad.d, quad.a, quad.b));
     if (quad.slack >= width || !facesOut(units, quad.a, quad.d, c) || !facesOut(units, quad.d, quad.b, c))
       continue;
+    // mu = 1 - (3 t^2 - 2 t^3): 0 at slack = width, 1/2 at the flip.
     const double t = (1 + quad.slack / width) / 2;
     quad.share = 1 - t * t * (3 - 2 * t);
     quads[edge] = quad;
@@ -63,6 +66,8 @@ std::map<Edge, Quad> quadsNearFlip(const Points& units, const Triangles& triangl
 }
 
 void blend(const Points& units, const std::map<Edge, Quad>& quads, Values& beta) {
+  // (1 - mu) A' + mu A'' = A' + mu (A'' - A'), with A' of the pair that is there and A'' of the flipped one
+  // (thesis 3.1.1); a neighbour with mu' and slack' multiplies mu by 1 - 2 mu' slack / (slack + slack').
   for (const auto& [edge, quad] : quads) {
     double share = quad.share;
     for (const auto& side : {std::minmax(quad.a, quad.c), std::minmax(quad.b, quad.c),

@@ -30,7 +30,7 @@ public:
       if (begin <= 0)
         kept.push_back(from);
       if ((begin <= 0) != (end <= 0))
-        kept.push_back(from + begin / (begin - end) * (to - from));
+        kept.push_back(from + begin / (begin - end) * (to - from)); // normal . x = offset.
     }
     corners_ = std::move(kept);
     return true;
@@ -61,6 +61,7 @@ private:
 } // namespace
 
 bool planeNeighbours(const PlanePoints& sites, const Eigen::VectorXd& powers, Eigen::VectorXd& shares) {
+  // The cell of the origin, whose power is 0: |x|^2 <= |x - s_i|^2 - w_i, x . s_i <= (|s_i|^2 - w_i) / 2.
   const Eigen::VectorXd squares = sites.rowwise().squaredNorm() - powers;
   const double reach = kReach * std::sqrt(squares.minCoeff());
   PlanePolygon cell(reach);
@@ -68,6 +69,8 @@ bool planeNeighbours(const PlanePoints& sites, const Eigen::VectorXd& powers, Ei
     cell.cut(sites.row(i).transpose(), squares[i] / 2);
   if (cell.empty() || cell.reach() >= reach)
     return false;
+  // What site i had of it before, |x - s_i|^2 - w_i <= |x - s_j|^2 - w_j for all j; share_i is this area over
+  // the sum of the areas.
   shares.setZero(sites.rows());
   for (Eigen::Index i = 0; i < sites.rows(); ++i) {
     PlanePolygon taken = cell;

@@ -35,7 +35,9 @@ std::vector<SphereTriangle> icosahedron() {
   return triangles;
 }
 
-/// On the unit sphere: the solid angle under which the centre sees the triangle.
+/// On the unit sphere: the solid angle under which the centre sees the triangle,
+/// `tan(area / 2) = det(a, b, c) / (1 + a . b + b . c + c . a)` (Van Oosterom and Strackee 1983, doi
+/// 10.1109/TBME.1983.325207).
 double sphericalArea(const SphereTriangle& t) {
   return 2 * std::atan2(t[0].dot(t[1].cross(t[2])), 1 + t[0].dot(t[1]) + t[1].dot(t[2]) + t[2].dot(t[0]));
 }

@@ -48,6 +48,7 @@ struct Regions {
       if (weights[count + vertex] == 0)
         continue;
       const Vec3 at = corners.row(count + vertex).transpose();
+      // omega_i = omega_V,i + sum over the vertices of share_i omega_V,vertex (thesis 3.1.2).
       const bool found = transfer == Transfer::sphericalBarycentric
                              ? amongThree(sight.units, facets->triangles.row(vertex), at, shares)
                              : amongNeighbours(sight.units, nearness, at, shares);
@@ -80,7 +81,7 @@ struct Regions {
     frame.computeInverseAndDetWithCheck(inverse, volume, invertible, kInPlane);
     if (!invertible)
       return false;
-    const Vec3 own = inverse * at;
+    const Vec3 own = inverse * at; // at = b_i u_i + b_j u_j + b_k u_k.
     shares.setZero();
     for (int i = 0; i < 3; ++i)
       shares[triangle[i]] = own[i];
@@ -89,6 +90,8 @@ struct Regions {
 
   /// By the projection from the opposite of `at` onto the plane that touches the sphere there (thesis 3.9).
   bool amongNeighbours(const Points& units, const Values& nearness, const Vec3& at, Values& shares) const {
+    // The line from -at through u_i meets the plane at s_i u_i + (s_i - 1) at with s_i = 2 / (1 + u_i . at):
+    // the thesis's 1 + delta_i is s_i.
     const Vec3 x = at.unitOrthogonal(), y = at.cross(x);
     const Values ahead = ((units * at).array() + 1).max(kBehind);
     const Values stretch = 2 / ahead.array();
@@ -98,6 +101,7 @@ struct Regions {
     const Values powers = transfer == Transfer::laguerre ? Values(-nearness) : Values::Zero(units.rows());
     if (!planeNeighbours(sites, powers, shares))
       return false;
+    // With sum l_i = 1 the plane's neighbours meet at `at`: sum l_i s_i u_i = (2 - sum l_i s_i) at (3.10).
     const double left = 2 - shares.dot(stretch); // One less the thesis's sum of shares times delta.
     shares = shares.cwiseProduct(stretch) / left;
     return left > kBehind;

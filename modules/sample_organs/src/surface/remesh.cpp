@@ -73,7 +73,9 @@ public:
 private:
   double scaleOf(const Edge& edge) const { return 0.5 * (scale_[at(edge.a)] + scale_[at(edge.b)]); }
 
-  /// The edge length that covers the surface with that many triangles.
+  /// The edge length that covers the surface with that many triangles: N triangles of area
+  /// sqrt(3) / 4 (L h)^2, where h is the scale, cover it when sum A / h^2 = sqrt(3) / 4 N L^2. A third of
+  /// each triangle counts with the scale of each corner.
   double lengthFor(int wanted) const {
     double covered = 0;
     for (const Index v : surface_.vertices())
@@ -82,6 +84,7 @@ private:
     return std::sqrt(covered / (kTriangleArea * wanted));
   }
 
+  /// The node's scales, none above `kGrowth` times a neighbour's as far as the passes reach: h_v <= g h_u.
   void readScales() {
     forEachVertex([this](Index v) { scale_[at(v)] = node_.shade(surface_.point(v)).edgeScale; });
     for (int pass = 0; pass < kGradingPasses && !uniform_; ++pass) {
@@ -94,6 +97,8 @@ private:
     }
   }
 
+  /// Edges with |e| >= 4/3 L h_e, where h_e = (h_a + h_b) / 2: halved, both parts are no farther from
+  /// L h_e than the whole was.
   void splitLong(double length) {
     for (const Edge& edge : surface_.edges()) {
       const double longest = kSplitAbove * length * scaleOf(edge);
@@ -104,6 +109,8 @@ private:
     }
   }
 
+  /// Edges with |e| < 4/5 L h_e, unless the new vertex would have an edge above 4/3 L h_e, which the next
+  /// round would split again.
   void collapseShort(double length) {
     struct Short {
       Edge edge;
@@ -131,6 +138,7 @@ private:
     }
   }
 
+  /// Edges whose flip makes sum (valence - 6)^2 over the two ends and the two opposite corners smaller.
   void flipAll() {
     for (const Edge& edge : surface_.edges())
       surface_.flip(edge);
@@ -154,6 +162,9 @@ private:
         surface_.movePoint(v, moved[at(v)]);
   }
 
+  /// p + share (I - n n^T) (g - p), then along n towards the surface where `onto` asks for it: g is the mean
+  /// of the centroids of the triangles around the vertex, weighted by A / h^2 so that triangles of any scale
+  /// count alike, and n the sum of their area vectors, normalised.
   Vec3 relaxed(Index v, double share, Onto onto) const {
     Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
     double weights = 0, area = 0;
@@ -184,8 +195,8 @@ private:
     const double distance = node_.distanceUpTo(point, limit);
     if (onto == Onto::nearSurface)
       return std::clamp(-0.95 * distance, -longest, longest);
-    // Newton along the normal; in the middle of a thin wall there is no slope, but the distance itself is
-    // free.
+    // Newton along the normal, -d / (dd/dn) with a difference for the slope; in the middle of a thin wall
+    // there is no slope, but the distance itself is free.
     const double slope = (node_.distanceUpTo(point + kSlopeProbe * normal, limit) - distance) / kSlopeProbe;
     const double go = slope > kLeastSlope ? -distance / slope : -distance;
     return std::clamp(go, -longest, longest);

@@ -48,7 +48,9 @@ int thickAxis(const Mask& mask);
 Mask betweenSlices(const Mask& mask);
 
 /// The voxels of `grid` whose centres lie within a closed surface (mm LPS); a ray along i crosses it an odd
-/// number of times. O(triangles x the rows that they touch + voxels).
+/// number of times. The result takes the length of `grid.inside`, which has to be the product of `grid.size`
+/// (not checked: an empty one is written past its end); what it holds is not looked at. O(triangles x the
+/// rows that they touch + voxels).
 ///
 ///     Mask grid;
 ///     grid.size = {20, 20, 20};
