@@ -312,7 +312,6 @@ TEST(HeaderExamples, Tracking) {
   const geometry::TriangleMesh surface = tests::sphere(3, 8);
   Mask grid;
   grid.size = {20, 20, 20};
-  grid.inside.resize(20 * 20 * 20);
   grid.indexToLps.translation() = Vec3(-9.5, -9.5, -9.5);
   const Mask filled = voxelised(surface, grid);
   const double ml = filled.volumeMl();

@@ -136,7 +136,9 @@ Mask betweenSlices(const Mask& mask) {
 }
 
 Mask voxelised(const geometry::TriangleMesh& surface, const Mask& grid) {
-  Mask result{grid.size, grid.indexToLps, std::vector<std::uint8_t>(grid.inside.size(), 0)};
+  const std::size_t voxels =
+      std::size_t(grid.size[0]) * std::size_t(grid.size[1]) * std::size_t(grid.size[2]);
+  Mask result{grid.size, grid.indexToLps, std::vector<std::uint8_t>(voxels, 0)};
   const Eigen::Affine3d toIndex = grid.indexToLps.inverse();
   Points points(surface.points.rows(), 3);
   for (Eigen::Index v = 0; v < points.rows(); ++v)

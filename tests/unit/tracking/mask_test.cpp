@@ -24,6 +24,13 @@ geometry::TriangleMesh ball() {
   return mesh;
 }
 
+TEST(Mask, VoxelisedAsksTheGridOnlyForSizeAndPlace) {
+  Mask grid = oblique(tests::gridAround(Vec3(3, 3, 3)));
+  const Mask expected = voxelised(ball(), grid);
+  grid.inside.clear();
+  EXPECT_EQ(voxelised(ball(), grid).inside, expected.inside);
+}
+
 TEST(Voxelised, HoldsTheVolumeOfTheSurfaceOnAnObliqueLeftHandedGrid) {
   const Mask mask = voxelised(ball(), oblique(tests::gridAround(Vec3(1, 1.2, 0.9))));
   const geometry::TriangleMesh mesh = ball();

@@ -48,13 +48,11 @@ int thickAxis(const Mask& mask);
 Mask betweenSlices(const Mask& mask);
 
 /// The voxels of `grid` whose centres lie within a closed surface (mm LPS); a ray along i crosses it an odd
-/// number of times. The result takes the length of `grid.inside`, which has to be the product of `grid.size`
-/// (not checked: an empty one is written past its end); what it holds is not looked at. O(triangles x the
-/// rows that they touch + voxels).
+/// number of times. Of `grid` only size and place count, not what is inside it. O(triangles x the rows that
+/// they touch + voxels).
 ///
 ///     Mask grid;
 ///     grid.size = {20, 20, 20};
-///     grid.inside.resize(20 * 20 * 20);
 ///     grid.indexToLps.translation() = Vec3(-9.5, -9.5, -9.5);
 ///     const Mask filled = voxelised(surface, grid);
 ///     const double ml = filled.volumeMl();
