@@ -24,7 +24,7 @@ geometry::TriangleMesh ball() {
   return mesh;
 }
 
-TEST(Mask, VoxelisedAsksTheGridOnlyForSizeAndPlace) {
+TEST(Voxelised, AsksTheGridOnlyForSizeAndPlace) {
   Mask grid = oblique(tests::gridAround(Vec3(3, 3, 3)));
   const Mask expected = voxelised(ball(), grid);
   grid.inside.clear();
