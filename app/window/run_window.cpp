@@ -10,6 +10,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <cstdio>
+#include <exception>
 #include <memory>
 
 #include "available_systems.h"
@@ -20,6 +21,7 @@
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"
 #include "window/session/session_files.h"
+#include "window/session/unasked_exit.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 
@@ -142,6 +144,18 @@ void setUpApplication(QApplication& application) {
   scene::setTextFont(QFontInfo(QApplication::font()).family().toStdString());
 }
 
+void keepWithoutDisplay(SessionFiles& sessions) noexcept {
+  try {
+    const bool kept = sessions.keepNow();
+    std::fputs(kept ? "viscera: the display has gone; unsaved work is kept, and offered at the next start\n"
+                    : "viscera: the display has gone\n",
+               stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "viscera: the display has gone, and unsaved work cannot be kept: %s\n",
+                 error.what());
+  }
+}
+
 int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (!displayThere()) {
     std::fputs("viscera: there is no display for the window (try `viscera play heartbeat` or `viscera "
@@ -190,6 +204,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   }
   if (!options.files.empty())
     QTimer::singleShot(0, &window, [&] { load(window, options, true); });
+  const UnaskedExit unasked([&window] { keepWithoutDisplay(window.sessions()); });
   const int code = QApplication::exec();
   application.setGuard({}); // The window is about to go.
   return code;

@@ -5926,6 +5926,14 @@
         <translation>les dades comprimides estan malmeses</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
+        <translation>Està malmès o no és un fitxer DICOM: la capçalera no és com la vol l’estàndard</translation>
+    </message>
+    <message>
+        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
+        <translation>les dades comprimides ocupen més de %1 MB un cop descomprimides, cosa que no fa cap exploració d’aquesta mida</translation>
+    </message>
+    <message>
         <source>the packed data are damaged (%1)</source>
         <translation>les dades comprimides estan malmeses (%1)</translation>
     </message>

@@ -5926,6 +5926,14 @@
         <translation>die gepackten Daten sind beschädigt</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
+        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: Ihr Kopf ist nicht so, wie der Standard es verlangt</translation>
+    </message>
+    <message>
+        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
+        <translation>die gepackten Daten sind entpackt größer als %1 MB, was kein Scan dieser Größe ist</translation>
+    </message>
+    <message>
         <source>the packed data are damaged (%1)</source>
         <translation>die gepackten Daten sind beschädigt (%1)</translation>
     </message>

@@ -5926,6 +5926,14 @@
         <translation>los datos comprimidos están dañados</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
+        <translation>Está dañado o no es un archivo DICOM: su cabecera no es como la exige el estándar</translation>
+    </message>
+    <message>
+        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
+        <translation>los datos comprimidos ocupan más de %1 MB al descomprimirlos, cosa que no hace ninguna exploración de este tamaño</translation>
+    </message>
+    <message>
         <source>the packed data are damaged (%1)</source>
         <translation>los datos comprimidos están dañados (%1)</translation>
     </message>

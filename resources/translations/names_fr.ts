@@ -5926,6 +5926,14 @@
         <translation>les données compressées sont endommagées</translation>
     </message>
     <message>
+        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM : son en-tête n’est pas conforme à la norme</translation>
+    </message>
+    <message>
+        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
+        <translation>les données compressées dépassent %1 Mo une fois décompressées, ce qu’aucun examen de cette taille ne fait</translation>
+    </message>
+    <message>
         <source>the packed data are damaged (%1)</source>
         <translation>les données compressées sont endommagées (%1)</translation>
     </message>

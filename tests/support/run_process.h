@@ -34,6 +34,8 @@ struct ProcessOptions {
   int signal = SIGINT;                                           ///< Ctrl+C.
   std::optional<std::size_t> addressSpace =
       std::nullopt; ///< The most that it may map, bytes, as `ulimit -v` says it.
+  /// The longest file that it may write, bytes; it is told by an error, as on a full disk, not by a signal.
+  std::optional<std::size_t> fileSize = std::nullopt;
 };
 
 namespace detail {
@@ -48,6 +50,11 @@ namespace detail {
   if (options.addressSpace) {
     const rlimit limit{*options.addressSpace, *options.addressSpace};
     ::setrlimit(RLIMIT_AS, &limit);
+  }
+  if (options.fileSize) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{*options.fileSize, *options.fileSize};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
   }
   std::vector<char*> arguments;
   for (const std::string& argument : command)

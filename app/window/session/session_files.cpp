@@ -302,13 +302,17 @@ void SessionFiles::startAutosave(const std::filesystem::path& folder, double del
   Q_EMIT changed();
 }
 
-void SessionFiles::autosaveIfDue() {
-  if (!autosave_ || !autosave_->due() || workspace_.undo().stepOpen())
-    return;
+document::SessionContents SessionFiles::recoveryContents() const {
   document::SessionContents kept = contents();
   kept.recovers = file_.toStdString();
   kept.embedScan = false; // Every minute a hundred megabytes that are in a file, too.
-  autosave_->write(std::move(kept), [this](std::shared_ptr<const Error> error) {
+  return kept;
+}
+
+void SessionFiles::autosaveIfDue() {
+  if (!autosave_ || !autosave_->due() || workspace_.undo().stepOpen())
+    return;
+  autosave_->write(recoveryContents(), [this](std::shared_ptr<const Error> error) {
     if (error && !autosaveFailed_)
       workspace_.report(*error);
     autosaveFailed_ = error != nullptr;
@@ -358,6 +362,13 @@ void SessionFiles::recover() {
     read(QString::fromStdString(recovery.file.string()), recovery);
     Q_EMIT changed();
   });
+}
+
+bool SessionFiles::keepNow() {
+  if (!autosave_ || !modified())
+    return false;
+  autosave_->writeNow(recoveryContents());
+  return true;
 }
 
 void SessionFiles::endCleanly() {

@@ -67,6 +67,9 @@ public:
   void offerRecovery();
   /// Opens the youngest of what was left.
   void recover();
+  /// The program ends without having been asked to: brings unsaved work into the recovery file and waits for
+  /// that. False when there is nothing to keep, or it is not kept. Throws when it cannot be written.
+  bool keepNow();
   /// Everything is saved or not wanted, and the program ends.
   void endCleanly();
 
@@ -106,6 +109,7 @@ private:
   /// Says in the window's title which session it is and whether it is saved.
   void syncTitle();
   void autosaveIfDue();
+  document::SessionContents recoveryContents() const;
   Answer ask() const;
 
   Workspace& workspace_;

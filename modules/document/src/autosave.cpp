@@ -228,6 +228,13 @@ void Autosave::write(SessionContents contents, Done done) {
       });
 }
 
+void Autosave::writeNow(const SessionContents& contents) {
+  changedAt_.reset();
+  jobs_.cancelSlot(kSlot);
+  Progress progress;
+  target_->write(contents, progress);
+}
+
 void Autosave::clear() {
   changedAt_.reset();
   jobs_.cancelSlot(kSlot);

@@ -72,7 +72,8 @@ std::optional<FoundFile> findFile(const FileSource& source, const fs::path& fold
   if (!source.relative.empty())
     places.push_back(absoluteOf(folder / source.relative));
   if (!source.absolute.empty()) {
-    places.push_back(source.absolute);
+    if (source.absolute.is_absolute()) // An embedded session has the name alone: never a place to look from.
+      places.push_back(source.absolute);
     places.push_back(absoluteOf(folder / source.absolute.filename()));
   }
   const fs::path& named = source.absolute.empty() ? source.relative : source.absolute;

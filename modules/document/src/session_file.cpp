@@ -44,6 +44,23 @@ ordered_json fileJson(const FileSource& source) {
   return file;
 }
 
+/// Whether the session goes to others with everything inside, and so says nothing of this computer's folders.
+/// A recovery file stays with its owner.
+bool namesNoFolders(const SessionContents& contents, bool inside) {
+  return inside && contents.recovers.empty();
+}
+
+/// What an embedded session says of a file: its name, and what tells its contents from others'.
+ordered_json nameOnly(const ordered_json& file, bool inside) {
+  const std::string name = fs::path(file.at("absolute").get<std::string>()).filename().generic_string();
+  ordered_json only{{"relative", name}, {"absolute", name}};
+  if (!inside && file.contains("bytes")) // A missing one is found again by its contents.
+    only["bytes"] = file.at("bytes");
+  if (file.contains("sha256"))
+    only["sha256"] = file.at("sha256");
+  return only;
+}
+
 /// An organ with its surface, or with the place where that is.
 ordered_json organWithSurface(const Organ& organ, bool embed, const fs::path& folder) {
   ordered_json item = organJson(organ);
@@ -97,6 +114,10 @@ public:
     }
     for (const MissingOrgan& missing : contents_.missing)
       insert(missing, list);
+    if (namesNoFolders(contents_, contents_.embedSurfaces))
+      for (ordered_json& record : list)
+        if (record.contains("source") && record.at("source").contains("file"))
+          record["source"]["file"] = nameOnly(record.at("source").at("file"), record.contains("surface"));
     return list;
   }
 
@@ -337,6 +358,8 @@ private:
         organ.places = maker_.placesOf(origin.sample, origin.surface);
       organ.origin.fileHash = origin.file.hash;
       organ.file = origin.file.absolute;
+      if (!organ.file.empty() && organ.file.is_relative()) // A name alone: beside the session, if anywhere.
+        organ.file = (folder_ / organ.file.filename()).lexically_normal();
     }
     return organ;
   }
@@ -483,6 +506,8 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
     root["scan"] = sessionScanJson(*state.scan, contents.embedScan, folder);
   else if (!contents.missingScan.empty())
     root["scan"] = ordered_json::parse(contents.missingScan);
+  if (root.contains("scan") && namesNoFolders(contents, contents.embedScan))
+    forgetFolders(root["scan"]);
   root["view"] = ordered_json::parse(contents.view);
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });

@@ -13,12 +13,16 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
+/// Of a file, or of a folder that may be written with a slash at its end.
+fs::path lastNameOf(const fs::path& place) {
+  return place.has_filename() ? place.filename() : place.parent_path().filename();
+}
+
 /// Relative to the session file, where it was, beside the session file: the first that is there.
 std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absolute, const fs::path& folder) {
-  const fs::path name = absolute.has_filename() ? absolute.filename() : absolute.parent_path().filename();
   std::error_code error;
-  for (const fs::path& place : {folder / relative, absolute, folder / name})
-    if (!place.empty() && fs::exists(place, error))
+  for (const fs::path& place : {folder / relative, absolute, folder / lastNameOf(absolute)})
+    if (place.is_absolute() && fs::exists(place, error))
       return fs::absolute(place, error).lexically_normal();
   return std::nullopt;
 }
@@ -44,6 +48,14 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
   return json;
 }
 
+void forgetFolders(ordered_json& scan) {
+  if (!scan.contains("absolute"))
+    return;
+  const std::string name = lastNameOf(scan.at("absolute").get<std::string>()).generic_string();
+  scan["relative"] = name;
+  scan["absolute"] = name;
+}
+
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                      OpenedSession& opened, Progress& progress) {
   reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "hash", "image"}, "scan");
@@ -60,8 +72,10 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   if (inside) {
     auto scan = std::make_shared<const medical_io::Scan>(scanFrom(reader, item.at("image"), "scan.image"));
     const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder);
+    const bool nameAlone = !absolute.empty() && absolute.is_relative();
+    const fs::path was = nameAlone ? (folder / lastNameOf(absolute)).lexically_normal() : absolute;
     opened.contents.state.scan = std::make_shared<const ScanItem>(
-        ScanItem{name, std::move(scan), file.value_or(absolute), options.series, options.phase});
+        ScanItem{name, std::move(scan), file.value_or(was), options.series, options.phase});
     return;
   }
   const std::string hash = reader.optionalText(item, "hash", "scan");

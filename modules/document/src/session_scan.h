@@ -17,6 +17,9 @@ namespace viscera::document {
 nlohmann::ordered_json sessionScanJson(const ScanItem& item, bool inside,
                                        const std::filesystem::path& folder);
 
+/// Leaves of the places in a scan's record only the name of its file or folder.
+void forgetFolders(nlohmann::ordered_json& scan);
+
 /// Reads the scan that `item` holds or names into `opened`. One that is not there, or cannot be read, becomes
 /// a warning and stays as `missingScan`. Throws `DataError` for a record that is none, `Cancelled`.
 void readSessionScan(SessionReader& reader, const nlohmann::ordered_json& item,

@@ -1,7 +1,9 @@
 #include <system_error>
 
+#include "dicom/deflated_dicom.h"
 #include "dicom/quiet_dcmtk.h"
 #include "text_scanner.h"
+#include "viscera/core/error.h"
 #include "viscera/medical_io/label_series.h"
 
 // DCMTK's configuration has to be known before its other headers.
@@ -26,6 +28,11 @@ DicomPhase dicomPhase(const std::filesystem::path& file) {
   silenceDcmtk();
   DicomPhase phase;
   std::error_code error;
+  try {
+    requireBoundedInflation(file);
+  } catch (const DataError&) {
+    return phase;
+  }
   DcmFileFormat format;
   if (!std::filesystem::is_regular_file(file, error) ||
       format.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 4096, ERM_fileOnly).bad())

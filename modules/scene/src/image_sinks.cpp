@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -65,6 +66,29 @@ private:
   std::vector<fs::path> files_;
 };
 
+/// Whether a movie ends with its last page complete. VTK's writer says nothing of a disk that was full.
+bool endsWithWholeOggPage(const fs::path& file) {
+  constexpr std::streamoff kLongestPage = 27 + 255 + 255 * 255;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : 0;
+  std::string tail(static_cast<std::size_t>(std::min(size, kLongestPage)), '\0');
+  stream.seekg(size - static_cast<std::streamoff>(tail.size()));
+  stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  // The letters may also be among the data: one beginning that fits the end is enough.
+  for (std::size_t at = tail.rfind("OggS"); at != std::string::npos;
+       at = at == 0 ? std::string::npos : tail.rfind("OggS", at - 1)) {
+    if (at + 27 > tail.size())
+      continue;
+    const std::size_t segments = static_cast<unsigned char>(tail[at + 26]);
+    std::size_t end = at + 27 + segments;
+    for (std::size_t i = 0; i < segments && at + 27 + i < tail.size(); ++i)
+      end += static_cast<unsigned char>(tail[at + 27 + i]);
+    if (end == tail.size())
+      return true;
+  }
+  return false;
+}
+
 class OggTheora : public ImageSink {
 public:
   OggTheora(const fs::path& file, const MovieOptions& options)
@@ -86,6 +110,8 @@ public:
   }
   void close() override {
     end();
+    if (!endsWithWholeOggPage(file_->temporary()))
+      cannotWrite(movie_);
     file_->commit();
   }
   void discard() noexcept override {

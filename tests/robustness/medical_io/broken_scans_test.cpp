@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "dicom_slices.h"
 #include "memory_use.h"
@@ -119,6 +121,51 @@ TEST(BrokenScanHeaders, PromisesOfHugePicturesTakeNoMemory) {
   EXPECT_FALSE(tryReading(folder.put("huge.nii", header)));
   EXPECT_FALSE(tryReading(folder.put("huge.nii.gz", tests::gzipped(header))));
   EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes);
+}
+
+/// A deflated DICOM file of half a megabyte that unpacks to 400 MB of zeros in one element.
+std::string deflatedBomb() {
+  constexpr std::uint32_t kZeros = 400U << 20U;
+  std::string file(128, '\0');
+  file += "DICM" + std::string("\x02\0\x10\0UI", 6) + '\x16' + '\0' + "1.2.840.10008.1.2.1.99";
+  std::string element("\x09\0\x10\x10OB\0\0", 8);
+  for (unsigned byte = 0; byte < 4; ++byte)
+    element.push_back(static_cast<char>(kZeros >> (8 * byte) & 0xffU));
+  z_stream stream{};
+  deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  std::string packed(1 << 16, '\0');
+  const auto pack = [&](std::string bytes, int flush) {
+    stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_out = static_cast<uInt>(packed.size());
+      deflate(&stream, flush);
+      file.append(packed.data(), packed.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+  };
+  pack(element, Z_NO_FLUSH);
+  for (std::uint32_t done = 0; done < kZeros; done += 1U << 20U)
+    pack(std::string(1U << 20U, '\0'), Z_NO_FLUSH);
+  pack({}, Z_FINISH);
+  deflateEnd(&stream);
+  return file;
+}
+
+TEST(DeflatedDicom, ThatUnpacksToFarMoreThanAScanIsRefusedWithoutItsMemory) {
+  const TemporaryFolder folder;
+  const std::string bomb = deflatedBomb();
+  EXPECT_LT(bomb.size(), std::size_t{4} << 20U);
+  const auto file = folder.put("bomb.dcm", bomb);
+  const long before = peakKilobytes();
+  Progress progress;
+  try {
+    readScan(file, {}, progress);
+    ADD_FAILURE() << "it was read";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("unpacked"), std::string::npos) << error.what();
+  }
+  EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes / 2);
 }
 
 /// Another program writes the file anew, shorter, longer or as another kind of image, while it is read.

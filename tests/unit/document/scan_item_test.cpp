@@ -144,6 +144,18 @@ TEST(ScanItem, LiesWithTheOrgansInsideASessionToTheLastBit) {
   EXPECT_EQ(record("again.viscera"), record("s.viscera"));
 }
 
+TEST(ScanItem, InsideASessionNamesNoFolder) {
+  TemporaryFolder folder;
+  const SessionContents contents = patient(folder);
+  std::filesystem::create_directory(folder / "sent");
+  tests::write(folder / "sent" / "s.viscera", contents);
+  EXPECT_EQ(contentsOf(folder / "sent" / "s.viscera").find(folder.path().string()), std::string::npos);
+  const OpenedSession again = tests::readBack(folder / "sent" / "s.viscera");
+  EXPECT_TRUE(again.warnings.empty());
+  ASSERT_TRUE(again.contents.state.scan);
+  EXPECT_EQ(again.contents.state.scan->file, folder / "sent" / "ct.nii");
+}
+
 TEST(ScanItem, ThatIsInNoFileIsKeptInsideOfALinkedSession) {
   TemporaryFolder folder;
   SessionContents contents;

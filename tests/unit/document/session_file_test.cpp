@@ -333,6 +333,42 @@ std::string saidByAUser(const std::function<std::string()>& work) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? said : "the program failed";
 }
 
+TEST(SessionFile, ThatIsEmbeddedNamesNoFolder) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sent");
+  SessionContents contents = fullContents(folder);
+  contents.embedSurfaces = true;
+  write(folder / "sent" / "a.viscera", contents);
+  const std::string written = contentsOf(folder / "sent" / "a.viscera");
+  EXPECT_EQ(written.find(folder.path().string()), std::string::npos);
+  EXPECT_EQ(written.find(".."), std::string::npos);
+  const OpenedSession opened = readBack(folder / "sent" / "a.viscera");
+  EXPECT_EQ(joined(opened.warnings), "");
+  int files = 0;
+  for (std::size_t i = 0; i < opened.contents.state.organs->size(); ++i) {
+    const Organ &was = *contents.state.organs->at(i), &is = *opened.contents.state.organs->at(i);
+    if (was.file.empty() || !was.origin.sample.empty())
+      continue;
+    ++files;
+    EXPECT_EQ(is.file, folder / "sent" / was.file.filename()) << "where it would be beside the session";
+  }
+  EXPECT_GT(files, 0);
+  write(folder / "sent" / "b.viscera", opened.contents);
+  EXPECT_TRUE(contentsOf(folder / "sent" / "b.viscera") == written);
+}
+
+TEST(SessionFile, OfAnEmbeddedSessionKeepsItsFoldersForItsOwnerToRecover) {
+  TemporaryFolder folder;
+  SessionContents contents = fullContents(folder);
+  contents.embedSurfaces = true;
+  contents.recovers = folder / "work.viscera";
+  write(folder / "recovery.viscera", contents);
+  EXPECT_TRUE(identical(readBack(folder / "recovery.viscera").contents.state, contents.state));
+  std::filesystem::create_directory(folder / "state");
+  write(folder / "state" / "recovery.viscera", contents);
+  EXPECT_TRUE(identical(readBack(folder / "state" / "recovery.viscera").contents.state, contents.state));
+}
+
 TEST(SessionFile, ThatZlibCannotPackLeavesTheOldOne) {
   TemporaryFolder folder;
   SessionContents contents = fullContents(folder);

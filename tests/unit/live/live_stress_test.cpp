@@ -1,6 +1,7 @@
 #include "viscera/live/live_stress.h"
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 
@@ -9,7 +10,9 @@
 
 #include "session_fixture.h"
 #include "sway.h"
+#include "temporary_folder.h"
 #include "viscera/core/error.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/stress_quantity.h"
 
@@ -25,8 +28,9 @@ struct Stressed : tests::BoundSession {
   StressEvent heard;
   Subscription subscription;
 
-  explicit Stressed(double frameSeconds = kBoundAtOnce, int witnesses = 400)
-      : stress(document, registry, live, jobs, options(frameSeconds, witnesses)) {
+  explicit Stressed(double frameSeconds = kBoundAtOnce, int witnesses = 400,
+                    const std::filesystem::path& worker = {})
+      : stress(document, registry, live, jobs, options(frameSeconds, witnesses, worker)) {
     subscription = stress.onEvent([this](const StressEvent& event) {
       heard.status |= event.status;
       heard.sampled |= event.sampled;
@@ -35,10 +39,12 @@ struct Stressed : tests::BoundSession {
     });
   }
 
-  static LiveStress::Options options(double frameSeconds, int witnesses) {
+  static LiveStress::Options options(double frameSeconds, int witnesses,
+                                     const std::filesystem::path& worker) {
     LiveStress::Options options;
     options.frameSeconds = frameSeconds;
     options.witnesses.wanted = witnesses;
+    options.witnesses.worker = worker;
     return options;
   }
 
@@ -184,6 +190,25 @@ TEST(LiveStress, CanBeCancelledAndGoesOnWhenAsked) {
   s.stress.retry();
   s.waitFor(StressState::ready);
   EXPECT_GT(s.stress.mesh()->witnesses, 0);
+}
+
+TEST(LiveStress, OutlivesAWorkerThatIsKilledAndTriesAgainWhenAsked) {
+  const tests::TemporaryFolder folder;
+  // TetGen's place: killed as by the system that is short of memory, until the file beside it is there.
+  const std::filesystem::path worker =
+      folder.put("worker", "#!/bin/sh\n[ -e \"$(dirname \"$0\")/well\" ] || kill -KILL $$\nexec \"" +
+                               deformation::installedTetgenWorker().string() + "\"\n");
+  std::filesystem::permissions(worker, std::filesystem::perms::owner_all);
+  Stressed s(kBoundAtOnce, 400, worker);
+  const document::DocumentState before = s.document.state();
+  s.begin();
+  EXPECT_THAT(s.stress.status().remarks, testing::Contains(testing::HasSubstr("it crashed")));
+  EXPECT_GT(s.stress.mesh()->witnesses, 0) << "the grid stands in";
+  EXPECT_TRUE(identical(s.document.state(), before));
+  folder.put("well", "");
+  s.stress.setWanted(800);
+  s.waitFor(StressState::ready);
+  EXPECT_THAT(s.stress.status().remarks, testing::Not(testing::Contains(testing::HasSubstr("it crashed"))));
 }
 
 TEST(LiveStress, KeepsWhatItHasWhileNobodyLooksAndTakesAnotherNumberOfWitnesses) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dicom/deflated_dicom.h"
 #include "dicom/quiet_dcmtk.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
@@ -129,6 +130,7 @@ public:
 private:
   void load() {
     silenceDcmtk();
+    requireBoundedInflation(file_.file);
     const OFCondition loaded =
         format_.loadFile(file_.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
     if (loaded.bad())

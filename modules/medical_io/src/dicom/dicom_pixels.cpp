@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "dicom/deflated_dicom.h"
 #include "dicom/dicom_pixel_source.h"
 #include "dicom/quiet_dcmtk.h"
 #include "file_bytes.h"
@@ -190,6 +191,7 @@ std::unique_ptr<DicomPixelSource> sourceOf(const DicomHeader& header, std::share
 
 DicomPixelReader::DicomPixelReader(const DicomHeader& header) {
   silenceDcmtk();
+  requireBoundedInflation(header.file);
   const auto format = std::make_shared<DcmFileFormat>();
   const OFCondition loaded =
       format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedPixels, ERM_autoDetect);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "dicom/deflated_dicom.h"
 #include "dicom/dicom_header.h"
 #include "dicom/quiet_dcmtk.h"
 #include "image_formats/raw_image.h"
@@ -88,6 +89,7 @@ private:
 
   void load() {
     silenceDcmtk();
+    requireBoundedInflation(file_.name());
     require(format_.loadFile(file_.name().c_str()), "It is damaged or no DICOM file");
     DcmDataset& dataset = *format_.getDataset();
     OFString uid;

@@ -65,6 +65,9 @@ public:
   /// Writes the contents soon, in place of earlier ones. `done` is called through `post`, unless a later
   /// write or `clear` made this one unnecessary.
   void write(SessionContents contents, Done done = {});
+  /// Writes the contents and waits until they are on the disk, for a program that is about to end. Throws as
+  /// `writeSession` does.
+  void writeNow(const SessionContents& contents);
   /// Everything is saved, or not wanted: the recovery file goes, at the latest when a write that has begun is
   /// over, and what waits to be written is forgotten. Waits for nobody.
   void clear();
