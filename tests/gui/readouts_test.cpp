@@ -27,7 +27,7 @@
 namespace viscera::tests {
 namespace {
 
-constexpr int kListVolume = 2; ///< The column.
+constexpr int kColumnOfVolume = 2; ///< The column.
 
 class Readouts : public PlayMode {
 protected:
@@ -55,7 +55,7 @@ protected:
       const QString volume = shownMl(lines[i]);
       EXPECT_EQ(tiles[static_cast<int>(i)]->text(), volume) << "the tile of " << lines[i].label;
       if (lines[i].side == 0) {
-        EXPECT_EQ(row(lines[i].organ)->text(kListVolume), volume) << "the list's " << lines[i].label;
+        EXPECT_EQ(row(lines[i].organ)->text(kColumnOfVolume), volume) << "the list's " << lines[i].label;
       }
       if (!headers.empty()) {
         const QString said = QStringLiteral("%1 %2").arg(lines[i].name, volume);
