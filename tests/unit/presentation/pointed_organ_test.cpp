@@ -11,7 +11,7 @@ namespace {
 /// that is a cavity of the first.
 struct PointedOrgan : testing::Test {
   PointedOrgan() {
-    undo.perform(document::addOrgans({tests::ball("Beside", 20, 2, Vec3(0, 0, 70))}));
+    undo.perform(document::addOrgans({tests::ball("Beside", 22, 2, Vec3(0, 0, 70))}));
     document::NewOrgan cavity = tests::ball("Hollow", 5, 2);
     cavity.organ.parent = session.organ(0);
     undo.perform(document::addOrgans({cavity}));
