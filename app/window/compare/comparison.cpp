@@ -141,6 +141,9 @@ QWidget* Comparison::makeSecondPane() {
   auto* column = makeLayout<QVBoxLayout>(pane, 0);
   secondHeader_ = new SideHeader(2, pane);
   fillHeader(*secondHeader_);
+  // As high as each other, the views show one organ in one size.
+  connect(secondHeader_, &SideHeader::heightChanged, this,
+          [this](int height) { first_.area.setHeaderHeight(height); });
   column->addWidget(secondHeader_);
   second_->view->setObjectName(QStringLiteral("secondView3d"));
   column->addWidget(second_->view, 1);
