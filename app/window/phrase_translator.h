@@ -62,7 +62,8 @@ private:
 
 /// What the numerical modules say in English (steps, warnings, errors, tasks), in the language of the window;
 /// as it is when it has no translation. Names are not messages: an organ may be called "Open heart", which is
-/// no step (`inWords`).
+/// no step (`inWords`). A phase of a sequence is a message here: the keys of a recorded one are numbered
+/// ("key 3").
 QString messageInWords(const std::string& text);
 
 } // namespace viscera::app

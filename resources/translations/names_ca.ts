@@ -4778,6 +4778,10 @@
         <translation>clau</translation>
     </message>
     <message>
+        <source>start</source>
+        <translation>inici</translation>
+    </message>
+    <message>
         <source>key %1</source>
         <translation>clau %1</translation>
     </message>

@@ -4778,6 +4778,10 @@
         <translation>Schlüssel</translation>
     </message>
     <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
         <source>key %1</source>
         <translation>Schlüssel %1</translation>
     </message>

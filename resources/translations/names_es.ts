@@ -4778,6 +4778,10 @@
         <translation>clave</translation>
     </message>
     <message>
+        <source>start</source>
+        <translation>inicio</translation>
+    </message>
+    <message>
         <source>key %1</source>
         <translation>clave %1</translation>
     </message>

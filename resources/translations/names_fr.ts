@@ -4778,6 +4778,10 @@
         <translation>clé</translation>
     </message>
     <message>
+        <source>start</source>
+        <translation>début</translation>
+    </message>
+    <message>
         <source>key %1</source>
         <translation>clé %1</translation>
     </message>

@@ -24,11 +24,13 @@
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/plugin/registry.h"
+#include "viscera/sequences/keyframes.h"
 #include "window/language.h"
 #include "window/modes/stress_mode.h"
 #include "window/panels/organ_panel.h"
 #include "window/phrase_translator.h"
 #include "window/sample_loader.h"
+#include "window/timeline/phase_scrubber.h"
 
 namespace viscera::tests {
 namespace {
@@ -250,6 +252,31 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   }
   EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234.5"));
   EXPECT_EQ(voxels(1), QStringLiteral("The pose folds the tissue at 1 voxel: their values are estimates."));
+}
+
+TEST(PhasesOfAKeySequence, AreNamedInTheLanguageOfTheWindow) {
+  sequences::KeyframedSequence::Track track;
+  track.restHandles = Points::Zero(2, 3);
+  track.periodSeconds = 4;
+  track.keys = {{1, track.restHandles}, {2, track.restHandles}};
+  const sequences::KeyframedSequence sequence(track);
+  const auto namesIn = [&](const char* language) {
+    const InstalledLanguage installed{QLatin1String(language)};
+    app::PhaseScrubber scrubber;
+    scrubber.setPhases(sequence.phases(sequence.standardRatePerMinute()), track.periodSeconds);
+    QStringList names;
+    for (const double fraction : {0.1, 0.3, 0.6}) {
+      scrubber.setFraction(fraction);
+      EXPECT_EQ(scrubber.phaseText(), scrubber.phaseName());
+      names.push_back(scrubber.phaseName());
+    }
+    return names;
+  };
+  EXPECT_EQ(namesIn("en"), QStringList({"start", "key 1", "key 2"}));
+  EXPECT_EQ(namesIn("de"), QStringList({"Anfang", "Schlüssel 1", "Schlüssel 2"}));
+  EXPECT_EQ(namesIn("es"), QStringList({"inicio", "clave 1", "clave 2"}));
+  EXPECT_EQ(namesIn("fr"), QStringList({"début", "clé 1", "clé 2"}));
+  EXPECT_EQ(namesIn("ca"), QStringList({"inici", "clau 1", "clau 2"}));
 }
 
 class GermanWindow : public PlayMode {

@@ -4,6 +4,7 @@ namespace viscera::app {
 namespace {
 
 constexpr const char* kWithoutCage = "t-celestial";
+constexpr int kNarrowestChooser = 64; ///< Room for the first letters of a name.
 
 std::string firstChoice(const document::SystemChoice& other) {
   return other.id == kWithoutCage ? document::SystemChoice().id : kWithoutCage;
@@ -25,6 +26,7 @@ SystemCombo* ComparedSystem::makeChooser() {
   chooser_->setAccessibleName(tr("Coordinates of the second view"));
   chooser_->setToolTip(tr("Coordinate system that binds the same organs to the same handles in this view"));
   chooser_->setMinimumContentsLength(14);
+  chooser_->setMinimumWidth(kNarrowestChooser);
   chooser_->setSystem(choice_->id);
   connect(chooser_, &SystemCombo::systemChosen, this, &ComparedSystem::choose);
   return chooser_;

@@ -21,6 +21,7 @@
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/sample_loader.h"
 #include "window/view/camera_link.h"
 #include "window/view/organ_pointer.h"
@@ -141,6 +142,9 @@ QWidget* Comparison::makeSecondPane() {
   auto* column = makeLayout<QVBoxLayout>(pane, 0);
   secondHeader_ = new SideHeader(2, pane);
   fillHeader(*secondHeader_);
+  // As high as each other, the views show one organ in one size.
+  connect(secondHeader_, &SideHeader::heightChanged, this,
+          [this](int height) { first_.area.setHeaderHeight(height); });
   column->addWidget(secondHeader_);
   second_->view->setObjectName(QStringLiteral("secondView3d"));
   column->addWidget(second_->view, 1);
@@ -489,10 +493,12 @@ void Comparison::syncHeaders() {
   if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
-  firstHeader_->setState(first_.playback.sequence() ? inWords(first.phase()) : QString(), volumesOf(0));
+  firstHeader_->setState(first_.playback.sequence() ? messageInWords(first.phase()) : QString(),
+                         volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
-  secondHeader_->setState(second.sequence() ? inWords(second.player().phase()) : QString(), volumesOf(1));
+  secondHeader_->setState(second.sequence() ? messageInWords(second.player().phase()) : QString(),
+                          volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);
   if (!second.sequence())
     return;

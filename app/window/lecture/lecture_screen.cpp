@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -102,7 +103,7 @@ QString LectureScreen::numbers() const {
   QStringList parts;
   const motion::Player& player = parts_.playback.player();
   if (player.showing())
-    parts << inWords(player.phase());
+    parts << messageInWords(player.phase());
   const auto& lines = parts_.volumes.lines();
   for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
     parts

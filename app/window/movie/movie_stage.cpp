@@ -11,6 +11,7 @@
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/heart_valves.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 
 namespace viscera::app {
 namespace {
@@ -76,7 +77,7 @@ void MovieStage::writeCaption() {
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
     for (const sequences::Phase& phase : sequence->phases(runner_.ratePerMinute()))
       if (fraction >= phase.begin && fraction < phase.end)
-        lines += QLatin1Char('\n') + inWords(phase.name);
+        lines += QLatin1Char('\n') + messageInWords(phase.name);
   }
   for (std::size_t i = 0; i < names_.size(); ++i)
     lines += QStringLiteral("\n%1  %2").arg(inWords(names_[i]), formatMilliliters(milliliters_[i]));

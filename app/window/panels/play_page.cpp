@@ -212,7 +212,7 @@ void PlayPage::syncState() {
 }
 
 void PlayPage::syncPhase() {
-  phase_->setText(playback_.sequence() ? inWords(playback_.player().phase()) : nothing());
+  phase_->setText(playback_.sequence() ? messageInWords(playback_.player().phase()) : nothing());
 }
 
 void PlayPage::fillRow(std::size_t line) {

@@ -72,10 +72,17 @@ void ViewArea::splitView(QWidget* header, QWidget* second) {
   auto* row = static_cast<QHBoxLayout*>(views_->layout());
   static_cast<QVBoxLayout*>(row->itemAt(0)->layout())->insertWidget(0, header_);
   row->addWidget(second_, 1);
-  // What lies over the view begins below the header.
-  grid_->setRowMinimumHeight(0, header_->sizeHint().height() + kViewMargin);
+  setHeaderHeight(header_->minimumHeight());
   header_->show();
   second_->show();
+}
+
+void ViewArea::setHeaderHeight(int height) {
+  if (!header_)
+    return;
+  header_->setFixedHeight(height);
+  // What lies over the view begins below the header.
+  grid_->setRowMinimumHeight(0, height + kViewMargin);
 }
 
 void ViewArea::joinViews() {

@@ -36,6 +36,8 @@ public:
   /// Puts `second` beside the view, both equally wide, with `header` above the view. Both widgets become
   /// this one's, until `joinViews` deletes them.
   void splitView(QWidget* header, QWidget* second);
+  /// How high the header over a split view is; without one nothing happens.
+  void setHeaderHeight(int height);
   /// The view is alone again.
   void joinViews();
 

@@ -1,8 +1,13 @@
 #include "window/widgets/system_combo.h"
 
+#include <QHelpEvent>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
+#include <QToolTip>
 
+#include <algorithm>
 #include <utility>
 
 #include "window/language.h"
@@ -74,6 +79,33 @@ std::string SystemCombo::systemAt(int index) const {
 void SystemCombo::setSystem(const std::string& id) {
   const QSignalBlocker quiet(this);
   setCurrentIndex(findData(QString::fromStdString(id)));
+}
+
+QString SystemCombo::shownText() const {
+  constexpr int kBesideText = 2; // What the style leaves free within the field.
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  const QRect field =
+      style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+  return fontMetrics().elidedText(currentText(), Qt::ElideRight, std::max(0, field.width() - kBesideText));
+}
+
+bool SystemCombo::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || shownText() == currentText())
+    return QComboBox::event(event);
+  const QString whole = toolTip().isEmpty() ? currentText() : currentText() + QLatin1Char('\n') + toolTip();
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), whole, this);
+  return true;
+}
+
+void SystemCombo::paintEvent(QPaintEvent*) {
+  QStylePainter painter(this);
+  painter.setPen(palette().color(QPalette::Text));
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  painter.drawComplexControl(QStyle::CC_ComboBox, option);
+  option.currentText = shownText();
+  painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 } // namespace viscera::app

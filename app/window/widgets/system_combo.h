@@ -20,10 +20,17 @@ public:
   /// The id at a place; empty for a heading.
   std::string systemAt(int index) const;
   void setSystem(const std::string& id);
+  /// What the closed list shows: the name, shortened with an ellipsis where it does not fit. Its whole is in
+  /// the tooltip then.
+  QString shownText() const;
 
 Q_SIGNALS:
   /// The user has chosen a system, by its id.
   void systemChosen(const std::string& id);
+
+protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 };
 
 } // namespace viscera::app

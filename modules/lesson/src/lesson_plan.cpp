@@ -105,27 +105,34 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
 }
 
 /// "End-diastolic volume: women and men, mean +- 2 standard deviations", and where that comes from.
-std::string sourceOf(const motion::NormalRange& range) {
-  return capital(range.name) + ": " + range.meaning + "; " + range.people + "; " + range.source + ".";
+std::string sourceOf(const motion::NormalRange& range, const PageWords& words) {
+  return capital(words.said(range.name.c_str())) + ": " + words.named(range.meaning) + "; " +
+         words.named(range.people) + "; " + words.named(range.source) + ".";
+}
+
+/// As organs are called in English, whatever the language of the lesson.
+std::vector<motion::NormalRange> rangesOf(const Organ& organ, const std::string& title) {
+  for (const std::string& name : {organ.name, title, titleOf(organ, PageWords(kLanguageCode))})
+    if (std::vector<motion::NormalRange> ranges = motion::normalRanges(name); !ranges.empty())
+      return ranges;
+  return {};
 }
 
 /// The bands of one organ; a ventricle ejects.
 void addRanges(LessonPlan& plan, const Organ& organ, const PageWords& words, std::set<std::string>& sources) {
   PlannedSurface& surface = plan.surfaces.back();
-  std::vector<motion::NormalRange> ranges = motion::normalRanges(organ.name);
-  if (ranges.empty())
-    ranges = motion::normalRanges(surface.title);
   if (!surface.charted)
     return;
-  for (const motion::NormalRange& range : ranges) {
+  for (const motion::NormalRange& range : rangesOf(organ, surface.title)) {
     using Quantity = motion::NormalRange::Quantity;
     const bool percent = range.quantity == Quantity::ejectionPercent;
     surface.ejects = surface.ejects || range.quantity == Quantity::endDiastolicMl;
     surface.output = surface.output || range.norm == "lv.ef";
     plan.ranges.push_back({plan.surfaces.size() - 1, percent ? "percent" : "ml", range.low, range.high,
                            surface.title + ", " + words.said(range.name.c_str())});
-    if (sources.insert(sourceOf(range)).second)
-      plan.notes += (plan.notes.empty() ? "" : "\n") + sourceOf(range);
+    const std::string from = sourceOf(range, words);
+    if (sources.insert(from).second)
+      plan.notes += (plan.notes.empty() ? "" : "\n") + from;
   }
 }
 
@@ -135,6 +142,12 @@ void chartVentriclesOnly(LessonPlan& plan) {
                                [](const PlannedSurface& surface) { return surface.ejects; });
   for (PlannedSurface& surface : plan.surfaces)
     surface.charted = surface.charted && (surface.ejects || !(any && surface.wall));
+}
+
+/// Lessons have words of their own for the phases of the samples; others are called as in the window.
+std::string titleOf(const sequences::Phase& phase, const PageWords& words) {
+  const std::string english = capital(phase.name), own = words.said(english.c_str());
+  return own != english ? own : capital(words.named(phase.name));
 }
 
 void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec, const PageWords& words) {
@@ -157,7 +170,7 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
                                      [&](const PlannedPhase& other) { return other.name == phase.name; });
       const std::string* other = instead(spec, phase.name);
       if (!known)
-        plan.phases.push_back({phase.name, other ? *other : words.said(capital(phase.name).c_str())});
+        plan.phases.push_back({phase.name, other ? *other : titleOf(phase, words)});
     }
 }
 

@@ -1,8 +1,11 @@
 #include "page_strings.h"
 
+#include <string_view>
+
 #include <QCoreApplication>
 #include <QTranslator>
 
+#include "viscera/core/phrase.h"
 #include "viscera/lesson/lesson_spec.h"
 
 namespace viscera::lesson {
@@ -114,6 +117,11 @@ constexpr Said kSaid[] = {
     QT_TRANSLATE_NOOP("Lesson", "Expiration"), QT_TRANSLATE_NOOP("Lesson", "Pause")};
 // clang-format on
 
+/// Texts of the numerical modules that a lesson shows and that were put together (viscera/core/phrase.h):
+/// what a normal range means for people of any size, and the phases of a key sequence.
+constexpr const char* kPutTogether[] = {"%1, mean +- 2 standard deviations", "%1, on average", "key %1"};
+constexpr std::string_view kPart = "%1";
+
 } // namespace
 
 std::string said(const char* text) {
@@ -132,10 +140,29 @@ PageWords::PageWords(const std::string& language) : language_(language) {
 PageWords::~PageWords() = default;
 
 std::string PageWords::said(const char* text) const {
+  return translated("Lesson", text);
+}
+
+std::string PageWords::named(const std::string& text) const {
+  const std::string exact = translated("viscera::presentation", text.c_str());
+  if (exact != text)
+    return exact;
+  for (const std::string_view pattern : kPutTogether) {
+    const std::size_t place = pattern.find(kPart);
+    const std::string_view before = pattern.substr(0, place), after = pattern.substr(place + kPart.size());
+    if (text.size() <= before.size() + after.size() || !text.starts_with(before) || !text.ends_with(after))
+      continue;
+    const std::string part = text.substr(before.size(), text.size() - before.size() - after.size());
+    return phrase(translated("viscera::presentation", pattern.data()), named(part));
+  }
+  return text;
+}
+
+std::string PageWords::translated(const char* context, const char* text) const {
   if (language_.empty())
-    return lesson::said(text);
-  const QString translated = translation_ ? translation_->translate("Lesson", text) : QString();
-  return translated.isEmpty() ? text : translated.toStdString();
+    return QCoreApplication::translate(context, text).toStdString();
+  const QString found = translation_ ? translation_->translate(context, text) : QString();
+  return found.isEmpty() ? text : found.toStdString();
 }
 
 std::map<std::string, std::string> PageWords::pageStrings() const {

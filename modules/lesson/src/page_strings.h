@@ -27,10 +27,16 @@ public:
   /// A text of the context "Lesson"; as it is when there is no translation.
   std::string said(const char* text) const;
 
+  /// A name or text of the numerical modules (resources/translations/names_*.ts): who was measured for a
+  /// normal range, or the key of a recorded sequence. As it is when there is no translation.
+  std::string named(const std::string& text) const;
+
   /// Everything that the page itself says, by the names under which its script asks for it.
   std::map<std::string, std::string> pageStrings() const;
 
 private:
+  std::string translated(const char* context, const char* text) const;
+
   std::string language_;
   std::unique_ptr<QTranslator> translation_; ///< Null for English and for the program's own language.
 };

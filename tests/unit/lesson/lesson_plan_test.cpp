@@ -10,6 +10,8 @@
 #include "viscera/core/error.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/motion/clinical_numbers.h"
+#include "viscera/sequences/keyframes.h"
 
 namespace viscera::lesson {
 namespace {
@@ -225,6 +227,60 @@ TEST(LessonPlan, SpeaksTheLanguageThatIsAskedFor) {
               ElementsAre("Linker Ventrikel", "Leber"));
   spec.language = "xx";
   EXPECT_THROW(Organs({named("LV")}).plan(spec), UsageError);
+}
+
+TEST(LessonPlan, SaysInItsLanguageWhoWasMeasured) {
+  const std::vector<std::string> names = {"LV",     "RV",       "Stomach",    "Liver",
+                                          "Spleen", "Pancreas", "kidney_left"};
+  std::vector<document::NewOrgan> organs;
+  for (const std::string& name : names)
+    organs.push_back(named(name));
+  const Organs scene(organs);
+  LessonSpec spec;
+  spec.language = "en";
+  EXPECT_THAT(scene.plan(spec).notes, HasSubstr("women and men, mean +- 2 standard deviations; 800 healthy"));
+  for (const char* language : {"de", "es", "fr", "ca"}) {
+    spec.language = language;
+    const std::string notes = scene.plan(spec).notes;
+    EXPECT_THAT(notes, HasSubstr("10.1186/s12968-017-0327-9")) << language;
+    for (const std::string& name : names)
+      for (const motion::NormalRange& range : motion::normalRanges(name)) {
+        EXPECT_THAT(notes, Not(HasSubstr(range.meaning))) << language;
+        EXPECT_THAT(notes, Not(HasSubstr(range.people))) << language;
+      }
+  }
+  spec.language = "de";
+  EXPECT_THAT(scene.plan(spec).notes,
+              HasSubstr("Frauen und M\u00e4nner, Mittel \u00b1 2 Standardabweichungen; 800 "));
+}
+
+TEST(LessonPlan, KnowsWhatHealthyPeopleHaveInEveryLanguage) {
+  const Organs scene({named("Meier_liver", "/data/Meier_liver.stl"), named("abdomen/spleen")});
+  LessonSpec spec;
+  for (const char* language : {"en", "de", "es", "fr", "ca"}) {
+    spec.language = language;
+    EXPECT_EQ(scene.plan(spec).ranges.size(), 2u) << language;
+  }
+}
+
+TEST(LessonPlan, NamesThePhasesOfAKeySequenceInItsLanguage) {
+  sequences::KeyframedSequence::Track track;
+  track.restHandles = Points::Zero(2, 3);
+  track.periodSeconds = 4;
+  track.keys = {{1, track.restHandles}, {2, track.restHandles}};
+  BallScene scene;
+  const LessonSource source = scene.source(std::make_shared<sequences::KeyframedSequence>(track));
+  LessonSpec spec;
+  const auto titles = [&](const char* language) {
+    spec.language = language;
+    std::vector<std::string> all;
+    for (const PlannedPhase& phase : planLesson(source, spec).phases)
+      all.push_back(phase.title);
+    return all;
+  };
+  EXPECT_THAT(titles("en"), ElementsAre("Start", "Key 1", "Key 2"));
+  EXPECT_THAT(titles("de"), ElementsAre("Anfang", "Schl\u00fcssel 1", "Schl\u00fcssel 2"));
+  EXPECT_THAT(titles("es"), ElementsAre("Inicio", "Clave 1", "Clave 2"));
 }
 
 /// Whoever looks at the texts of a plan has seen all that a document says in the file.
