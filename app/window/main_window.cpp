@@ -85,8 +85,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   makeModes();
   (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
-  makeSession();
   slides_ = new Slides(workspace_, view_, *viewArea_->view(), playback_, actions_, this);
+  makeSession();
   lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
   connect(actions_["view.lecture"], &QAction::toggled, this, [this] {
     showWelcome(false);
