@@ -26,6 +26,7 @@ constexpr double kCornerGap = 4;
 constexpr double kTextGap = 6;
 constexpr double kScaleBarWidth = 1.5;
 constexpr int kScaleBarFontSize = 13;
+constexpr double kGroundOfNumber = 0.7; ///< Opacity.
 
 } // namespace
 
@@ -54,7 +55,12 @@ ScaleBar::~ScaleBar() = default;
 
 void ScaleBar::setTheme(const Theme& theme) {
   line_.actor->GetProperty()->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
-  text_->GetTextProperty()->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
+  auto* letters = text_->GetTextProperty();
+  letters->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
+  // Handles lie between it and the view's ground, of which it takes the colour along.
+  const Vec3& ground = theme.backgroundBottom;
+  letters->SetBackgroundColor(ground.x(), ground.y(), ground.z());
+  letters->SetBackgroundOpacity(kGroundOfNumber);
   setTextSize(text_, kScaleBarFontSize, theme);
   typeScale_ = theme.typeScale;
 }

@@ -5,7 +5,10 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
 #include "viscera/core/error.h"
 #include "viscera/scene/picture.h"
@@ -273,6 +276,23 @@ TEST(StandardViews, NamesAreReadBackAndOthersRefused) {
                           StandardView::right, StandardView::superior, StandardView::inferior})
     EXPECT_EQ(standardViewFromName(nameOf(view)), view);
   EXPECT_THROW(standardViewFromName("front"), UsageError);
+}
+
+TEST(ScaleBar, NumberHasAGroundSoThatHandlesBehindItDoNotHideIt) {
+  vtkNew<vtkRenderer> renderer;
+  ScaleBar bar(renderer);
+  bar.setTheme(lightTheme());
+  auto* props = renderer->GetViewProps();
+  props->InitTraversal();
+  int numbers = 0;
+  while (vtkProp* prop = props->GetNextProp())
+    if (auto* text = vtkTextActor::SafeDownCast(prop)) {
+      ++numbers;
+      const auto* ground = text->GetTextProperty()->GetBackgroundColor();
+      EXPECT_GT(text->GetTextProperty()->GetBackgroundOpacity(), 0.5);
+      EXPECT_EQ(Vec3(ground[0], ground[1], ground[2]), lightTheme().backgroundBottom);
+    }
+  EXPECT_EQ(numbers, 1);
 }
 
 TEST(ScaleBar, LengthsAreRoundAndAsLongAsPossible) {
