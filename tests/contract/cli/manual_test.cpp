@@ -104,8 +104,8 @@ TEST_F(Manual, CompletionOfZshHasEveryCommandAndIsRead) {
 
 TEST_F(Manual, VersionNamesWhatWasLinked) {
   const std::string said = run({"--version"}).out;
-  for (const std::string library :
-       {"VTK", "Qt", "Eigen", "DCMTK", "OpenJPEG", "Qhull", "Boost", "zlib", "bzip2", "Fontconfig", "OpenMP", "TetGen"})
+  for (const std::string library : {"VTK", "Qt", "Eigen", "DCMTK", "OpenJPEG", "Qhull", "Boost", "zlib",
+                                    "bzip2", "Fontconfig", "OpenMP", "TetGen"})
     EXPECT_TRUE(std::regex_search(said, std::regex("\n  " + library + R"( [0-9]+\.[0-9])")))
         << library << "\n"
         << said;

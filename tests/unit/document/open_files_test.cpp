@@ -102,8 +102,8 @@ TEST_F(OpenFiles, LeaveOutThoseThatFailAndSayWhich) {
     said.emplace_back(failure.what());
   EXPECT_THAT(said, ::testing::ElementsAre(HasSubstr("missing.stl"), HasSubstr("empty.stl"),
                                            HasSubstr("notes.docx")));
-  EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "missing.stl", folder_ / "empty.stl",
-                                                     folder_ / "notes.docx"));
+  EXPECT_THAT(opened.leftOut,
+              ::testing::ElementsAre(folder_ / "missing.stl", folder_ / "empty.stl", folder_ / "notes.docx"));
 }
 
 TEST_F(OpenFiles, SayNothingOfSessionsWhereNoneCanBeOpened) {

@@ -38,7 +38,7 @@ struct OpenedFiles {
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
   std::optional<NewRig> rig;                   ///< When there was a handle file.
   std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
-  std::vector<Error> failures; ///< Of files that could not be read, each with its file's name.
+  std::vector<Error> failures;                ///< Of files that could not be read, each with its file's name.
   std::vector<std::filesystem::path> leftOut; ///< Those files, in the same order.
 
   /// Adds every organ, and the rig: one undo step.
@@ -67,8 +67,8 @@ bool isHandleFile(const std::filesystem::path& file);
 /// file. One that cannot be read is left out and told in `failures`, and so are further handle files and
 /// sessions; when nothing is left, throws what the first of them throws (`NoInputError`, `DataError`,
 /// `UsageError` for a session or an ending that nothing is known about). Throws `UsageError` for no file at
-/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface. What is said of sessions depends on
-/// whether the caller opens them otherwise.
+/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface. What is said of sessions depends
+/// on whether the caller opens them otherwise.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 

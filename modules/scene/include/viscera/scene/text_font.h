@@ -7,11 +7,11 @@ namespace viscera::scene {
 /// What views write in until `setTextFont`: the family that the system takes for texts without serifs.
 inline constexpr char kDefaultFontFamily[] = "sans-serif";
 
-/// Lets all views, charts and pictures write in the font family of the window around them, so that the program
-/// has one font in 2-D and in 3-D. Fontconfig finds the files of its regular and bold faces, or of what is
-/// nearest; where it finds none that VTK can open, VTK's own font stays. VTK has one text renderer for the
-/// program, so this is for all views of it; texts that are drawn already change when they are drawn anew.
-/// Thread-safe; some milliseconds.
+/// Lets all views, charts and pictures write in the font family of the window around them, so that the
+/// program has one font in 2-D and in 3-D. Fontconfig finds the files of its regular and bold faces, or of
+/// what is nearest; where it finds none that VTK can open, VTK's own font stays. VTK has one text renderer
+/// for the program, so this is for all views of it; texts that are drawn already change when they are drawn
+/// anew. Thread-safe; some milliseconds.
 ///
 ///     scene::setTextFont(QFontInfo(QApplication::font()).family().toStdString());
 void setTextFont(const std::string& family);
