@@ -45,6 +45,7 @@
 #include "viscera/reproduction/item.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/slice_view.h"
+#include "viscera/scene/text_font.h"
 #include "viscera/sequences/breathing.h"
 #include "viscera/slices/slice_frame.h"
 #include "viscera/tracking/mask.h"
@@ -98,6 +99,10 @@ Points cubeCorners() {
   const Scan scan = readScan("ct.nii.gz", {}, progress);
   const std::optional<double> hu = scan.at(Vec3(12, -40, 310));
   return hu;
+}
+
+[[maybe_unused]] void writeAsTheWindow() {
+  scene::setTextFont("DejaVu Sans"); // The family of the window.
 }
 
 [[maybe_unused]] void drawPosed(scene::OrganActor& actor,

@@ -236,9 +236,9 @@ TEST(WindowLanguage, IsTheChosenOneElseTheSystemsElseEnglish) {
 
 TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   const auto voxels = [](int n) {
-    return QCoreApplication::translate(
-        "viscera::app::BentExport",
-        "The pose folds the tissue at %n {voxel|voxels}: their values are estimates.", nullptr, n);
+    return QCoreApplication::translate("viscera::app::BentExport",
+                                       "The pose folds the tissue at %n voxels: their values are estimates.",
+                                       nullptr, n);
   };
   {
     const InstalledLanguage german(QStringLiteral("de"));

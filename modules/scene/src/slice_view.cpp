@@ -167,7 +167,10 @@ Eigen::AlignedBox2d placed(const SliceText& text, const Eigen::Vector2d& size, d
     const Eigen::Vector2d corner(left, low);
     return Eigen::AlignedBox2d(corner, corner + size);
   };
-  const double besides = text.place.y() - 0.5 * size.y(), centred = middle.x() - 0.5 * size.x();
+  // Near an edge words move along what they stand beside, to stay in the picture.
+  const Eigen::Vector2d most = (picture.max() - size).cwiseMax(picture.min());
+  const double besides = std::clamp(text.place.y() - 0.5 * size.y(), picture.min().y(), most.y());
+  const double centred = std::clamp(middle.x() - 0.5 * size.x(), picture.min().x(), most.x());
   const std::array<Eigen::AlignedBox2d, 4> places = {
       at(around.max().x() + gap, besides), at(around.min().x() - gap - size.x(), besides),
       at(centred, around.min().y() - gap - size.y()), at(centred, around.max().y() + gap)};
@@ -205,6 +208,7 @@ struct SliceView::Parts {
   void showCross(const SlicePicture& picture);
   void showBar(const SlicePicture& picture);
   void showTexts(const SlicePicture& picture);
+  std::vector<Eigen::AlignedBox2d> boxesOfLetters();
   void showWords(const SlicePicture& picture);
 };
 
@@ -276,6 +280,20 @@ void SliceView::Parts::keepApart(vtkTextActor* words, double y, double towardsMi
                               static_cast<int>(y + towardsMiddle * (letterSize[1] + margin / 2)));
 }
 
+/// Where the letters at the picture's edges are.
+std::vector<Eigen::AlignedBox2d> SliceView::Parts::boxesOfLetters() {
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const auto& letter : letters) {
+    if (letter->GetVisibility() == 0)
+      continue;
+    double box[4] = {0, 0, 0, 0};
+    letter->GetBoundingBox(renderer, box);
+    const Eigen::Vector2d at(letter->GetPosition()[0], letter->GetPosition()[1]);
+    boxes.emplace_back(at + Eigen::Vector2d(box[0], box[2]), at + Eigen::Vector2d(box[1], box[3]));
+  }
+  return boxes;
+}
+
 /// What is written beside places of the picture.
 void SliceView::Parts::showWords(const SlicePicture& picture) {
   while (captions.size() > picture.texts.size()) {
@@ -292,7 +310,7 @@ void SliceView::Parts::showWords(const SlicePicture& picture) {
   const double gap = kWordsGap * ratio(), margin = kWordsMargin * ratio();
   const Eigen::AlignedBox2d inner(Eigen::Vector2d(margin, margin),
                                   Eigen::Vector2d(picture.width - margin, picture.height - margin));
-  std::vector<Eigen::AlignedBox2d> taken;
+  std::vector<Eigen::AlignedBox2d> taken = boxesOfLetters();
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const SliceText& text = picture.texts[i];
     captions[i]->GetTextProperty()->SetColor(text.color.x(), text.color.y(), text.color.z());

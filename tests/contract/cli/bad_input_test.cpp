@@ -28,7 +28,8 @@ protected:
 TEST_F(CliBadInput, MissingFiles) {
   expectBadOrgan(path("missing.stl"), kNoInput, "missing.stl");
   expectBadHandles(path("missing.mrk.json"), kNoInput, "missing.mrk.json");
-  EXPECT_EQ(run({path("missing.stl")}).exitCode, kNoInput) << "for the window";
+  EXPECT_EQ(run({path("missing.stl"), "--screenshot", path("window.png")}).exitCode, kNoInput)
+      << "for the window, which opens without them else";
 }
 
 TEST_F(CliBadInput, EmptyFiles) {

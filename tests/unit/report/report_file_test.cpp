@@ -48,6 +48,14 @@ TEST(ReportFile, HtmlHoldsEverythingAndTakesNoNameForMarkup) {
   EXPECT_THAT(html, Not(HasSubstr("\x07")));
 }
 
+/// Pictures are letters at random, in which any short word may stand.
+std::string withoutPictures(std::string html) {
+  const std::string begin = "base64,";
+  for (std::size_t at = html.find(begin); at != std::string::npos; at = html.find(begin, at + begin.size()))
+    html.erase(at + begin.size(), html.find('"', at) - at - begin.size());
+  return html;
+}
+
 TEST(ReportFile, NothingSaysWhereFilesLie) {
   ReportedSession session;
   document::Organ organ = *session.document.organs().front();
@@ -61,14 +69,11 @@ TEST(ReportFile, NothingSaysWhereFilesLie) {
   source.state = state;
   source.file = "/home/ann/Smith John 1956/case.viscera";
   source.notes = {"/home/ann/Smith John 1956/liver.stl: it was moved"};
-  const std::string html = report::htmlOf(session.report(source));
+  const std::string html = withoutPictures(report::htmlOf(session.report(source)));
   EXPECT_THAT(html, HasSubstr("liver.stl: its axes are taken for LPS; repaired on import: close-holes"));
   EXPECT_THAT(html, HasSubstr("case.viscera"));
   for (const char* secret : {"/home", "ann", "Smith", "1956"})
-    EXPECT_EQ(countOf(html.substr(0, html.find("base64")), secret) +
-                  countOf(html.substr(html.rfind("base64")), secret),
-              0)
-        << secret;
+    EXPECT_EQ(countOf(html, secret), 0) << secret;
 }
 
 TEST(ReportFile, PdfHasItsPagesInA4AndItsTitle) {

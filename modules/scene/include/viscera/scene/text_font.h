@@ -13,7 +13,7 @@ inline constexpr char kDefaultFontFamily[] = "sans-serif";
 /// for the program, so this is for all views of it; texts that are drawn already change when they are drawn
 /// anew. Thread-safe; some milliseconds.
 ///
-///     scene::setTextFont(QFontInfo(QApplication::font()).family().toStdString());
+///     scene::setTextFont("DejaVu Sans"); // The family of the window.
 void setTextFont(const std::string& family);
 
 /// The file of the font in which views write; empty: VTK's own font. Thread-safe.
