@@ -1,6 +1,7 @@
 #include "play_fixture.h"
 
 #include <QAbstractButton>
+#include <QFile>
 #include <QLabel>
 #include <QSpinBox>
 #include <QTest>
@@ -82,7 +83,9 @@ TEST_F(TwoViews, AViewThatClosesUnderAHeldMouseLeavesNoGestureBehind) {
 }
 
 TEST_F(TwoViews, TheSecondNamesNoSessionsAmongWhatItOpens) {
-  parts().comparison().showFiles({path(QStringLiteral("notes.docx"))});
+  const QString file = path(QStringLiteral("notes.docx"));
+  ASSERT_TRUE(QFile(file).open(QIODevice::WriteOnly));
+  parts().comparison().showFiles({file});
   ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("notes.docx")); }));
   EXPECT_TRUE(message().contains(QStringLiteral(".stl"))) << message().toStdString();
   EXPECT_FALSE(message().contains(QStringLiteral(".viscera")));
