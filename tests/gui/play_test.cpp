@@ -429,5 +429,25 @@ TEST_F(PlayMode, ALockedVolumeStaysWhileTheSequencePlays) {
   EXPECT_LT(volumeOf("LV"), 0.7 * ventricle) << "its cavity is not locked";
 }
 
+/// Undo, or a number that is typed, changes the pose while the organs show the sequence's.
+TEST_F(PlayMode, APoseThatIsChangedBehindTheSequenceIsNoDragOfItsVolumes) {
+  playFor(0.3);
+  const std::size_t rows = window().volumes().drags().rows();
+  Points pose = document().pose();
+  pose.row(0) *= 1.15;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  settle();
+  EXPECT_EQ(window().volumes().drags().rows(), rows);
+  key(Qt::Key_3);
+  settle();
+  pose.row(0) *= 1.01;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  settle();
+  const motion::VolumeRecord& drags = window().volumes().drags();
+  ASSERT_EQ(drags.rows(), rows + 2);
+  EXPECT_NEAR(drags.milliliters(drags.rows() - 1, 0), volumeOf(document().organs().front()->name.c_str()),
+              1e-9);
+}
+
 } // namespace
 } // namespace viscera::tests

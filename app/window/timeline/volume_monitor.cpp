@@ -218,6 +218,8 @@ void VolumeMonitor::sample() {
 void VolumeMonitor::sampleDrag(bool goesOn) {
   const bool begins = goesOn && !std::exchange(dragging_, goesOn);
   dragging_ = goesOn;
+  if (sides_[0].playback->showing()) // A pose that is changed meanwhile, as by undo, is not what is seen.
+    return;
   if (goesOn && !begins && sinceDragged_.elapsed() < kVolumeUpdateMilliseconds)
     return;
   const double step = kMillisecond * kVolumeUpdateMilliseconds;
