@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <QScreen>
 #include <QSlider>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
@@ -186,8 +187,12 @@ void startTheProgram(benchmark::State& state) {
     const QTemporaryDir empty;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("XDG_CONFIG_HOME"), empty.path());
-    if (!cached)
+    if (!cached) {
       environment.insert(QStringLiteral("XDG_CACHE_HOME"), empty.path());
+      // Mesa's compiled shaders are no organs.
+      environment.insert(QStringLiteral("MESA_SHADER_CACHE_DIR"),
+                         QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation));
+    }
     QProcess program;
     program.setProcessEnvironment(environment);
     const auto start = Clock::now();

@@ -218,7 +218,10 @@ void VolumeMonitor::sample() {
 void VolumeMonitor::sampleDrag(bool goesOn) {
   const bool begins = goesOn && !std::exchange(dragging_, goesOn);
   dragging_ = goesOn;
-  if (sides_[0].playback->showing()) // A pose that is changed meanwhile, as by undo, is not what is seen.
+  // Where the sequence is seen, a pose that changes, as by undo, is not. (It shows again only after all have
+  // heard of the change.)
+  const Playback& playback = *sides_[0].playback;
+  if (playback.sequence() && playback.wantedPose() == motion::WantedPose::sequence)
     return;
   if (goesOn && !begins && sinceDragged_.elapsed() < kVolumeUpdateMilliseconds)
     return;
