@@ -20,6 +20,9 @@ constexpr std::size_t kRows = 7200;
 constexpr std::size_t kDragRows = 600;
 constexpr double kMillisecond = 1e-3;
 const char* const kCycleSlot = "cycle";
+/// The cycle is measured so much later where no sequence is seen: its numbers are not urgent, and a drag that
+/// begins under a lock just set is.
+constexpr int kUnseenDelayMilliseconds = 500;
 } // namespace
 
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent) : QObject(parent) {
@@ -56,12 +59,12 @@ void VolumeMonitor::setMeasured(const MeasuredMotion& measured) {
 
 void VolumeMonitor::watch(Side& side) {
   const bool first = &side == &sides_[0];
-  side.subscriptions.push_back(side.workspace->onChange([this, first](const document::Change& change) {
+  side.subscriptions.push_back(side.workspace->onChange([this, first, &side](const document::Change& change) {
     if (change.organs())
       rebuild();
     if (change.rig() || change.system()) // What was recorded is of other bindings.
       record_.clear();
-    measureSoon_.start();
+    measureSoon(side);
     const bool moved = change.pose() && !change.rig() && !change.organs();
     const bool released = first && dragging_ && !change.interactive;
     if (first && (moved || released))
@@ -69,17 +72,16 @@ void VolumeMonitor::watch(Side& side) {
     if (released || (change.pose() && !change.interactive)) // Nobody waits for numbers that are there.
       sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
-  side.subscriptions.push_back(side.workspace->live().onEvent([this](const live::LiveEvent& event) {
+  side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
-      measureSoon_.start();
+      measureSoon(side);
     if (event.moved || event.replaced) // Once for all organs of a frame.
       frame_.start();
     if (!throttle_.isActive())
       throttle_.start();
   }));
-  connect(side.playback, &Playback::stateChanged, &measureSoon_, qOverload<>(&QTimer::start),
-          Qt::UniqueConnection);
-  measureSoon_.start();
+  connect(side.playback, &Playback::stateChanged, this, [this] { measureSoon_.start(0); });
+  measureSoon_.start(0);
 }
 
 std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
@@ -146,6 +148,11 @@ void VolumeMonitor::followFrame() {
   frame_.stop();
   refresh();
   Q_EMIT shown();
+}
+
+void VolumeMonitor::measureSoon(const Side& side) {
+  const bool seen = side.playback->wantedPose() == motion::WantedPose::sequence;
+  measureSoon_.start(seen ? 0 : kUnseenDelayMilliseconds);
 }
 
 void VolumeMonitor::measureCycles() {

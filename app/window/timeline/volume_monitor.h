@@ -115,6 +115,8 @@ private:
   void followFrame();
   void sample();
   void sampleDrag(bool goesOn);
+  /// Has cycles measured after everybody has heard of a change, and later where nobody sees them.
+  void measureSoon(const Side& side);
   /// Begins to measure each cycle that is not the one known.
   void measureCycles();
   void measure(int side);
@@ -129,7 +131,7 @@ private:
   bool dragging_ = false;
   QTimer throttle_;
   QTimer frame_;       ///< Ends with the frame that is drawn of what has moved.
-  QTimer measureSoon_; ///< After everybody has heard of a change.
+  QTimer measureSoon_; ///< Until cycles are measured.
 };
 
 } // namespace viscera::app
