@@ -80,7 +80,7 @@ void VolumeMonitor::watch(Side& side) {
     if (!throttle_.isActive())
       throttle_.start();
   }));
-  connect(side.playback, &Playback::stateChanged, this, [this] { measureSoon_.start(0); });
+  connect(side.playback, &Playback::stateChanged, this, [this, &side] { measureSoon(side); });
   measureSoon_.start(0);
 }
 
