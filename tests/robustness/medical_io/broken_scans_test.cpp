@@ -123,17 +123,13 @@ TEST(BrokenScanHeaders, PromisesOfHugePicturesTakeNoMemory) {
   EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes);
 }
 
-/// A deflated DICOM file of half a megabyte that unpacks to 400 MB of zeros in one element.
-std::string deflatedBomb() {
-  constexpr std::uint32_t kZeros = 400U << 20U;
-  std::string file(128, '\0');
-  file += "DICM" + std::string("\x02\0\x10\0UI", 6) + '\x16' + '\0' + "1.2.840.10008.1.2.1.99";
-  std::string element("\x09\0\x10\x10OB\0\0", 8);
-  for (unsigned byte = 0; byte < 4; ++byte)
-    element.push_back(static_cast<char>(kZeros >> (8 * byte) & 0xffU));
+constexpr std::uint32_t kZeros = 400U << 20U;
+
+/// `begin` with 400 MB of zeros behind it, packed: half a megabyte. Made in pieces, which take no memory.
+std::string packedWithZeros(const std::string& begin, int windowBits) {
   z_stream stream{};
-  deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string packed(1 << 16, '\0');
+  deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);
+  std::string file, packed(1 << 16, '\0');
   const auto pack = [&](std::string bytes, int flush) {
     stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
     stream.avail_in = static_cast<uInt>(bytes.size());
@@ -144,12 +140,44 @@ std::string deflatedBomb() {
       file.append(packed.data(), packed.size() - stream.avail_out);
     } while (stream.avail_out == 0);
   };
-  pack(element, Z_NO_FLUSH);
+  pack(begin, Z_NO_FLUSH);
   for (std::uint32_t done = 0; done < kZeros; done += 1U << 20U)
     pack(std::string(1U << 20U, '\0'), Z_NO_FLUSH);
   pack({}, Z_FINISH);
   deflateEnd(&stream);
   return file;
+}
+
+/// A deflated DICOM file that unpacks to 400 MB of zeros in one element.
+std::string deflatedBomb() {
+  std::string file(128, '\0');
+  file += "DICM" + std::string("\x02\0\x10\0UI", 6) + '\x16' + '\0' + "1.2.840.10008.1.2.1.99";
+  std::string element("\x09\0\x10\x10OB\0\0", 8);
+  for (unsigned byte = 0; byte < 4; ++byte)
+    element.push_back(static_cast<char>(kZeros >> (8 * byte) & 0xffU));
+  return file + packedWithZeros(element, -MAX_WBITS);
+}
+
+/// What lies behind the voxels that the header promises is not unpacked.
+TEST(PackedScans, TakeNoMemoryForWhatLiesBehindTheirVoxels) {
+  const TemporaryFolder folder;
+  const auto withPacking = [](std::string file, const std::string& was, const std::string& is) {
+    const std::size_t at = file.find(was);
+    EXPECT_NE(at, std::string::npos) << was;
+    const std::string header = file.replace(at, was.size(), is);
+    const std::string voxels = tests::voxelBytes(phantom().voxels);
+    return header.substr(0, header.size() - voxels.size()) + packedWithZeros(voxels, MAX_WBITS + 16);
+  };
+  const std::vector<std::filesystem::path> files = {
+      folder.put("a.nii.gz", packedWithZeros(tests::niftiFile(phantom()), MAX_WBITS + 16)),
+      folder.put("a.nrrd", withPacking(tests::nrrdFile(phantom()), "encoding: raw", "encoding: gzip")),
+      folder.put("a.mha", withPacking(tests::metaImageFile(phantom()), "CompressedData = False",
+                                      "CompressedData = True"))};
+  for (const std::filesystem::path& file : files) {
+    const long before = peakKilobytes();
+    EXPECT_TRUE(tryReading(file)) << file;
+    EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes / 2) << file;
+  }
 }
 
 TEST(DeflatedDicom, ThatUnpacksToFarMoreThanAScanIsRefusedWithoutItsMemory) {
