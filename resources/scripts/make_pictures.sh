@@ -41,6 +41,9 @@ strip retargeted_stomach peristalsis 0.4 4 340x260 anterior --organ "$work/stoma
 
 # The measured motions of docs/patient_motion.md, by the tests that hold them; the window's need a display, and the series of surfaces.
 tests=$(dirname "$program")
+if [ -n "${DISPLAY:-}" ]; then
+  "$program" --fresh-settings --mode play --theme dark --window-size 1600x1000 --screenshot "$pictures/window_heart.png"
+fi
 if [ -x "$tests/test_motion_pictures" ]; then
   VISCERA_UPDATE_PICTURES=1 "$tests/test_motion_pictures" --gtest_brief=1
 fi
