@@ -90,10 +90,7 @@ std::optional<motion::PrescribedVolume> prescribedOf(const document::DocumentSta
   if (!view.playing || !view.playing->prescribed || !state.organ(view.playing->prescribed->organ))
     return std::nullopt;
   const presentation::Prescribed& prescribed = *view.playing->prescribed;
-  std::vector<sequences::Key> keys;
-  for (const auto& [fraction, milliliters] : prescribed.curve)
-    keys.push_back({fraction, milliliters});
-  return motion::PrescribedVolume{prescribed.organ, motion::volumeCurve(std::move(keys)), prescribed.file};
+  return motion::PrescribedVolume{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file};
 }
 
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,

@@ -189,11 +189,8 @@ void SessionView::play(const Wanted& wanted) {
 void SessionView::prescribe(const presentation::Prescribed& prescribed) {
   if (!window_.workspace.document().organ(prescribed.organ))
     return; // Its file is missing, which is told.
-  std::vector<sequences::Key> keys;
-  for (const auto& [fraction, milliliters] : prescribed.curve)
-    keys.push_back({fraction, milliliters});
   window_.workspace.guarded([&] {
-    waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(std::move(keys)), prescribed.file},
+    waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file},
                        window_.playback.sharedSequence()};
   });
   if (!window_.workspace.live().busy())

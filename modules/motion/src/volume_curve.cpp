@@ -135,13 +135,16 @@ sequences::Curve readVolumeCurve(const std::filesystem::path& file, double perio
   return reader.curve();
 }
 
-sequences::Curve volumeCurve(std::vector<sequences::Key> keys) {
-  for (std::size_t i = 0; i < keys.size(); ++i) {
+sequences::Curve volumeCurve(const std::vector<std::array<double, 2>>& rows) {
+  std::vector<sequences::Key> keys;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto [fraction, milliliters] = rows[i];
     const std::string place = phrase("curve key %1", i + 1);
-    if (!(keys[i].value > 0))
+    if (!(milliliters > 0))
       throw DataError("has a volume that is not positive", place, "write volumes in ml");
-    if (!(keys[i].at >= 0 && keys[i].at <= 1))
+    if (!(fraction >= 0 && fraction <= 1))
       throw DataError("names an instant outside the cycle", place, "name instants from 0 to 1");
+    keys.push_back({fraction, milliliters});
   }
   return sequences::Curve::periodic(std::move(keys), 1);
 }

@@ -333,25 +333,37 @@ TEST_F(CliPlaySession, KeepsItsLockedVolumesAsTheWindowDoes) {
   EXPECT_GT(largest, 1) << "the lock had something to do";
 }
 
-TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
+/// Puts the sample heart of low resolution with its handles and coordinates into an empty document.
+void takeHeart(document::UndoStack& undo) {
   Progress progress;
-  const auto low = sample_organs::Resolution::low;
-  const motion::SequenceSetup setup =
-      motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat", low, progress);
-  document::Document document;
-  document::UndoStack undo(document);
+  const motion::SequenceSetup setup = motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat",
+                                                            sample_organs::Resolution::low, progress);
   std::vector<document::NewOrgan> organs;
   for (const sample_organs::SampleSurface& surface : setup.organ.surfaces)
     organs.push_back({document::makeOrgan(surface.name, surface.mesh), -1});
   undo.perform(document::addOrgans(organs));
   undo.perform(document::replaceRig(setup.rig));
   undo.perform(document::setSystem(setup.system));
+}
+
+/// The view of a session in which that heart beats.
+presentation::ViewState playingHeart(const document::Document& document) {
+  presentation::ViewState view;
+  view.motions = {
+      {document.organs().front()->id, motion::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
+  view.playing = presentation::Playing{0, 0, 0, 1, true, true};
+  return view;
+}
+
+TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
+  Progress progress;
+  const auto low = sample_organs::Resolution::low;
+  document::Document document;
+  document::UndoStack undo(document);
+  takeHeart(undo);
   undo.perform(document::chooseScenario("rest"));
   undo.perform(document::setCirculationParameter("lvEes", 1.5));
-  presentation::ViewState view;
-  view.motions = {{document.organs().front()->id, motion::sampleRecipe("heartbeat", low)}};
-  view.playing = presentation::Playing{0, 0, 0, 1, true, true};
-  write("weak.viscera", document.state(), view);
+  write("weak.viscera", document.state(), playingHeart(document));
   const json played = runJson({"play", path("weak.viscera"), "--csv", path("weak.csv")});
   const auto heart = motion::circulatingHeart(sample_organs::standardLibrary(),
                                               document::nameOf(*document.state().circulation),
@@ -363,21 +375,10 @@ TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
 }
 
 TEST_F(CliPlaySession, MeetsTheVolumeThatItPrescribes) {
-  Progress progress;
-  const auto low = sample_organs::Resolution::low;
-  const motion::SequenceSetup setup =
-      motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat", low, progress);
   document::Document document;
   document::UndoStack undo(document);
-  std::vector<document::NewOrgan> organs;
-  for (const sample_organs::SampleSurface& surface : setup.organ.surfaces)
-    organs.push_back({document::makeOrgan(surface.name, surface.mesh), -1});
-  undo.perform(document::addOrgans(organs));
-  undo.perform(document::replaceRig(setup.rig));
-  undo.perform(document::setSystem(setup.system));
-  presentation::ViewState view;
-  view.motions = {{document.organs().front()->id, motion::sampleRecipe("heartbeat", low)}};
-  view.playing = presentation::Playing{0, 0, 0, 1, true, true};
+  takeHeart(undo);
+  presentation::ViewState view = playingHeart(document);
   const document::OrganId left = document.organs()[1]->id;
   view.playing->prescribed = presentation::Prescribed{left, "lv.csv", {{0, 130}, {0.5, 70}}};
   write("kept.viscera", document.state(), view);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -19,9 +20,9 @@ namespace viscera::motion {
 /// for a volume that is not positive, and for a curve that ends at another volume than it begins.
 sequences::Curve readVolumeCurve(const std::filesystem::path& file, double periodSeconds);
 
-/// Such a curve out of its keys: fractions of the cycle with volumes in ml, as a session keeps them. Throws
-/// `DataError` when they do not ascend strictly within one cycle, for a volume that is not positive, and for
-/// numbers that are not finite.
-sequences::Curve volumeCurve(std::vector<sequences::Key> keys);
+/// Such a curve out of its rows: a fraction of the cycle and a volume in ml each, as a session keeps them.
+/// Throws `DataError` when they do not ascend strictly within one cycle, for a volume that is not positive,
+/// and for numbers that are not finite.
+sequences::Curve volumeCurve(const std::vector<std::array<double, 2>>& rows);
 
 } // namespace viscera::motion
