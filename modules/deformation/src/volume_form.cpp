@@ -7,48 +7,17 @@
 
 #include <Eigen/Geometry>
 
+#include "viscera/coordinates/corner_determinants.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::deformation {
 namespace {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Vertices whose rows are multiplied at once: they stay in the cache.
-constexpr Eigen::Index kVerticesOfABlock = 256;
 /// How far the form and the surface may differ in the trial pose, in units of the cube of its size.
 constexpr double kAllowedDifference = 1e-11;
 constexpr unsigned kTrialSeed = 20;
-
-RowMatrix weightsOf(const coordinates::Binding& binding) {
-  RowMatrix weights(binding.pointCount(), binding.handleCount());
-  for (int handle = 0; handle < weights.cols(); ++handle)
-    weights.col(handle) = binding.influence(handle);
-  return weights;
-}
-
-/// `M(i, j) = sum a_i(p) a_j(q) a_k(r)` over the triangles, each in its three rotations (p, q, r); for
-/// i, j < k.
-Eigen::MatrixXd productsWith(Eigen::Index k, const RowMatrix& weights, const Triangles& triangles,
-                             const geometry::VertexTriangles& around) {
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(k, k);
-  RowMatrix rows(kVerticesOfABlock, k);
-  for (Eigen::Index first = 0; first < weights.rows(); first += kVerticesOfABlock) {
-    const Eigen::Index count = std::min(kVerticesOfABlock, weights.rows() - first);
-    rows.topRows(count).setZero();
-    for (Eigen::Index lane = 0; lane < count; ++lane)
-      for (auto item = around.first[std::size_t(first + lane)];
-           item < around.first[std::size_t(first + lane + 1)]; ++item) {
-        const auto corners = triangles.row(around.items[std::size_t(item)]);
-        const int corner = corners[0] == first + lane ? 0 : corners[1] == first + lane ? 1 : 2;
-        const double weight = weights(corners[(corner + 2) % 3], k);
-        if (weight != 0)
-          rows.row(lane) += weight * weights.row(corners[(corner + 1) % 3]).head(k);
-      }
-    products.noalias() += weights.block(first, 0, count, k).transpose() * rows.topRows(count);
-  }
-  return products;
-}
+/// Above this the form takes longer to make than a user would wait at the first drag.
+constexpr double kMostWork = 4e9;
 
 /// Positions about as large as the organ, relative to its middle.
 Points trialPose(const geometry::TriangleMesh& rest, Eigen::Index handles) {
@@ -63,8 +32,11 @@ Points trialPose(const geometry::TriangleMesh& rest, Eigen::Index handles) {
 
 } // namespace
 
-double VolumeForm::work(Eigen::Index points, Eigen::Index handles) {
-  return 2.0 / 3 * static_cast<double>(points) * std::pow(static_cast<double>(handles), 3);
+bool VolumeForm::pays(Eigen::Index points, Eigen::Index handles) {
+  // Made in O(points x handles^3); 4e9 take one processor half a second.
+  const double squared = static_cast<double>(handles) * static_cast<double>(handles);
+  const double making = 2.0 / 3 * static_cast<double>(points) * squared * static_cast<double>(handles);
+  return squared <= static_cast<double>(points) && making <= kMostWork;
 }
 
 std::optional<VolumeForm> VolumeForm::of(const geometry::TriangleMesh& rest,
@@ -79,29 +51,25 @@ std::optional<VolumeForm> VolumeForm::of(const geometry::TriangleMesh& rest,
   const Eigen::Index count = binding.handleCount();
   assert(rest.points.rows() == binding.pointCount());
   progress.throwIfCancelled();
-  const RowMatrix weights = weightsOf(binding);
-  const auto around = geometry::vertexTriangles(rest.points.rows(), rest.triangles);
-  std::vector<Eigen::MatrixXd> products(static_cast<std::size_t>(count));
-  // The last handles first: they are the longest work.
-  parallelRanges(count, 1, threads, [&](Eigen::Index begin, Eigen::Index) {
-    progress.throwIfCancelled();
-    const Eigen::Index k = count - 1 - begin;
-    products[static_cast<std::size_t>(k)] = productsWith(k, weights, rest.triangles, around);
-  });
-
+  const coordinates::CornerDeterminants determinants(binding, rest.triangles);
   std::vector<Eigen::MatrixXd> slices(static_cast<std::size_t>(count), Eigen::MatrixXd::Zero(count, count));
   const auto slice = [&slices](Eigen::Index i) -> Eigen::MatrixXd& {
     return slices[static_cast<std::size_t>(i)];
   };
-  // T_ijk = (M_k(i, j) - M_k(j, i)) / 6, the same for even and the opposite for odd orders of i, j, k.
-  for (Eigen::Index k = 0; k < count; ++k)
-    for (Eigen::Index j = 0; j < k; ++j)
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const Eigen::MatrixXd& found = products[static_cast<std::size_t>(k)];
-        const double value = (found(i, j) - found(j, i)) / 6;
+  // The last handles first: they are the longest work.
+  parallelRanges(count, 1, threads, [&](Eigen::Index begin, Eigen::Index) {
+    progress.throwIfCancelled();
+    const Eigen::Index k = count - 1 - begin;
+    coordinates::CornerDeterminants::Sums sums;
+    determinants.ofHandle(k, sums);
+    // T_ijk is the same for even and the opposite for odd orders of i, j, k.
+    for (Eigen::Index i = 0; i < k; ++i)
+      for (Eigen::Index j = i + 1; j < k; ++j) {
+        const double value = sums(i, j) / 6;
         slice(i)(j, k) = slice(j)(k, i) = slice(k)(i, j) = value;
         slice(i)(k, j) = slice(j)(i, k) = slice(k)(j, i) = -value;
       }
+  });
 
   VolumeForm form(std::move(slices));
   const Points trial = trialPose(rest, count);

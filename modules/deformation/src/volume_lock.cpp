@@ -19,8 +19,6 @@ namespace viscera::deformation {
 namespace {
 
 constexpr int kMostNewtonSteps = 20;
-/// Above this a form takes longer to make than a user would wait at the first drag: one or two seconds.
-constexpr double kMostFormWork = 4e9;
 /// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 
@@ -103,7 +101,7 @@ const VolumeForm* VolumeLock::form(std::size_t surface, Progress& progress) cons
   const LockedSurface& locked = surfaces_[surface];
   Form& own = *known_[surface].form;
   std::call_once(own.asked, [&] {
-    if (VolumeForm::work(locked.binding->pointCount(), locked.binding->handleCount()) <= kMostFormWork)
+    if (VolumeForm::pays(locked.binding->pointCount(), locked.binding->handleCount()))
       own.made = VolumeForm::of(*locked.rest, *locked.binding, threads_, progress);
   });
   return own.made ? &*own.made : nullptr;

@@ -54,6 +54,33 @@ CelestialResult solveCelestial(const CelestialKernels& kernels, const CelestialC
 TEST(Kernels, IncludeTheBaselineEverywhere) {
   EXPECT_GE(usableTileKernels().size(), 1u);
   EXPECT_EQ(usableTileKernels().size(), simd::usableCelestialKernels().size());
+  EXPECT_EQ(usableTileKernels().size(), usableDeterminantKernels().size());
+}
+
+TEST(Kernels, OfDeterminantsAgreeBetweenInstructionSets) {
+  constexpr long kPoints = 5, kStride = 32;
+  const Eigen::MatrixXd weights = randomNumbers(kStride, kPoints, 4); // A column a point.
+  const Eigen::MatrixXd strip = randomNumbers(kStrip, kPoints, 5), before = randomNumbers(kStride, kStrip, 6);
+  const std::vector<long> starts = {0, 2, 2, 4, 8, 10}; // The second point has no corners.
+  const std::vector<int> corners = {1, 4, 0, 2, 2, 3, 1, 0, 4, 3};
+  constexpr long kHandle = 3, kFirst = kStride - kPanel;
+  Eigen::MatrixXd gathered = Eigen::MatrixXd::Zero(kPanel, kPoints);
+  for (Eigen::Index point = 0; point < kPoints; ++point)
+    for (long item = starts[std::size_t(point)]; item < starts[std::size_t(point + 1)]; item += 2) {
+      const Eigen::VectorXd q = weights.col(corners[std::size_t(item)]),
+                            r = weights.col(corners[std::size_t(item + 1)]);
+      gathered.col(point) += r[kHandle] * q.tail(kPanel) - q[kHandle] * r.tail(kPanel);
+    }
+  Eigen::MatrixXd grown = before;
+  grown.topRows(kPanel) += gathered * strip.transpose();
+  for (const DeterminantKernels* kernels : usableDeterminantKernels()) {
+    Eigen::MatrixXd panel(kPanel, kPoints), sums = before;
+    EXPECT_TRUE(kernels->gather(weights.data(), kStride, kHandle, kFirst, starts.data(), corners.data(),
+                                kPoints, panel.data()));
+    EXPECT_TRUE(panel.isApprox(gathered, 1e-14));
+    kernels->multiply(strip.data(), panel.data(), kPoints, sums.data(), kStride);
+    EXPECT_TRUE(sums.isApprox(grown, 1e-14));
+  }
 }
 
 TEST(Kernels, OfTilesAgreeBetweenInstructionSets) {

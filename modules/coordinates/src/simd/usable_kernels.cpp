@@ -24,6 +24,10 @@ std::vector<const CelestialKernels*> usableCelestialKernels() {
   return usable(avx512::kCelestialKernels, avx2::kCelestialKernels, baseline::kCelestialKernels);
 }
 
+std::vector<const DeterminantKernels*> usableDeterminantKernels() {
+  return usable(avx512::kDeterminantKernels, avx2::kDeterminantKernels, baseline::kDeterminantKernels);
+}
+
 std::vector<const TileKernels*> usableTileKernels() {
   return usable(avx512::kTileKernels, avx2::kTileKernels, baseline::kTileKernels);
 }
@@ -33,10 +37,19 @@ std::vector<const CelestialKernels*> usableCelestialKernels() {
   return {&baseline::kCelestialKernels};
 }
 
+std::vector<const DeterminantKernels*> usableDeterminantKernels() {
+  return {&baseline::kDeterminantKernels};
+}
+
 std::vector<const TileKernels*> usableTileKernels() {
   return {&baseline::kTileKernels};
 }
 #endif
+
+const DeterminantKernels& determinantKernels() {
+  static const DeterminantKernels& fastest = *usableDeterminantKernels().front();
+  return fastest;
+}
 
 const TileKernels& tileKernels() {
   static const TileKernels& fastest = *usableTileKernels().front();
