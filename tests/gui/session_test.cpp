@@ -195,6 +195,16 @@ TEST_F(SessionTest, WhereAllFilesAreMissingTheyAreNamedAndLookedForInAFolder) {
   EXPECT_EQ(document().organs().front()->name, "ball");
 }
 
+TEST_F(SessionTest, AScanThatIsNotThereIsLookedForToo) {
+  document::SessionContents contents = sessions().contents();
+  contents.missingScan = R"({"name": "CT", "relative": "ct.nii", "absolute": "/nowhere/ct.nii"})";
+  Progress quiet;
+  document::writeSession(path(QStringLiteral("work.viscera")).toStdString(), contents, quiet);
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(message().contains(QStringLiteral("ct.nii"))) << message().toStdString();
+  EXPECT_TRUE(offered(QStringLiteral("Look for files...")));
+}
+
 TEST_F(SessionTest, FilesThatAreNotThereAreAllNamed) {
   const QString first = path(QStringLiteral("gone.stl")), second = path(QStringLiteral("lost.vtp"));
   window().files().open({first, second});

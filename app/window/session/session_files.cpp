@@ -269,10 +269,9 @@ void SessionFiles::sayWarnings(const document::OpenedSession& session, const QSt
   const std::vector<std::string>& warnings = session.warnings;
   if (warnings.empty())
     return;
-  const bool missing = !file.isEmpty() && std::any_of(session.surfaces.begin(), session.surfaces.end(),
-                                                      [](const document::SurfaceFinding& surface) {
-                                                        return isMissingFile(surface);
-                                                      });
+  const bool missing =
+      !file.isEmpty() && (!session.contents.missingScan.empty() ||
+                          std::any_of(session.surfaces.begin(), session.surfaces.end(), isMissingFile));
   // Where nothing has opened, there is nothing else to see.
   const bool all = missing && session.contents.state.organs->empty();
   const std::size_t shown = all ? warnings.size() : std::min(warnings.size(), kShownSessionWarnings);

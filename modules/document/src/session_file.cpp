@@ -219,7 +219,7 @@ public:
     readOrgans(reader_.listOf(root, "organs", ""));
     placeMeasurements();
     if (root.contains("scan"))
-      readSessionScan(reader_, root.at("scan"), folder_, opened_, progress_);
+      readSessionScan(reader_, root.at("scan"), folder_, alsoIn_, opened_, progress_);
     reader_.requireValid(contents.state, cheap);
     for (const std::string& key : reader_.unknownKeys())
       opened_.warnings.push_back(
@@ -450,7 +450,7 @@ private:
 
   SessionReader reader_;
   fs::path folder_;
-  std::vector<fs::path> alsoIn_; ///< Folders in which organs' files may be.
+  std::vector<fs::path> alsoIn_; ///< Folders in which organs' files and the scan may be.
   SampleMaker maker_;
   Progress& progress_;
   OpenedSession opened_;

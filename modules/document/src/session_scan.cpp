@@ -18,10 +18,19 @@ fs::path lastNameOf(const fs::path& place) {
   return place.has_filename() ? place.filename() : place.parent_path().filename();
 }
 
-/// Relative to the session file, where it was, beside the session file: the first that is there.
-std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absolute, const fs::path& folder) {
+/// Relative to the session file, where it was, beside the session file, in the folders `alsoIn`, which may be
+/// the scan's own: the first that is there.
+std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absolute, const fs::path& folder,
+                                 const std::vector<fs::path>& alsoIn) {
+  const fs::path name = lastNameOf(absolute);
+  std::vector<fs::path> places = {folder / relative, absolute, folder / name};
+  for (const fs::path& also : alsoIn) {
+    places.push_back(also / name);
+    if (lastNameOf(also) == name)
+      places.push_back(also);
+  }
   std::error_code error;
-  for (const fs::path& place : {folder / relative, absolute, folder / lastNameOf(absolute)})
+  for (const fs::path& place : places)
     if (place.is_absolute() && fs::exists(place, error))
       return fs::absolute(place, error).lexically_normal();
   return std::nullopt;
@@ -57,7 +66,7 @@ void forgetFolders(ordered_json& scan) {
 }
 
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
-                     OpenedSession& opened, Progress& progress) {
+                     const std::vector<fs::path>& alsoIn, OpenedSession& opened, Progress& progress) {
   reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "hash", "image"}, "scan");
   const std::string name = reader.textOf(item, "name", "scan");
   const bool inside = item.contains("image");
@@ -71,7 +80,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     options.phase = static_cast<int>(reader.wholeOf(item.at("phase"), "scan.phase"));
   if (inside) {
     auto scan = std::make_shared<const medical_io::Scan>(scanFrom(reader, item.at("image"), "scan.image"));
-    const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder);
+    const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder, alsoIn);
     const bool nameAlone = !absolute.empty() && absolute.is_relative();
     const fs::path was = nameAlone ? (folder / lastNameOf(absolute)).lexically_normal() : absolute;
     opened.contents.state.scan = std::make_shared<const ScanItem>(
@@ -83,7 +92,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     opened.contents.missingScan = item.dump();
     opened.warnings.push_back(phrase("%1: %2", name, problem));
   };
-  const auto file = findScan(relative, absolute, folder);
+  const auto file = findScan(relative, absolute, folder, alsoIn);
   if (!file)
     return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
                           absolute.string()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,9 +21,11 @@ nlohmann::ordered_json sessionScanJson(const ScanItem& item, bool inside,
 /// Leaves of the places in a scan's record only the name of its file or folder.
 void forgetFolders(nlohmann::ordered_json& scan);
 
-/// Reads the scan that `item` holds or names into `opened`. One that is not there, or cannot be read, becomes
-/// a warning and stays as `missingScan`. Throws `DataError` for a record that is none, `Cancelled`.
+/// Reads the scan that `item` holds or names into `opened`; it is looked for in `alsoIn`, too. One that is
+/// not there, or cannot be read, becomes a warning and stays as `missingScan`. Throws `DataError` for a
+/// record that is none, `Cancelled`.
 void readSessionScan(SessionReader& reader, const nlohmann::ordered_json& item,
-                     const std::filesystem::path& folder, OpenedSession& opened, Progress& progress);
+                     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& alsoIn,
+                     OpenedSession& opened, Progress& progress);
 
 } // namespace viscera::document

@@ -215,6 +215,25 @@ TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front(), HasSubstr("cannot be opened"));
 }
 
+TEST(ScanItem, IsLookedForInOtherFoldersAndMayBeOneOfThem) {
+  TemporaryFolder folder, other;
+  const auto ct = folder.put("ct.nii", scanFile());
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(openScanFile(ct, {}, progress));
+  tests::write(folder / "s.viscera", contents);
+  std::filesystem::rename(ct, other / "ct.nii");
+  EXPECT_FALSE(tests::readBack(folder / "s.viscera").contents.state.scan);
+  for (const std::filesystem::path& also : {other.path(), other / "ct.nii"}) {
+    const OpenedSession opened =
+        readSession(folder / "s.viscera", sample_organs::standardLibrary(), progress, {also});
+    ASSERT_TRUE(opened.contents.state.scan) << also;
+    EXPECT_EQ(opened.contents.state.scan->file, other / "ct.nii");
+    EXPECT_TRUE(opened.contents.missingScan.empty());
+    EXPECT_TRUE(opened.warnings.empty()) << also;
+  }
+}
+
 TEST(ScanItem, WhoseFileHasChangedIsTakenAndNamed) {
   TemporaryFolder folder;
   const auto ct = folder.put("ct.nii", scanFile());

@@ -74,10 +74,10 @@ bool isSessionFile(const std::filesystem::path& file);
 
 /// Reads a session. An organ's file is looked for where it was relative to the session file, where it was,
 /// beside the session file, and by its contents in those folders; sample organs are made again (seconds, the
-/// first time); the scan is read anew where it is not inside. Organs' files are looked for in the folders
-/// `alsoIn`, too. What cannot be found is left out and named, the
-/// rest is opened. Throws `NoInputError` when the session file cannot be read; `DataError` that names file,
-/// place and reason for one that is damaged, no session, or of a later version; `Cancelled`. For any thread.
+/// first time); the scan is read anew where it is not inside. Organs' files and the scan are looked for in
+/// the folders `alsoIn`, too. What cannot be found is left out and named, the rest is opened. Throws
+/// `NoInputError` when the session file cannot be read; `DataError` that names file, place and reason for one
+/// that is damaged, no session, or of a later version; `Cancelled`. For any thread.
 OpenedSession readSession(const std::filesystem::path& file, const sample_organs::SampleLibrary& samples,
                           Progress& progress, const std::vector<std::filesystem::path>& alsoIn = {});
 
