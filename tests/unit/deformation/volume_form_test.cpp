@@ -56,6 +56,12 @@ TEST_F(VolumeFormTest, IsTheVolumeOfTheSurfaceInAnyPose) {
   }
 }
 
+TEST_F(VolumeFormTest, PaysWhereItsNumbersAreFewerThanTheCoordinates) {
+  EXPECT_TRUE(VolumeForm::pays(172974, 30)) << "the heart of the thesis";
+  EXPECT_FALSE(VolumeForm::pays(2958, 222)) << "a ventricle among all handles of the heart";
+  EXPECT_FALSE(VolumeForm::pays(1000000, 60)) << "it would be made for many seconds";
+}
+
 TEST_F(VolumeFormTest, ItsGradientIsThatOfTheSurface) {
   const auto form = VolumeForm::of(*rest_, *binding_);
   ASSERT_TRUE(form);
