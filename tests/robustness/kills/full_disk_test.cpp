@@ -38,7 +38,26 @@ fs::path ball(const fs::path& folder) {
   return folder / "ball.stl";
 }
 
+std::vector<std::string> convert(const fs::path& folder) {
+  return {"convert", ball(folder)};
+}
+
 constexpr Writing kWritings[] = {
+    {"Stl", "organ.stl", convert},
+    {"Obj", "organ.obj", convert},
+    {"Ply", "organ.ply", convert},
+    {"Off", "organ.off", convert},
+    {"Vtk", "organ.vtk", convert},
+    {"Vtp", "organ.vtp", convert},
+    {"Glb", "organ.glb", convert},
+    {"Sample", "organ.vtp",
+     [](const fs::path&) {
+       return std::vector<std::string>{"sample", "liver", "--resolution", "low", "-o"};
+     }},
+    {"Picture", "organ.png",
+     [](const fs::path& folder) {
+       return std::vector<std::string>{"render", ball(folder), "-o"};
+     }},
     {"Movie", "breath.ogv",
      [](const fs::path&) {
        return std::vector<std::string>{"play", "breathing", "--fps", "4", "--size", "160x120", "--movie"};

@@ -1,8 +1,10 @@
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <random>
 #include <string>
@@ -220,6 +222,43 @@ TEST(FullDisk, ASaveThatFindsNoRoomSaysSoAndLeavesTheOldSession) {
   EXPECT_EQ(WEXITSTATUS(status), 73);
   EXPECT_TRUE(contentsOf(file) == before) << "the old session is gone";
   EXPECT_EQ(leftoversIn(folder.path()), 0);
+}
+
+TEST(FullDisk, AnAutosaveThatFindsNoRoomSaysSoAndKeepsTheOldRecovery) {
+  const TemporaryFolder folder;
+  const TwoSessions two;
+  // In a program of its own, which is killed: one that ends by itself takes its recovery along.
+  const auto said = folder / "said";
+  const pid_t child = inChild([&] {
+    ManualEventLoop box;
+    Autosave autosave(folder / "state", box.post(), [] { return 0.0; });
+    const auto save = [&](const SessionContents& contents) {
+      std::optional<std::string> outcome;
+      autosave.write(contents, [&](const std::shared_ptr<const Error>& error) {
+        outcome = error ? error->tryThis() : std::string();
+      });
+      box.runUntil([&] { return outcome.has_value(); });
+      return *outcome;
+    };
+    std::string outcomes = save(two.a) + "|";
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    ::getrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit full{20000, limit.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    outcomes += save(two.b);
+    std::ofstream(said) << outcomes;
+    ::kill(::getpid(), SIGKILL);
+  });
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  const std::string outcomes = contentsOf(said);
+  EXPECT_TRUE(outcomes.starts_with('|')) << "the first found room: " << outcomes;
+  EXPECT_GT(outcomes.size(), 1u) << "the second said nothing";
+  const auto found = findRecoveries(folder / "state");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(two.which(tests::readBack(found[0].file).contents.state), "a");
 }
 
 TEST(FullDisk, ASmallDiskThatIsFullKeepsTheOldSession) {
