@@ -12,7 +12,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "build_paths.h"
 #include "run_process.h"
+#include "temporary_folder.h"
 #include "viscera/document/autosave.h"
 #include "viscera/document/rig_commands.h"
 #include "window/run_window.h"
@@ -119,6 +121,21 @@ TEST_F(DisplayGone, EndsWithASentenceAndKeepsTheWork) {
   const Points moved = document().pose() - document().rig().restPositions();
   EXPECT_NEAR(moved(0, 0), kMovedMm, 1e-9);
   EXPECT_TRUE(sessions().modified()) << "it is saved nowhere yet";
+}
+
+/// Below a file no folder can be made, not even by the administrator.
+TEST(UnwritablePlaces, OfCacheSettingsAndStateStopNoWindow) {
+  const TemporaryFolder folder;
+  test::ProcessOptions options;
+  for (const char* variable : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+    options.environment[variable] = "/dev/null/nowhere";
+  options.environment["MESA_SHADER_CACHE_DISABLE"] = "1"; // Mesa has a message of its own.
+  const std::filesystem::path picture = folder / "window.png";
+  const test::ProcessResult result =
+      test::runProcess({VISCERA_PROGRAM, "--screenshot", picture, "sample:liver"}, options);
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_GT(std::filesystem::file_size(picture), 50000u);
 }
 
 } // namespace
