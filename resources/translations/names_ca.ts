@@ -219,9 +219,12 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
-    <message>
-        <source>%1, %2 of them crumbs of less than 2 % of its area</source>
-        <translation>%1, %2 de les quals molles de menys del 2 % de la seva àrea</translation>
+    <message numerus="yes">
+        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <translation>
+            <numerusform>%2, %n de les quals és una molla de menys del 2 % de la seva àrea</numerusform>
+            <numerusform>%2, %n de les quals són molles de menys del 2 % de la seva àrea</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, changed</source>
@@ -753,6 +756,10 @@
         <translation>Aurícules</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
         <translation>Pesos en equilibri, els més propers a un objectiu; un paràmetre indica com es tracten els pesos negatius</translation>
     </message>
@@ -783,6 +790,18 @@
     <message>
         <source>Binding %1</source>
         <translation>Vinculació de %1</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Heartbeat: %1</source>
+        <translation>Batec: %1</translation>
+    </message>
+    <message>
+        <source>LV (ml)</source>
+        <translation>VE (ml)</translation>
     </message>
     <message>
         <source>Preparing the volume lock</source>
@@ -972,8 +991,16 @@
         <translation>Positivitat</translation>
     </message>
     <message>
+        <source>RV (ml)</source>
+        <translation>VD (ml)</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Resolució</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -3911,6 +3938,10 @@
         <translation>unes de més profundes empenyerien els plecs de la superfície els uns contra els altres</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>graus</translation>
+    </message>
+    <message>
         <source>derivatives at the witness points</source>
         <translation>derivades als punts testimoni</translation>
     </message>
@@ -3953,6 +3984,10 @@
     <message>
         <source>does not say where its frames lie</source>
         <translation>no indica on són els seus fotogrames</translation>
+    </message>
+    <message>
+        <source>ejection</source>
+        <translation>ejecció</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -4025,6 +4060,10 @@
     <message>
         <source>extract its surface first</source>
         <translation>extraieu-ne primer la superfície</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>ompliment</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -4776,6 +4815,10 @@
     <message>
         <source>key</source>
         <translation>clau</translation>
+    </message>
+    <message>
+        <source>mmHg</source>
+        <translation>mmHg</translation>
     </message>
     <message>
         <source>start</source>

@@ -219,9 +219,12 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
-    <message>
-        <source>%1, %2 of them crumbs of less than 2 % of its area</source>
-        <translation>%1, davon %2 Krümel mit weniger als 2 % der Fläche</translation>
+    <message numerus="yes">
+        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <translation>
+            <numerusform>%2, davon %n Krümel mit weniger als 2 % der Fläche</numerusform>
+            <numerusform>%2, davon %n Krümel mit weniger als 2 % der Fläche</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, changed</source>
@@ -753,6 +756,10 @@
         <translation>Vorhöfe</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
         <translation>Gewichte im Gleichgewicht, einem Ziel am nächsten; ein Parameter gibt an, wie negative Gewichte behandelt werden</translation>
     </message>
@@ -783,6 +790,18 @@
     <message>
         <source>Binding %1</source>
         <translation>Bindung von %1</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Heartbeat: %1</source>
+        <translation>Herzschlag: %1</translation>
+    </message>
+    <message>
+        <source>LV (ml)</source>
+        <translation>LV (ml)</translation>
     </message>
     <message>
         <source>Preparing the volume lock</source>
@@ -972,8 +991,16 @@
         <translation>Positivität</translation>
     </message>
     <message>
+        <source>RV (ml)</source>
+        <translation>RV (ml)</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -3911,6 +3938,10 @@
         <translation>tiefere würden Falten der Oberfläche ineinander schieben</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
         <source>derivatives at the witness points</source>
         <translation>Ableitungen an den Messpunkten</translation>
     </message>
@@ -3953,6 +3984,10 @@
     <message>
         <source>does not say where its frames lie</source>
         <translation>nennt die Lage ihrer Einzelbilder nicht</translation>
+    </message>
+    <message>
+        <source>ejection</source>
+        <translation>Austreibung</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -4025,6 +4060,10 @@
     <message>
         <source>extract its surface first</source>
         <translation>extrahieren Sie zuerst die Oberfläche</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>Füllung</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -4776,6 +4815,10 @@
     <message>
         <source>key</source>
         <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>mmHg</source>
+        <translation>mmHg</translation>
     </message>
     <message>
         <source>start</source>

@@ -219,9 +219,12 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
-    <message>
-        <source>%1, %2 of them crumbs of less than 2 % of its area</source>
-        <translation>%1, %2 de ellas migajas de menos del 2 % de su área</translation>
+    <message numerus="yes">
+        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <translation>
+            <numerusform>%2, %n de ellas es una migaja de menos del 2 % de su área</numerusform>
+            <numerusform>%2, %n de ellas son migajas de menos del 2 % de su área</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, changed</source>
@@ -753,6 +756,10 @@
         <translation>Aurículas</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
         <translation>Pesos en equilibrio, los más próximos a un objetivo; un parámetro indica cómo se tratan los pesos negativos</translation>
     </message>
@@ -783,6 +790,18 @@
     <message>
         <source>Binding %1</source>
         <translation>Vinculación de %1</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Heartbeat: %1</source>
+        <translation>Latido: %1</translation>
+    </message>
+    <message>
+        <source>LV (ml)</source>
+        <translation>VI (ml)</translation>
     </message>
     <message>
         <source>Preparing the volume lock</source>
@@ -972,8 +991,16 @@
         <translation>Positividad</translation>
     </message>
     <message>
+        <source>RV (ml)</source>
+        <translation>VD (ml)</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Resolución</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -3911,6 +3938,10 @@
         <translation>unas más profundas empujarían los pliegues de la superficie unos contra otros</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>grados</translation>
+    </message>
+    <message>
         <source>derivatives at the witness points</source>
         <translation>derivadas en los puntos testigo</translation>
     </message>
@@ -3953,6 +3984,10 @@
     <message>
         <source>does not say where its frames lie</source>
         <translation>no indica dónde están sus fotogramas</translation>
+    </message>
+    <message>
+        <source>ejection</source>
+        <translation>eyección</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -4025,6 +4060,10 @@
     <message>
         <source>extract its surface first</source>
         <translation>extraiga primero su superficie</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>llenado</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -4776,6 +4815,10 @@
     <message>
         <source>key</source>
         <translation>clave</translation>
+    </message>
+    <message>
+        <source>mmHg</source>
+        <translation>mmHg</translation>
     </message>
     <message>
         <source>start</source>

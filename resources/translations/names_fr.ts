@@ -219,9 +219,12 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
-    <message>
-        <source>%1, %2 of them crumbs of less than 2 % of its area</source>
-        <translation>%1, dont %2 miettes de moins de 2 % de son aire</translation>
+    <message numerus="yes">
+        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <translation>
+            <numerusform>%2, dont %n miette de moins de 2 % de son aire</numerusform>
+            <numerusform>%2, dont %n miettes de moins de 2 % de son aire</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, changed</source>
@@ -753,6 +756,10 @@
         <translation>Atriums</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
         <translation>Poids en équilibre, les plus proches d’une cible ; un paramètre indique comment les poids négatifs sont traités</translation>
     </message>
@@ -783,6 +790,18 @@
     <message>
         <source>Binding %1</source>
         <translation>Liaison de %1</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Heartbeat: %1</source>
+        <translation>Battement du cœur : %1</translation>
+    </message>
+    <message>
+        <source>LV (ml)</source>
+        <translation>VG (ml)</translation>
     </message>
     <message>
         <source>Preparing the volume lock</source>
@@ -972,8 +991,16 @@
         <translation>Positivité</translation>
     </message>
     <message>
+        <source>RV (ml)</source>
+        <translation>VD (ml)</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -3911,6 +3938,10 @@
         <translation>des ondes plus profondes pousseraient les plis de la surface les uns dans les autres</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>degrés</translation>
+    </message>
+    <message>
         <source>derivatives at the witness points</source>
         <translation>dérivées aux points témoins</translation>
     </message>
@@ -3953,6 +3984,10 @@
     <message>
         <source>does not say where its frames lie</source>
         <translation>n’indique pas la position de ses images</translation>
+    </message>
+    <message>
+        <source>ejection</source>
+        <translation>éjection</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -4025,6 +4060,10 @@
     <message>
         <source>extract its surface first</source>
         <translation>extrayez d’abord sa surface</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>remplissage</translation>
     </message>
     <message>
         <source>filling the handles with tetrahedra</source>
@@ -4776,6 +4815,10 @@
     <message>
         <source>key</source>
         <translation>clé</translation>
+    </message>
+    <message>
+        <source>mmHg</source>
+        <translation>mmHg</translation>
     </message>
     <message>
         <source>start</source>

@@ -3089,6 +3089,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>No sample organs are installed</source>
         <translation>No hi ha instal·lat cap òrgan de mostra</translation>
     </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Mira des de</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MessageBar</name>
@@ -3380,6 +3384,29 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Record as</source>
         <translation>Enregistra com a</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MoviePlan</name>
+    <message>
+        <source>Ogg movie (.ogv)</source>
+        <translation>Pel·lícula Ogg (.ogv)</translation>
+    </message>
+    <message>
+        <source>MP4 movie (.mp4)</source>
+        <translation>Pel·lícula MP4 (.mp4)</translation>
+    </message>
+    <message>
+        <source>Animated GIF (.gif)</source>
+        <translation>GIF animat (.gif)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (folder)</source>
+        <translation>Imatges PNG (carpeta)</translation>
+    </message>
+    <message>
+        <source>Table of volumes (.csv)</source>
+        <translation>Taula de volums (.csv)</translation>
     </message>
 </context>
 <context>
@@ -4043,6 +4070,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en repòs</translation>
     </message>
 </context>
 <context>
@@ -5857,6 +5888,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 s into the cycle</source>
         <translation>a %1 s de l’inici del cicle</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en repòs</translation>
     </message>
 </context>
 <context>

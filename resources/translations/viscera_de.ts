@@ -3089,6 +3089,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>No sample organs are installed</source>
         <translation>Keine Beispielorgane installiert</translation>
     </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>Ansicht &amp;von</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MessageBar</name>
@@ -3380,6 +3384,29 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Record as</source>
         <translation>Aufnehmen als</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MoviePlan</name>
+    <message>
+        <source>Ogg movie (.ogv)</source>
+        <translation>Ogg-Film (.ogv)</translation>
+    </message>
+    <message>
+        <source>MP4 movie (.mp4)</source>
+        <translation>MP4-Film (.mp4)</translation>
+    </message>
+    <message>
+        <source>Animated GIF (.gif)</source>
+        <translation>Animiertes GIF (.gif)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (folder)</source>
+        <translation>PNG-Bilder (Ordner)</translation>
+    </message>
+    <message>
+        <source>Table of volumes (.csv)</source>
+        <translation>Tabelle der Volumina (.csv)</translation>
     </message>
 </context>
 <context>
@@ -4043,6 +4070,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
     </message>
 </context>
 <context>
@@ -5857,6 +5888,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 s into the cycle</source>
         <translation>%1 s im Zyklus</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
     </message>
 </context>
 <context>

@@ -3089,6 +3089,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>No sample organs are installed</source>
         <translation>No hay órganos de muestra instalados</translation>
     </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Mirar desde</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MessageBar</name>
@@ -3380,6 +3384,29 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Record as</source>
         <translation>Grabar como</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MoviePlan</name>
+    <message>
+        <source>Ogg movie (.ogv)</source>
+        <translation>Película Ogg (.ogv)</translation>
+    </message>
+    <message>
+        <source>MP4 movie (.mp4)</source>
+        <translation>Película MP4 (.mp4)</translation>
+    </message>
+    <message>
+        <source>Animated GIF (.gif)</source>
+        <translation>GIF animado (.gif)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (folder)</source>
+        <translation>Imágenes PNG (carpeta)</translation>
+    </message>
+    <message>
+        <source>Table of volumes (.csv)</source>
+        <translation>Tabla de volúmenes (.csv)</translation>
     </message>
 </context>
 <context>
@@ -4043,6 +4070,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
     </message>
 </context>
 <context>
@@ -5857,6 +5888,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 s into the cycle</source>
         <translation>%1 s desde el inicio</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
     </message>
 </context>
 <context>

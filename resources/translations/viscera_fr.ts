@@ -3089,6 +3089,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>No sample organs are installed</source>
         <translation>Aucun organe type n’est installé</translation>
     </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Regarder depuis</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MessageBar</name>
@@ -3380,6 +3384,29 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message>
         <source>Record as</source>
         <translation>Enregistrer sous</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MoviePlan</name>
+    <message>
+        <source>Ogg movie (.ogv)</source>
+        <translation>Film Ogg (.ogv)</translation>
+    </message>
+    <message>
+        <source>MP4 movie (.mp4)</source>
+        <translation>Film MP4 (.mp4)</translation>
+    </message>
+    <message>
+        <source>Animated GIF (.gif)</source>
+        <translation>GIF animé (.gif)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (folder)</source>
+        <translation>Images PNG (dossier)</translation>
+    </message>
+    <message>
+        <source>Table of volumes (.csv)</source>
+        <translation>Tableau des volumes (.csv)</translation>
     </message>
 </context>
 <context>
@@ -4043,6 +4070,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
     </message>
 </context>
 <context>
@@ -5857,6 +5888,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 s into the cycle</source>
         <translation>à %1 s du cycle</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
     </message>
 </context>
 <context>

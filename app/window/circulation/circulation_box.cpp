@@ -139,11 +139,9 @@ QWidget* CirculationBox::makeScenarios() {
 QWidget* CirculationBox::makeComparison(const Actions& actions) {
   auto* box = new QWidget(details_);
   auto* column = makeLayout<QVBoxLayout>(box, 4);
-  auto* row = makeLayout<QHBoxLayout>(nullptr, 4);
   for (const char* id : {"play.keepBefore", "play.forgetBefore"})
-    row->addWidget(makeActionButton(actions[id], box), 1);
+    column->addWidget(makeActionButton(actions[id], box));
   kept_ = makeRemark({}, box);
-  column->addLayout(row);
   column->addWidget(kept_);
   return box;
 }

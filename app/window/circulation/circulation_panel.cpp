@@ -115,6 +115,9 @@ void CirculationPanel::rebuild() {
   std::vector<scene::CurvePanel> panels;
   if (present)
     panels = presentation::circulationStrip(*present, kept, chart_->width(), chart_->height());
+  for (scene::CurvePanel& panel : panels)
+    for (std::string* title : {&panel.xTitle, &panel.yTitle})
+      *title = messageInWords(*title).toStdString();
   places_ = panels;
   for (scene::CurvePanel& place : places_)
     place.curves.clear();

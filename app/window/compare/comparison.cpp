@@ -338,6 +338,7 @@ void Comparison::end() {
   if (secondHeader_) // Its table reads the second document, which goes with `second`.
     delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
   what_.reset();
+  rates_.clear();
   // The picture lets go of the view's renderer before the view goes.
   second->differences.reset();
   second->system.reset();
@@ -436,8 +437,14 @@ void Comparison::mirror() {
 void Comparison::syncMotion() {
   const Playback::Motion motion = first_.playback.motion();
   const auto& shown = beside_ && motion.sequence && !second_->system ? beside_ : motion.sequence;
-  if (second_->playback.motion().sequence != shown)
-    second_->playback.setSequence(shown, motion.organ);
+  const auto before = second_->playback.motion().sequence;
+  if (before == shown)
+    return;
+  if (before)
+    rates_[before] = second_->playback.player().ratePerMinute();
+  second_->playback.setSequence(shown, motion.organ);
+  if (const auto known = rates_.find(shown); known != rates_.end())
+    setSecondRate(known->second);
 }
 
 /// At the first view's rate, or at that of a session.
@@ -493,11 +500,10 @@ void Comparison::syncHeaders() {
   if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
-  firstHeader_->setState(first_.playback.sequence() ? messageInWords(first.phase()) : QString(),
-                         volumesOf(0));
+  firstHeader_->setState(first_.playback.showing() ? messageInWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
-  secondHeader_->setState(second.sequence() ? messageInWords(second.player().phase()) : QString(),
+  secondHeader_->setState(second.showing() ? messageInWords(second.player().phase()) : QString(),
                           volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);
   if (!second.sequence())

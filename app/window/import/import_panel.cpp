@@ -87,7 +87,7 @@ ImportPanel::ImportPanel(QWidget* parent)
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(0);
   whole->addWidget(scrolled(organs_), 1);
-  auto* buttons = makeLayout<QHBoxLayout>(nullptr, -1, {12, 8, 12, 12});
+  auto* buttons = makeLayout<QHBoxLayout>(nullptr, 8, {12, 8, 12, 12});
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("cancelImport"));
   import_->setObjectName(QStringLiteral("primary"));

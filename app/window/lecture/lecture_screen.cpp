@@ -109,8 +109,9 @@ QString LectureScreen::numbers() const {
     parts
         << tr("%1 %2 ml").arg(lines[i].name).arg(formatNumber(lines[i].nowMl, lines[i].nowMl < 1000 ? 1 : 0));
   parts.removeAll(QString());
+  constexpr QChar kHyphenThatHolds(0x2011);
   for (QString& part : parts) // A line breaks between them only.
-    part.replace(QLatin1Char(' '), QChar::Nbsp);
+    part.replace(QLatin1Char(' '), QChar::Nbsp).replace(QLatin1Char('-'), kHyphenThatHolds);
   return parts.join(QStringLiteral("   "));
 }
 

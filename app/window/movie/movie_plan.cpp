@@ -14,11 +14,16 @@ QString movieText(const char* text) {
 
 std::vector<MovieFormatInfo> movieFormats() {
   using Format = MovieFormat;
-  return {{Format::ogg, movieText("Ogg movie (.ogv)"), QStringLiteral(".ogv"), false, true},
-          {Format::mp4, movieText("MP4 movie (.mp4)"), QStringLiteral(".mp4"), true, true},
-          {Format::gif, movieText("Animated GIF (.gif)"), QStringLiteral(".gif"), true, true},
-          {Format::pictures, movieText("PNG pictures (folder)"), QString(), false, true},
-          {Format::table, movieText("Table of volumes (.csv)"), QStringLiteral(".csv"), false, false}};
+  return {{Format::ogg, movieText(QT_TRANSLATE_NOOP("viscera::app::MoviePlan", "Ogg movie (.ogv)")),
+           QStringLiteral(".ogv"), false, true},
+          {Format::mp4, movieText(QT_TRANSLATE_NOOP("viscera::app::MoviePlan", "MP4 movie (.mp4)")),
+           QStringLiteral(".mp4"), true, true},
+          {Format::gif, movieText(QT_TRANSLATE_NOOP("viscera::app::MoviePlan", "Animated GIF (.gif)")),
+           QStringLiteral(".gif"), true, true},
+          {Format::pictures, movieText(QT_TRANSLATE_NOOP("viscera::app::MoviePlan", "PNG pictures (folder)")),
+           QString(), false, true},
+          {Format::table, movieText(QT_TRANSLATE_NOOP("viscera::app::MoviePlan", "Table of volumes (.csv)")),
+           QStringLiteral(".csv"), false, false}};
 }
 
 MovieFormatInfo infoOf(MovieFormat format) {

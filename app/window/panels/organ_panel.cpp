@@ -2,6 +2,7 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -70,6 +71,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
       search_(new QLineEdit(this)), menu_(new OrganMenu(
                                         workspace, poses, [this] { return chosen(); }, this)) {
   setObjectName(QStringLiteral("panel"));
+  list_->installEventFilter(this);
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(
       tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
@@ -110,6 +112,19 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
   rebuild();
+}
+
+/// Delete is the window's key for handles: with the list in focus it is meant for the list.
+bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != list_ || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
+    return QWidget::eventFilter(watched, event);
+  if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete || chosen().empty())
+    return false;
+  if (event->type() == QEvent::ShortcutOverride)
+    event->accept();
+  else
+    remove(chosen());
+  return true;
 }
 
 void OrganPanel::addTo(Actions& actions) {

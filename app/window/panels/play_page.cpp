@@ -122,7 +122,7 @@ void PlayPage::makeTable() {
   output_ = addFact(tr("Cardiac output"));
   output_->setObjectName(QStringLiteral("cardiacOutput"));
   for (const sequences::WallMotionRange& range : sequences::wallMotionRanges()) {
-    walls_.push_back(addFact(tr(range.name)));
+    walls_.push_back(addFact(inWords(range.name)));
     walls_.back()->setObjectName(QStringLiteral("wall%1").arg(QLatin1String(range.name)));
   }
   normal_ = addRemark(QString());
@@ -212,7 +212,9 @@ void PlayPage::syncState() {
 }
 
 void PlayPage::syncPhase() {
-  phase_->setText(playback_.sequence() ? messageInWords(playback_.player().phase()) : nothing());
+  phase_->setText(!playback_.sequence() ? nothing()
+                  : playback_.showing() ? messageInWords(playback_.player().phase())
+                                        : tr("at rest"));
 }
 
 void PlayPage::fillRow(std::size_t line) {
@@ -259,7 +261,7 @@ void PlayPage::syncWalls() {
     setFactShown(walls_[i], wall || !fraction_->isHidden());
     walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
                                   .arg(formatNumber((*wall).*range.value, 1))
-                                  .arg(tr(range.unit))
+                                  .arg(inWords(range.unit))
                                   .arg(formatNumber(range.low, 0))
                                   .arg(formatNumber(range.high, 0))
                             : nothing());

@@ -179,7 +179,7 @@ void TimelineBar::syncInstant() {
     scrubber_->setMarks({});
   scrubber_->setFraction(player.fraction());
   signs_->setFraction(player.fraction());
-  phase_->setText(scrubber_->phaseText());
+  phase_->setText(playback_.showing() ? scrubber_->phaseText() : tr("at rest"));
   phase_->setToolTip(tr("%1 s into the cycle").arg(formatNumber(player.secondsInCycle(), 2)));
 }
 

@@ -255,9 +255,9 @@ void VolumePanel::setMeasured(MeasuredMotion& measured, QWidget* table) {
   table->hide();
 }
 
-/// The table belongs to the sequence: it is there while that is shown.
+/// The table belongs to the sequence: it is there where that is looked at, also at rest, as after an undo.
 void VolumePanel::syncMeasured() {
-  const bool wanted = measured_->present() && playback_.showing();
+  const bool wanted = measured_->present() && playback_.wantedPose() == motion::WantedPose::sequence;
   if (wanted == !table_->isHidden())
     return;
   table_->setVisible(wanted);

@@ -34,11 +34,14 @@ QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget
     keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* meaning = new QLabel(rows[i].second, table);
     meaning->setObjectName(QStringLiteral("muted"));
+    meaning->setWordWrap(true);
     const int column = i < half ? 0 : 3;
     grid->addWidget(keys, i % half, column);
     grid->addWidget(meaning, i % half, column + 1);
   }
   grid->setColumnMinimumWidth(2, 16);
+  for (const int meanings : {1, 4})
+    grid->setColumnStretch(meanings, 1);
   grid->setRowStretch(half, 1);
   return table;
 }

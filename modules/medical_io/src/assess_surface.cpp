@@ -167,7 +167,8 @@ private:
     std::string text = phrase("the surface consists of %1 separate pieces", report().components);
     if (crumbs == 0)
       return add(FindingSeverity::note, std::move(text), {"keep-largest"});
-    add(FindingSeverity::doubt, phrase("%1, %2 of them crumbs of less than 2 % of its area", text, crumbs),
+    add(FindingSeverity::doubt,
+        phrase("%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area", crumbs, text),
         {"keep-largest"});
   }
 

@@ -40,7 +40,7 @@ constexpr Strip kPressures{0.50, 0.95}, kValves{0.415, 0.475}, kVolume{0.245, 0.
 
 // A low and wide window, in pixels; the strips share the height that gaps and labels leave.
 constexpr double kStripLeft = 52, kStripRight = 12, kStripBottom = 40, kStripTop = 8, kStripGap = 5;
-constexpr std::array<double, 5> kStripHeights = {0.38, 0.09, 0.17, 0.18, 0.18};
+constexpr std::array<double, 5> kStripHeights = {0.34, 0.15, 0.17, 0.17, 0.17};
 constexpr double kWiggersPart = 0.5; ///< Of the width.
 constexpr int kFewTicks = 4, kTwoTicks = 2;
 constexpr std::size_t kMostStripPoints = 600;
@@ -225,6 +225,10 @@ std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const Sh
     top -= kStripGap;
     panel.mostYTicks = i == 0 ? kFewTicks : kTwoTicks;
   }
+  // Titles as long as their axes.
+  panels[0].yTitle = "mmHg";
+  panels[1].yTitle = "open";
+  panels[2].yTitle = "LV (ml)";
   double left = kWiggersPart * width + kStripLeft;
   const double each = ((1 - kWiggersPart) * width - 2 * kStripLeft - kStripRight) / 2;
   for (CurvePanel& panel : loopPanels(shown, before, 0)) {
@@ -233,6 +237,7 @@ std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const Sh
     panel.bottom = room.partOfHeight(kStripBottom);
     panel.top = room.partOfHeight(height - kStripTop);
     panel.mostXTicks = panel.mostYTicks = kFewTicks;
+    panel.xTitle = panels.size() == kStripHeights.size() ? "LV (ml)" : "RV (ml)";
     left += each + kStripLeft;
     panels.push_back(std::move(panel));
   }

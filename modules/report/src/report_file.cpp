@@ -9,6 +9,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QByteArray>
+#include <QEventLoop>
 #include <QFontDatabase>
 #include <QGuiApplication>
 #include <QImage>
@@ -246,6 +247,8 @@ void PdfPages::paintPage(QPainter& painter, int page) const {
 
 int writePdf(const std::filesystem::path& file, const Report& report) {
   const FontsAtHand fonts;
+  const QEventLoop
+      timers;     // Rich text is laid out with a timer, for which a thread that is not Qt's has no place.
   QBuffer buffer; // Qt does not say when it cannot write to a file.
   buffer.open(QIODevice::WriteOnly);
   int pages = 0;
