@@ -244,7 +244,7 @@
     </message>
     <message>
         <source>%1, key at %2 s</source>
-        <translation>%1, Schlüssel bei %2 s</translation>
+        <translation>%1, Schlüsselbild bei %2 s</translation>
     </message>
     <message>
         <source>%1, line %2</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>Apex</source>
-        <translation>Apex</translation>
+        <translation>Herzspitze</translation>
     </message>
     <message>
         <source>Appendix</source>
@@ -1115,7 +1115,7 @@
     </message>
     <message>
         <source>End-systolic and relaxed</source>
-        <translation>Endsystolisch und erschlafft</translation>
+        <translation>Endsystolisch und relaxiert</translation>
     </message>
     <message>
         <source>Endocrine glands</source>
@@ -2100,7 +2100,7 @@
     </message>
     <message>
         <source>Move key</source>
-        <translation>Schlüssel bewegen</translation>
+        <translation>Schlüsselbild bewegen</translation>
     </message>
     <message>
         <source>Move measured point</source>
@@ -2225,23 +2225,23 @@
     </message>
     <message>
         <source>Peak of folded tissue</source>
-        <translation>Spitze des gefalteten Gewebes</translation>
+        <translation>Höchstwert des gefalteten Gewebes</translation>
     </message>
     <message>
         <source>Peak of largest stretch</source>
-        <translation>Spitze der größten Streckung</translation>
+        <translation>Höchstwert der größten Streckung</translation>
     </message>
     <message>
         <source>Peak of rotational stress</source>
-        <translation>Spitze des Rotationsstresses</translation>
+        <translation>Höchstwert des Rotationsstresses</translation>
     </message>
     <message>
         <source>Peak of smallest stretch</source>
-        <translation>Spitze der kleinsten Streckung</translation>
+        <translation>Höchstwert der kleinsten Streckung</translation>
     </message>
     <message>
         <source>Peak of volume ratio</source>
-        <translation>Spitze des Volumenverhältnisses</translation>
+        <translation>Höchstwert des Volumenverhältnisses</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2349,7 +2349,7 @@
     </message>
     <message>
         <source>Record key</source>
-        <translation>Schlüssel aufzeichnen</translation>
+        <translation>Schlüsselbild aufzeichnen</translation>
     </message>
     <message>
         <source>Recorded</source>
@@ -2385,8 +2385,8 @@
     <message numerus="yes">
         <source>Remove {key|%n keys}</source>
         <translation>
-            <numerusform>Schlüssel entfernen</numerusform>
-            <numerusform>%n Schlüssel entfernen</numerusform>
+            <numerusform>Schlüsselbild entfernen</numerusform>
+            <numerusform>%n Schlüsselbilder entfernen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2441,7 +2441,7 @@
     </message>
     <message>
         <source>Replace pose of key</source>
-        <translation>Pose des Schlüssels ersetzen</translation>
+        <translation>Pose des Schlüsselbilds ersetzen</translation>
     </message>
     <message>
         <source>Replace key sequence</source>
@@ -3339,7 +3339,7 @@
     </message>
     <message>
         <source>a handle of a recorded key</source>
-        <translation>ein Griff eines aufgezeichneten Schlüssels</translation>
+        <translation>ein Griff eines aufgezeichneten Schlüsselbilds</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3439,7 +3439,7 @@
     </message>
     <message>
         <source>a recorded key</source>
-        <translation>ein aufgezeichneter Schlüssel</translation>
+        <translation>ein aufgezeichnetes Schlüsselbild</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -4415,7 +4415,7 @@
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
-        <translation>er liegt keine Millisekunde hinter dem vorigen Schlüssel</translation>
+        <translation>es liegt keine Millisekunde hinter dem vorigen Schlüsselbild</translation>
     </message>
     <message>
         <source>it is not a record of a measured motion</source>
@@ -4814,7 +4814,7 @@
     </message>
     <message>
         <source>key</source>
-        <translation>Schlüssel</translation>
+        <translation>Schlüsselbild</translation>
     </message>
     <message>
         <source>mmHg</source>
@@ -4826,7 +4826,7 @@
     </message>
     <message>
         <source>key %1</source>
-        <translation>Schlüssel %1</translation>
+        <translation>Schlüsselbild %1</translation>
     </message>
     <message>
         <source>kilometres</source>
@@ -6833,15 +6833,15 @@
     </message>
     <message>
         <source>its time, %1, is not after that of the key before it</source>
-        <translation>seine Zeit, %1, liegt nicht nach der des vorigen Schlüssels</translation>
+        <translation>seine Zeit, %1, liegt nicht nach der des vorigen Schlüsselbilds</translation>
     </message>
     <message>
         <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>sortieren Sie die Schlüssel nach der Zeit, mit mindestens einer Millisekunde Abstand</translation>
+        <translation>sortieren Sie die Schlüsselbilder nach der Zeit, mit mindestens einer Millisekunde Abstand</translation>
     </message>
     <message>
         <source>there is no key</source>
-        <translation>es gibt keinen Schlüssel</translation>
+        <translation>es gibt kein Schlüsselbild</translation>
     </message>
     <message>
         <source>a handle's rest position is not a finite number</source>
@@ -7419,7 +7419,7 @@
     </message>
     <message>
         <source>Reference shape (ml)</source>
-        <translation>Referenzform (ml)</translation>
+        <translation>Ruheform (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7471,7 +7471,7 @@
     </message>
     <message>
         <source>Reference shape</source>
-        <translation>Referenzform</translation>
+        <translation>Ruheform</translation>
     </message>
     <message>
         <source>Now</source>
@@ -7703,7 +7703,7 @@
     </message>
     <message>
         <source>Smallest</source>
-        <translation>Kleinster</translation>
+        <translation>Minimum</translation>
     </message>
     <message>
         <source>5th percentile</source>
@@ -7715,7 +7715,7 @@
     </message>
     <message>
         <source>Largest</source>
-        <translation>Größter</translation>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>%1, the worst of a cycle</source>

@@ -244,7 +244,7 @@
     </message>
     <message>
         <source>%1, key at %2 s</source>
-        <translation>%1, clave en %2 s</translation>
+        <translation>%1, fotograma clave en %2 s</translation>
     </message>
     <message>
         <source>%1, line %2</source>
@@ -284,15 +284,15 @@
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
         <translation>
-            <numerusform>%2 piezas, %n vóxel aparte de la mayor</numerusform>
-            <numerusform>%2 piezas, %n vóxeles aparte de la mayor</numerusform>
+            <numerusform>%2 fragmentos, %n vóxel aparte del mayor</numerusform>
+            <numerusform>%2 fragmentos, %n vóxeles aparte del mayor</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
         <translation>
-            <numerusform>%2 piezas, se omite %n vóxel aparte de la mayor</numerusform>
-            <numerusform>%2 piezas, se omiten %n vóxeles aparte de la mayor</numerusform>
+            <numerusform>%2 fragmentos, se omite %n vóxel aparte del mayor</numerusform>
+            <numerusform>%2 fragmentos, se omiten %n vóxeles aparte del mayor</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -889,7 +889,7 @@
     </message>
     <message>
         <source>Change key sequence</source>
-        <translation>Cambiar secuencia de claves</translation>
+        <translation>Cambiar secuencia de fotogramas clave</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2100,7 +2100,7 @@
     </message>
     <message>
         <source>Move key</source>
-        <translation>Mover clave</translation>
+        <translation>Mover fotograma clave</translation>
     </message>
     <message>
         <source>Move measured point</source>
@@ -2349,7 +2349,7 @@
     </message>
     <message>
         <source>Record key</source>
-        <translation>Grabar clave</translation>
+        <translation>Grabar fotograma clave</translation>
     </message>
     <message>
         <source>Recorded</source>
@@ -2385,8 +2385,8 @@
     <message numerus="yes">
         <source>Remove {key|%n keys}</source>
         <translation>
-            <numerusform>Quitar la clave</numerusform>
-            <numerusform>Quitar %n claves</numerusform>
+            <numerusform>Quitar el fotograma clave</numerusform>
+            <numerusform>Quitar %n fotogramas clave</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2441,11 +2441,11 @@
     </message>
     <message>
         <source>Replace pose of key</source>
-        <translation>Sustituir pose de clave</translation>
+        <translation>Sustituir pose de fotograma clave</translation>
     </message>
     <message>
         <source>Replace key sequence</source>
-        <translation>Sustituir secuencia de claves</translation>
+        <translation>Sustituir secuencia de fotogramas clave</translation>
     </message>
     <message>
         <source>Reproductive system</source>
@@ -2596,11 +2596,11 @@
     </message>
     <message>
         <source>Smooth and positive, from points alone; maximum entropy over directions</source>
-        <translation>Suave y positivo, solo con puntos; máxima entropía sobre direcciones</translation>
+        <translation>Suaves y positivas, solo con puntos; máxima entropía sobre direcciones</translation>
     </message>
     <message>
         <source>Smooth and positive, from points alone; the thesis's choice for organs</source>
-        <translation>Suave y positivo, solo con puntos; la elección de la tesis para órganos</translation>
+        <translation>Suaves y positivas, solo con puntos; la elección de la tesis para órganos</translation>
     </message>
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
@@ -3339,7 +3339,7 @@
     </message>
     <message>
         <source>a handle of a recorded key</source>
-        <translation>un tirador de una clave registrada</translation>
+        <translation>un tirador de un fotograma clave grabado</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3439,7 +3439,7 @@
     </message>
     <message>
         <source>a recorded key</source>
-        <translation>una clave registrada</translation>
+        <translation>un fotograma clave grabado</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -4415,7 +4415,7 @@
     </message>
     <message>
         <source>it is not a millisecond at least behind the key before it</source>
-        <translation>no está al menos un milisegundo después de la clave anterior</translation>
+        <translation>no está al menos un milisegundo después del fotograma clave anterior</translation>
     </message>
     <message>
         <source>it is not a record of a measured motion</source>
@@ -4746,7 +4746,7 @@
     </message>
     <message>
         <source>its two ends are on separate pieces</source>
-        <translation>sus dos extremos están en piezas separadas</translation>
+        <translation>sus dos extremos están en fragmentos separados</translation>
     </message>
     <message>
         <source>its unit is the metre; converted to mm</source>
@@ -4810,11 +4810,11 @@
     </message>
     <message>
         <source>keeps the piece with the largest area and drops the others</source>
-        <translation>conserva la pieza de mayor área y descarta las demás</translation>
+        <translation>conserva el fragmento de mayor área y descarta los demás</translation>
     </message>
     <message>
         <source>key</source>
-        <translation>clave</translation>
+        <translation>fotograma clave</translation>
     </message>
     <message>
         <source>mmHg</source>
@@ -4826,7 +4826,7 @@
     </message>
     <message>
         <source>key %1</source>
-        <translation>clave %1</translation>
+        <translation>fotograma clave %1</translation>
     </message>
     <message>
         <source>kilometres</source>
@@ -5325,7 +5325,7 @@
     </message>
     <message>
         <source>reduced ejection</source>
-        <translation>eyección reducida</translation>
+        <translation>eyección lenta</translation>
     </message>
     <message>
         <source>remove one of the two</source>
@@ -5943,7 +5943,7 @@
     </message>
     <message>
         <source>the organ is in %1 pieces</source>
-        <translation>el órgano está en %1 piezas</translation>
+        <translation>el órgano está en %1 fragmentos</translation>
     </message>
     <message>
         <source>the organ is inside out or flat</source>
@@ -6101,7 +6101,7 @@
     </message>
     <message>
         <source>the surface consists of %1 separate pieces</source>
-        <translation>la superficie consta de %1 piezas separadas</translation>
+        <translation>la superficie consta de %1 fragmentos separados</translation>
     </message>
     <message>
         <source>the surface does not cross itself</source>
@@ -6833,15 +6833,15 @@
     </message>
     <message>
         <source>its time, %1, is not after that of the key before it</source>
-        <translation>su tiempo, %1, no es posterior al de la clave anterior</translation>
+        <translation>su tiempo, %1, no es posterior al del fotograma clave anterior</translation>
     </message>
     <message>
         <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>ordene las claves por tiempo y deje al menos un milisegundo entre dos</translation>
+        <translation>ordene los fotogramas clave por tiempo y deje al menos un milisegundo entre dos</translation>
     </message>
     <message>
         <source>there is no key</source>
-        <translation>no hay ninguna clave</translation>
+        <translation>no hay ningún fotograma clave</translation>
     </message>
     <message>
         <source>a handle's rest position is not a finite number</source>

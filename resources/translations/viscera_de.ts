@@ -1030,7 +1030,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Reference shape</source>
-        <translation>Referenzform</translation>
+        <translation>Ruheform</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1357,7 +1357,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Reference volume</source>
-        <translation>Referenzvolumen</translation>
+        <translation>Ruhevolumen</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2156,7 +2156,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Referenzform bleibt</translation>
+        <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Ruheform bleibt</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2369,7 +2369,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Referenzform als Umriss.</translation>
+        <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Ruheform als Umriss.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2385,7 +2385,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
-        <translation>Öffnen Sie Oberflächen (STL, OBJ, PLY, OFF, VTK, VTP, GLB) oder Labelkarten (NIfTI, NRRD, DICOM-SEG) mit Strg+O oder legen Sie sie hier ab; sie erhalten sofort Griffe. Strg+S speichert alles als Sitzung. ? listet alle Tasten.</translation>
+        <translation>Öffnen Sie Oberflächen (STL, OBJ, PLY, OFF, VTK, VTP, GLB) oder Labelmaps (NIfTI, NRRD, DICOM-SEG) mit Strg+O oder legen Sie sie hier ab; sie erhalten sofort Griffe. Strg+S speichert alles als Sitzung. ? listet alle Tasten.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2403,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <name>viscera::app::ImportController</name>
     <message>
         <source>Import or cancel the files in the panel first, then open the others.</source>
-        <translation>Importieren oder verwerfen Sie zuerst die Dateien im Bereich und öffnen Sie dann die anderen.</translation>
+        <translation>Importieren oder verwerfen Sie zuerst die Dateien im Bedienfeld und öffnen Sie dann die anderen.</translation>
     </message>
     <message>
         <source>Check of %1</source>
@@ -2437,7 +2437,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
-        <translation>%1 Organe: %2 mit Fehlern, %3 zum Ansehen, %4 ohne Probleme. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
+        <translation>%1 Organe: %2 mit Fehlern, %3 zu prüfen, %4 ohne Probleme. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
     </message>
     <message>
         <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
@@ -2515,23 +2515,23 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
-        <translation>Stellen Sie im Modus Verformen eine Pose ein und drücken Sie Strg+K: Jeder Schlüssel speichert diese Pose.</translation>
+        <translation>Stellen Sie im Modus Verformen eine Pose ein und drücken Sie Strg+K: Jedes Schlüsselbild speichert diese Pose.</translation>
     </message>
     <message>
         <source>Time of the next key</source>
-        <translation>Zeit des nächsten Schlüssels</translation>
+        <translation>Zeit des nächsten Schlüsselbilds</translation>
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Übergang zum folgenden Schlüssel</translation>
+        <translation>Übergang zum folgenden Schlüsselbild</translation>
     </message>
     <message>
         <source>Add key</source>
-        <translation>Neuer Schlüssel</translation>
+        <translation>Neues Schlüsselbild</translation>
     </message>
     <message>
         <source>Store the present pose as a key (Ctrl+K)</source>
-        <translation>Die jetzige Pose als Schlüssel speichern (Strg+K)</translation>
+        <translation>Die jetzige Pose als Schlüsselbild speichern (Strg+K)</translation>
     </message>
     <message>
         <source>time (s)</source>
@@ -2547,7 +2547,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Set the present pose to that of this key</source>
-        <translation>Die jetzige Pose auf die dieses Schlüssels setzen</translation>
+        <translation>Die jetzige Pose auf die dieses Schlüsselbilds setzen</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -2555,7 +2555,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Store the present pose in this key</source>
-        <translation>Die jetzige Pose in diesem Schlüssel speichern</translation>
+        <translation>Die jetzige Pose in diesem Schlüsselbild speichern</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2563,7 +2563,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Remove this key</source>
-        <translation>Diesen Schlüssel entfernen</translation>
+        <translation>Dieses Schlüsselbild entfernen</translation>
     </message>
     <message>
         <source>Play it</source>
@@ -2614,11 +2614,11 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <name>viscera::app::KeySequencePlayback</name>
     <message>
         <source>Record a key at %1 s</source>
-        <translation>Schlüssel bei %1 s aufzeichnen</translation>
+        <translation>Schlüsselbild bei %1 s aufzeichnen</translation>
     </message>
     <message>
         <source>Use a key&apos;s pose</source>
-        <translation>Pose eines Schlüssels verwenden</translation>
+        <translation>Pose eines Schlüsselbilds verwenden</translation>
     </message>
     <message>
         <source>Sequence saved as %1</source>
@@ -2896,7 +2896,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Reference shape</source>
-        <translation>Referenzform</translation>
+        <translation>Ruheform</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -3032,7 +3032,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Bereiche</translation>
+        <translation>&amp;Bedienfelder</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -3150,7 +3150,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine aufgezeichnete Sequenz mit einem Schlüssel je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine aufgezeichnete Sequenz mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3657,7 +3657,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 in der Referenzform, jetzt %2 (%3)</translation>
+        <translation>%1 in der Ruheform, jetzt %2 (%3)</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3668,11 +3668,11 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <name>viscera::app::PanelDock</name>
     <message>
         <source>Float or dock the panel %1</source>
-        <translation>Bereich %1 lösen oder andocken</translation>
+        <translation>Bedienfeld %1 lösen oder andocken</translation>
     </message>
     <message>
         <source>Hide the panel %1 (the View menu shows it again)</source>
-        <translation>Bereich %1 ausblenden (das Menü Ansicht zeigt ihn wieder)</translation>
+        <translation>Bedienfeld %1 ausblenden (das Menü Ansicht zeigt es wieder)</translation>
     </message>
 </context>
 <context>
@@ -3695,7 +3695,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Open its organs</source>
-        <translation>Seine Organe öffnen</translation>
+        <translation>Deren Organe öffnen</translation>
     </message>
 </context>
 <context>
@@ -3722,7 +3722,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>any body size</source>
-        <translation>jede Körpergröße</translation>
+        <translation>jede Körperoberfläche</translation>
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
@@ -3798,7 +3798,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Record a &amp;key</source>
-        <translation>Schl&amp;üssel aufzeichnen</translation>
+        <translation>Schl&amp;üsselbild aufzeichnen</translation>
     </message>
     <message>
         <source>Ctrl+K</source>
@@ -3890,7 +3890,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>For&amp;get</source>
-        <translation>Ver&amp;gessen</translation>
+        <translation>Ver&amp;werfen</translation>
     </message>
     <message>
         <source>End the comparison</source>
@@ -3922,7 +3922,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Key at %1 s</source>
-        <translation>Schlüssel bei %1 s</translation>
+        <translation>Schlüsselbild bei %1 s</translation>
     </message>
     <message>
         <source>Recorded as %1</source>
@@ -4879,7 +4879,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
-        <translation>Viscera endete ohne zu speichern. Es hat eine Kopie der Arbeit von %1 behalten.</translation>
+        <translation>Viscera wurde beendet, ohne zu speichern. Es hat eine Kopie der Arbeit vom %1 behalten.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -5026,7 +5026,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Back from the slides</source>
-        <translation>&amp;Zurück von den Folien</translation>
+        <translation>&amp;Folien verlassen</translation>
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
@@ -5099,7 +5099,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>largest</source>
-        <translation>größter</translation>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>95th percentile</source>
@@ -5289,7 +5289,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Peak over the sequence</source>
-        <translation>&amp;Spitze über die Sequenz</translation>
+        <translation>Höch&amp;stwert über die Sequenz</translation>
     </message>
     <message>
         <source>Shift+M</source>
@@ -5389,7 +5389,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Go to the &amp;time of the peak</source>
-        <translation>Zur Zei&amp;t der Spitze gehen</translation>
+        <translation>Zum Zei&amp;tpunkt des Höchstwerts gehen</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5451,7 +5451,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Smallest</source>
-        <translation>Kleinster</translation>
+        <translation>Minimum</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -5463,7 +5463,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Largest</source>
-        <translation>Größter</translation>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Folded</source>
@@ -5646,7 +5646,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Time of the peak</source>
-        <translation>Zeit der Spitze</translation>
+        <translation>Zeitpunkt des Höchstwerts</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -5989,7 +5989,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Ghost of the reference shape</source>
-        <translation>Schatten&amp;bild der Referenzform</translation>
+        <translation>Schatten&amp;bild der Ruheform</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6138,7 +6138,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % der Referenz</translation>
+        <translation>%1 % der Ruheform</translation>
     </message>
     <message>
         <source>Part of the cycle</source>
@@ -6208,7 +6208,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Restore the first arrangement of all panels</source>
-        <translation>Die anfängliche Anordnung aller Bereiche wiederherstellen</translation>
+        <translation>Die anfängliche Anordnung aller Bedienfelder wiederherstellen</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>

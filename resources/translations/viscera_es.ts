@@ -1038,7 +1038,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Largest shift</source>
-        <translation>Desplaz. máximo</translation>
+        <translation>Desplazamiento máximo</translation>
     </message>
     <message>
         <source>The largest distance by which a vertex of the organ has moved from rest</source>
@@ -1218,7 +1218,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A measure</source>
-        <translation>Arrastrar con el izquierdo gira; Mayús+izquierdo desplaza; arrastrar con el derecho o la rueda acerca; un clic selecciona un órgano; D y A miden</translation>
+        <translation>Arrastrar con el botón izquierdo gira; Mayús+izquierdo desplaza; arrastrar con el botón derecho o la rueda acerca; un clic selecciona un órgano; D y A miden</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice; Esc ends</source>
@@ -2156,7 +2156,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma de referencia se mantiene</translation>
+        <translation>Un clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma de referencia se mantiene</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2519,15 +2519,15 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Time of the next key</source>
-        <translation>Tiempo de la clave siguiente</translation>
+        <translation>Tiempo del fotograma clave siguiente</translation>
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Aceleración hasta la clave siguiente</translation>
+        <translation>Aceleración hasta el fotograma clave siguiente</translation>
     </message>
     <message>
         <source>Add key</source>
-        <translation>Añadir clave</translation>
+        <translation>Añadir fotograma</translation>
     </message>
     <message>
         <source>Store the present pose as a key (Ctrl+K)</source>
@@ -2547,7 +2547,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Set the present pose to that of this key</source>
-        <translation>Aplicar la pose de esta clave como pose actual</translation>
+        <translation>Aplicar la pose de este fotograma clave como pose actual</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -2555,7 +2555,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Store the present pose in this key</source>
-        <translation>Guardar la pose actual en esta clave</translation>
+        <translation>Guardar la pose actual en este fotograma clave</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2563,7 +2563,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Remove this key</source>
-        <translation>Quitar esta clave</translation>
+        <translation>Quitar este fotograma clave</translation>
     </message>
     <message>
         <source>Play it</source>
@@ -2614,11 +2614,11 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <name>viscera::app::KeySequencePlayback</name>
     <message>
         <source>Record a key at %1 s</source>
-        <translation>Grabar una clave en %1 s</translation>
+        <translation>Grabar un fotograma clave en %1 s</translation>
     </message>
     <message>
         <source>Use a key&apos;s pose</source>
-        <translation>Usar la pose de una clave</translation>
+        <translation>Usar la pose de un fotograma clave</translation>
     </message>
     <message>
         <source>Sequence saved as %1</source>
@@ -3004,7 +3004,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Export &amp;more</source>
-        <translation>E&amp;xportar más</translation>
+        <translation>Más e&amp;xportaciones</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -3150,7 +3150,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia grabada con una clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
+        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia grabada con un fotograma clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3798,7 +3798,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Record a &amp;key</source>
-        <translation>Grabar una &amp;clave</translation>
+        <translation>Grabar un fotograma &amp;clave</translation>
     </message>
     <message>
         <source>Ctrl+K</source>
@@ -3890,7 +3890,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>For&amp;get</source>
-        <translation>Olvi&amp;dar</translation>
+        <translation>&amp;Descartar</translation>
     </message>
     <message>
         <source>End the comparison</source>
@@ -3922,7 +3922,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Key at %1 s</source>
-        <translation>Clave en %1 s</translation>
+        <translation>Fotograma clave en %1 s</translation>
     </message>
     <message>
         <source>Recorded as %1</source>
@@ -4925,7 +4925,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Left drag</source>
-        <translation>Arrastrar izquierdo</translation>
+        <translation>Arrastrar con botón izquierdo</translation>
     </message>
     <message>
         <source>Rotate, or move a handle</source>
@@ -4933,7 +4933,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Middle, Shift+left drag</source>
-        <translation>Arrastrar central, Mayús+izdo.</translation>
+        <translation>Botón central, Mayús+izquierdo</translation>
     </message>
     <message>
         <source>Pan</source>
@@ -4941,7 +4941,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Right drag, wheel</source>
-        <translation>Arrastrar derecho, rueda</translation>
+        <translation>Arrastrar con botón derecho, rueda</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -5080,7 +5080,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>, bound in %1 ms</source>
-        <translation>, vinculado en %1 ms</translation>
+        <translation>, vinculación en %1 ms</translation>
     </message>
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
@@ -5099,7 +5099,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>largest</source>
-        <translation>máximo</translation>
+        <translation>Máximo</translation>
     </message>
     <message>
         <source>95th percentile</source>
@@ -5107,7 +5107,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>mean</source>
-        <translation>media</translation>
+        <translation>Media</translation>
     </message>
     <message>
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
@@ -6138,7 +6138,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % de referencia</translation>
+        <translation>%1 % de la referencia</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

@@ -273,8 +273,8 @@ TEST(PhasesOfAKeySequence, AreNamedInTheLanguageOfTheWindow) {
     return names;
   };
   EXPECT_EQ(namesIn("en"), QStringList({"start", "key 1", "key 2"}));
-  EXPECT_EQ(namesIn("de"), QStringList({"Anfang", "Schlüssel 1", "Schlüssel 2"}));
-  EXPECT_EQ(namesIn("es"), QStringList({"inicio", "clave 1", "clave 2"}));
+  EXPECT_EQ(namesIn("de"), QStringList({"Anfang", "Schlüsselbild 1", "Schlüsselbild 2"}));
+  EXPECT_EQ(namesIn("es"), QStringList({"inicio", "fotograma clave 1", "fotograma clave 2"}));
   EXPECT_EQ(namesIn("fr"), QStringList({"début", "clé 1", "clé 2"}));
   EXPECT_EQ(namesIn("ca"), QStringList({"inici", "clau 1", "clau 2"}));
 }

@@ -178,7 +178,7 @@ TEST(PhraseTranslator, NamesOrgansInSentencesAsTheLanguageDoes) {
     EXPECT_TRUE(
         app::asSentence(doubt).startsWith(QStringLiteral("Eine Leber mit 5 ml ist nicht lebensgroß")));
     EXPECT_EQ(app::inWords(live::describe(live::StressQuantity::rotationalStress).peakName),
-              QStringLiteral("Spitze des Rotationsstresses"));
+              QStringLiteral("Höchstwert des Rotationsstresses"));
   }
   const InstalledLanguage spanish(QStringLiteral("es"));
   EXPECT_TRUE(app::asSentence(doubt).startsWith(QStringLiteral("Un hígado de 5 ml no es")));
