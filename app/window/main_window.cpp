@@ -221,6 +221,8 @@ void MainWindow::connectFiles() {
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
     viewArea_->showBadge(tr("%1: checked, no problems found").arg(QFileInfo(files.front()).fileName()));
   });
+  connect(slides_, &Slides::kept, this,
+          [this](const QString& caption) { viewArea_->showBadge(tr("%1: this view is kept").arg(caption)); });
   connect(files_, &FileActions::scanOpened, scans_, [this] {
     showWelcome(false);
     scans_->opened();

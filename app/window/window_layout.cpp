@@ -124,10 +124,11 @@ void WindowLayout::arrange() {
                                           {QStringLiteral("timeline"), useful_.timeline},
                                           {QStringLiteral("volumes"), useful_.charts},
                                           {QStringLiteral("slides"), false}};
+  // What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
+  // from mode to mode.
   for (auto known = heights_.begin(); known != heights_.end(); ++known)
-    if (known.key()->isVisible() && !resizing_)
-      known.value() =
-          known.key() == charts_ ? chartsBefore_.value_or(charts_->height()) : known.key()->height();
+    if (known.key()->isVisible() && !resizing_ && heightOf(*known.key()) != settled_.value(known.key(), -1))
+      known.value() = heightOf(*known.key());
   for (PanelDock* dock : docks_)
     dock->setVisible(chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool());
   giveHeights();
@@ -136,7 +137,16 @@ void WindowLayout::arrange() {
     QTimer::singleShot(0, this, [this] {
       giveHeights();
       resizing_ = false;
+      QTimer::singleShot(0, this, [this] {
+        for (auto known = heights_.constBegin(); known != heights_.constEnd(); ++known)
+          settled_[known.key()] = heightOf(*known.key());
+      });
     });
+}
+
+/// Without the height that a table beside the charts has taken for itself.
+int WindowLayout::heightOf(const QDockWidget& dock) const {
+  return &dock == charts_ ? chartsBefore_.value_or(charts_->height()) : dock.height();
 }
 
 /// Panels are as high as they were, also those that stay while others come and go.

@@ -68,6 +68,7 @@ private:
   void bringBack();
   void arrange();
   void giveHeights();
+  int heightOf(const QDockWidget& dock) const;
   void setFullScreen(bool full);
 
   QMainWindow& window_;
@@ -86,6 +87,7 @@ private:
   /// What the user has chosen, by "mode/panel".
   QVariantMap chosen_;
   QHash<QDockWidget*, int> heights_; ///< Of panels that come and go with the modes, as the user left them.
+  QHash<QDockWidget*, int> settled_; ///< What they were once these had been given.
   bool resizing_ = false;            ///< Heights are to be given once more: what they are now says nothing.
   std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;

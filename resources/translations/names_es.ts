@@ -222,8 +222,8 @@
     <message numerus="yes">
         <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, %n de ellas es una migaja de menos del 2 % de su área</numerusform>
-            <numerusform>%2, %n de ellas son migajas de menos del 2 % de su área</numerusform>
+            <numerusform>%2, %n de ellos es una migaja de menos del 2 % de su área</numerusform>
+            <numerusform>%2, %n de ellos son migajas de menos del 2 % de su área</numerusform>
         </translation>
     </message>
     <message>

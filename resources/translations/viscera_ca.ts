@@ -2800,6 +2800,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>&amp;Wait</source>
         <translation>&amp;Espera</translation>
     </message>
+    <message>
+        <source>%1: this view is kept</source>
+        <translation>%1: aquesta vista s'ha desat</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>

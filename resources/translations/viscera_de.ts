@@ -2800,6 +2800,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>&amp;Wait</source>
         <translation>&amp;Warten</translation>
     </message>
+    <message>
+        <source>%1: this view is kept</source>
+        <translation>%1: diese Ansicht ist aufbewahrt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>

@@ -2800,6 +2800,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>&amp;Wait</source>
         <translation>&amp;Esperar</translation>
     </message>
+    <message>
+        <source>%1: this view is kept</source>
+        <translation>%1: esta vista se ha guardado</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>

@@ -2800,6 +2800,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>&amp;Wait</source>
         <translation>&amp;Attendre</translation>
     </message>
+    <message>
+        <source>%1: this view is kept</source>
+        <translation>%1 : cette vue est conservée</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>

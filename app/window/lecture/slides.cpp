@@ -126,6 +126,7 @@ void Slides::add() {
   const int place = current_ + 1;
   edit([&](std::vector<presentation::Slide>& slides) { slides.insert(slides.begin() + place, slide); });
   setCurrent(place);
+  Q_EMIT kept(QString::fromStdString(slide.caption));
 }
 
 void Slides::remove(int slide) {

@@ -50,6 +50,8 @@ public:
 Q_SIGNALS:
   /// Other slides, other captions, or another current one.
   void changed();
+  /// The present view is a slide now.
+  void kept(const QString& caption);
 
 private:
   void setCurrent(int slide);

@@ -149,6 +149,8 @@ void ResidualTable::makeTable() {
   for (int i = 0; i < kResidualColumns; ++i)
     table_->horizontalHeaderItem(i)->setToolTip(tips[i]);
   makePlain(*table_);
+  for (const int wide : {kMeasuredVolume, kFreeVolume, kFittedVolume})
+    table_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
   makePlain(*differences_);
   differences_->setObjectName(QStringLiteral("seriesDifferences"));
   differences_->setAccessibleName(tr("Differences from the previous series"));
