@@ -19,6 +19,7 @@
 #include "window/binding_messages.h"
 #include "window/compare/side_header.h"
 #include "window/language.h"
+#include "window/widgets/elided_label.h"
 
 namespace viscera::tests {
 namespace {
@@ -162,6 +163,34 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   EXPECT_EQ(monitor.lines().size(), alone);
   EXPECT_TRUE(window().playback().player().playing());
   playFor(0.1);
+}
+
+TEST_F(TwoViews, TheSecondKeepsItsRateThroughAnUndoAcrossSequences) {
+  compareRates();
+  app::Playback& other = parts().comparison().playback();
+  other.setRate(120);
+  loadSample(QStringLiteral("stomach"));
+  ASSERT_TRUE(waitUntil([&] { return other.sequence() == window().playback().sequence(); }));
+  window().workspace().undo().undo();
+  settle();
+  ASSERT_EQ(other.sequence(), window().playback().sequence());
+  EXPECT_EQ(other.player().ratePerMinute(), 120);
+  EXPECT_NE(window().playback().player().ratePerMinute(), 120);
+}
+
+/// The volumes take what the title and the phase leave.
+TEST_F(TwoViews, AHeaderWithoutRoomCutsItsVolumesFirst) {
+  app::SideHeader header(1, nullptr);
+  header.resize(420, header.height());
+  header.setTitle(QStringLiteral("Heartbeat  75 / min"));
+  header.setState(QStringLiteral("ejection"), QStringLiteral("LV cavity 112.4 ml   ").repeated(5));
+  header.show();
+  QTest::qWait(20);
+  for (const auto* label : header.findChildren<app::ElidedLabel*>()) {
+    if (label->objectName() != QStringLiteral("sideVolumes")) {
+      EXPECT_EQ(label->text(), label->fullText()) << label->fullText().toStdString();
+    }
+  }
 }
 
 TEST_F(TwoViews, ShowTheInstantThatTheirReadoutsNameAlsoAfterAPauseAnUndoAndAnotherMode) {

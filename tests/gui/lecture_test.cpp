@@ -96,6 +96,20 @@ TEST_F(Room, TheChartKeepsItsHeightOnAWalkThroughTheModes) {
   }
 }
 
+TEST_F(Room, PanelsDoNotShrinkFromModeToMode) {
+  const auto* handles = window().findChild<QDockWidget*>(QStringLiteral("handles"));
+  key(Qt::Key_3);
+  settle();
+  const int height = handles->height();
+  for (int round = 0; round < 6; ++round) {
+    key(Qt::Key_1);
+    settle();
+    key(Qt::Key_3);
+    settle();
+    EXPECT_NEAR(handles->height(), height, 4) << "round " << round;
+  }
+}
+
 TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
   const QSize screen = window().screen()->availableSize();
   EXPECT_LE(window().width(), screen.width());

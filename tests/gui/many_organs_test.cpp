@@ -99,6 +99,21 @@ TEST_F(ManyOrgans, StandUnderTheSystemsOfTheBodyUntilTheyAreFewAgain) {
   EXPECT_FALSE(search().isVisible());
 }
 
+TEST_F(ManyOrgans, DeleteTakesTheChosenRowsAndNotTheHandlesBehindThem) {
+  ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
+  key(Qt::Key_2);
+  settle();
+  window().workspace().selection().setHandles({document().rig().handles.front().id});
+  list().setFocus();
+  list().setCurrentItem(row(QStringLiteral("spleen")));
+  const std::size_t organs = document().organs().size(), handles = document().rig().handles.size();
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  settle();
+  EXPECT_EQ(document().organs().size(), organs - 1);
+  EXPECT_THROW(organ("spleen"), std::runtime_error) << "it is still there";
+  EXPECT_EQ(document().rig().handles.size(), handles);
+}
+
 TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {
   key(Qt::Key_F, Qt::ControlModifier);
   QTest::keyClicks(&search(), QStringLiteral("RENAL"));

@@ -18,6 +18,7 @@
 #include "viscera/live/stress_quantity.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "window/language.h"
+#include "window/movie/movie_plan.h"
 #include "window/phrase_translator.h"
 #include "window/widgets/message_bar.h"
 
@@ -146,6 +147,19 @@ TEST_P(Phrases, OfTheNumericalModulesAreTranslated) {
 
 INSTANTIATE_TEST_SUITE_P(All, Phrases, ::testing::Values("ca", "de", "es", "fr"),
                          [](const auto& language) { return std::string(language.param); });
+
+/// Axes and phases of a circulation, movie formats and slices come to the window as texts of their modules.
+TEST(PhraseTranslator, NamesTheCirculationItsPhasesAndSlices) {
+  const InstalledLanguage spanish(QStringLiteral("es"));
+  EXPECT_EQ(messageInWords("ejection"), QStringLiteral("eyección"));
+  EXPECT_EQ(messageInWords("filling"), QStringLiteral("llenado"));
+  EXPECT_EQ(messageInWords("Heartbeat: Rest"), QStringLiteral("Latido: Reposo"));
+  EXPECT_EQ(messageInWords("LV (ml)"), QStringLiteral("VI (ml)"));
+  EXPECT_EQ(messageInWords("RV (ml)"), QStringLiteral("VD (ml)"));
+  EXPECT_EQ(messageInWords("Sagittal"), QStringLiteral("Sagital"));
+  EXPECT_EQ(app::inWords("degrees"), QStringLiteral("grados"));
+  EXPECT_EQ(app::infoOf(app::MovieFormat::ogg).name, QStringLiteral("Película Ogg (.ogv)"));
+}
 
 TEST(PhraseTranslator, KnowsThePatternOfATextAndTranslatesItsParts) {
   const InstalledLanguage german(QStringLiteral("de"));

@@ -10,6 +10,9 @@
 #include <QLabel>
 #include <QTest>
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include "build_paths.h"
 #include "run_process.h"
 #include "viscera/document/organ_commands.h"
@@ -130,11 +133,15 @@ TEST_F(PlayMode, EditingTheHandlesEndsTheMotionAndOffersItsOwnHandlesAgain) {
 
 TEST_F(PlayMode, OpeningAFileTakesThePlaceOfTheSampleAndUndoBringsItBackWithItsMotion) {
   key(Qt::Key_Space);
-  open(sphereFile());
+  const auto farAway = [this] { return view().view().renderer()->GetActiveCamera()->GetDistance(); };
+  const double before = farAway();
+  open(sphereFile(QStringLiteral("planet.stl"), 2000));
   EXPECT_EQ(document().organs().size(), 1u);
   EXPECT_EQ(window().playback().sequence(), nullptr);
   EXPECT_FALSE(window().playback().player().playing());
+  EXPECT_GT(farAway(), 3 * before);
   key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return farAway() < 1.5 * before; })) << "the heart is as good as out of sight";
   EXPECT_EQ(document().organs().size(), 5u);
   EXPECT_NE(window().playback().sequence(), nullptr);
 }
@@ -308,6 +315,7 @@ TEST_F(PlayMode, UndoAndRedoOfAChangeOfSequenceStopWhatPlaysOrIsPausedInEveryMod
     EXPECT_FALSE(window().playback().player().playing());
     EXPECT_FALSE(window().playback().showing());
     EXPECT_EQ(window().playback().player().fraction(), 0);
+    EXPECT_EQ(find<QLabel>("phase").text(), QStringLiteral("at rest"));
     const Points wanted = window().mode() == "handles" ? document().rig().restPositions() : document().pose();
     EXPECT_EQ(window().workspace().live().shownPose(), wanted);
     EXPECT_FALSE(message().contains(QStringLiteral("range"))) << message().toStdString();

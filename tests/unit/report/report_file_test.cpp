@@ -1,4 +1,5 @@
 #include <csignal>
+#include <thread>
 
 #include <sys/resource.h>
 
@@ -87,6 +88,15 @@ TEST(ReportFile, PdfHasItsPagesInA4AndItsTitle) {
   EXPECT_EQ(countOf(pdf, "/Type /Page\n"), pages);
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 59"));
   EXPECT_THAT(pdf, HasSubstr("/Title"));
+}
+
+/// The window writes reports on threads that are not Qt's.
+TEST(ReportFile, PdfIsWrittenInSilenceOnAnyThread) {
+  const TemporaryFolder folder;
+  testing::internal::CaptureStderr();
+  std::thread worker([&] { report::writeReport(folder / "r.pdf", longReport(40)); });
+  worker.join();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 /// As on a full disk: files of this program end at so many bytes while it lives.
