@@ -265,8 +265,9 @@ BENCHMARK_CAPTURE(dragAnOrgan, bunny, "bunny.obj")
     ->UseManualTime()
     ->Iterations(40);
 
-/// The first step of a drag under the locks of two organs, right after these were set: what a hand does on the
-/// way is drawn (the locks in the list, the handle under the mouse, then held), but nothing waits for workers.
+/// The first step of a drag under the locks of two organs, right after these were set: what a hand does on
+/// the way is drawn (the locks in the list, the handle under the mouse, then held), but nothing waits for
+/// workers.
 void firstLockedStep(benchmark::State& state) {
   for (auto _ : state) {
     BenchedWindow bench;
