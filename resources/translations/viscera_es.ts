@@ -6142,7 +6142,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % de la referencia</translation>
+        <translation>%1 % del reposo</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

@@ -25,6 +25,7 @@
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/contour/contour.h"
+#include "viscera/coordinates/corner_determinants.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
@@ -203,6 +204,21 @@ TEST(HeaderExamples, CoordinatesAndDeformation) {
   deformer.setPose(pose);
   const double ml = deformer.volumeMm3() / 1000;
   EXPECT_NEAR(ml, 8 * deformer.restVolumeMm3() / 1000, 1e-9);
+}
+
+TEST(HeaderExamples, CornerDeterminants) {
+  using namespace coordinates;
+  HandleSet handles;
+  handles.positions = 1.5 * cubeCorners();
+  Progress progress;
+  const geometry::TriangleMesh mesh = tests::sphere(2, 15);
+  const auto bound = plugin::builtInRegistry().find("s-celestial")->bind(handles, mesh.points, {}, progress);
+  const Binding& binding = *bound;
+  const Triangles& triangles = mesh.triangles;
+  const CornerDeterminants determinants(binding, triangles);
+  CornerDeterminants::Sums sums;
+  determinants.ofHandle(7, sums); // sums(i, j) is D_ij7 for i < j < 7
+  EXPECT_GT(sums.topLeftCorner(7, 7).cwiseAbs().maxCoeff(), 0);
 }
 
 TEST(HeaderExamples, Core) {

@@ -168,7 +168,8 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
 TEST_F(TwoViews, TheSecondKeepsItsRateThroughAnUndoAcrossSequences) {
   compareRates();
   app::Playback& other = parts().comparison().playback();
-  other.setRate(120);
+  find<QSpinBox>("secondRate").setValue(120);
+  ASSERT_EQ(other.player().ratePerMinute(), 120);
   loadSample(QStringLiteral("stomach"));
   ASSERT_TRUE(waitUntil([&] { return other.sequence() == window().playback().sequence(); }));
   window().workspace().undo().undo();

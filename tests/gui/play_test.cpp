@@ -135,13 +135,13 @@ TEST_F(PlayMode, OpeningAFileTakesThePlaceOfTheSampleAndUndoBringsItBackWithItsM
   key(Qt::Key_Space);
   const auto farAway = [this] { return view().view().renderer()->GetActiveCamera()->GetDistance(); };
   const double before = farAway();
-  open(sphereFile(QStringLiteral("planet.stl"), 2000));
+  open(sphereFile(QStringLiteral("large.stl"), 160));
   EXPECT_EQ(document().organs().size(), 1u);
   EXPECT_EQ(window().playback().sequence(), nullptr);
   EXPECT_FALSE(window().playback().player().playing());
-  EXPECT_GT(farAway(), 3 * before);
+  EXPECT_GT(farAway(), 1.5 * before);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(waitUntil([&] { return farAway() < 1.5 * before; })) << "the heart is as good as out of sight";
+  EXPECT_TRUE(waitUntil([&] { return farAway() < 1.2 * before; })) << "the heart is small";
   EXPECT_EQ(document().organs().size(), 5u);
   EXPECT_NE(window().playback().sequence(), nullptr);
 }

@@ -159,7 +159,7 @@ void Comparison::fillHeader(SideHeader& header) {
   rate_->setKeyboardTracking(false);
   header.addControl(rate_);
   connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this,
-          [this](int perMinute) { second_->playback.setRate(perMinute); });
+          [this](int perMinute) { setSecondRate(perMinute); });
   auto* choose = makeIconButton("organs", tr("What this view shows"), &header);
   choose->setObjectName(QStringLiteral("secondOrgan"));
   choose->setPopupMode(QToolButton::InstantPopup);
@@ -264,7 +264,7 @@ void Comparison::showSameOrgan() {
     const double slowest = first_.playback.sequence()->lowestRatePerMinute();
     const double twice = std::min(fastest, 2 * first.ratePerMinute());
     if (!beside_ && slowest < fastest)
-      second_->playback.setRate(twice > first.ratePerMinute() ? twice : first.ratePerMinute() / 2);
+      setSecondRate(twice > first.ratePerMinute() ? twice : first.ratePerMinute() / 2);
   }
   second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
   syncHeaders();
@@ -437,13 +437,10 @@ void Comparison::mirror() {
 void Comparison::syncMotion() {
   const Playback::Motion motion = first_.playback.motion();
   const auto& shown = beside_ && motion.sequence && !second_->system ? beside_ : motion.sequence;
-  const auto before = second_->playback.motion().sequence;
-  if (before == shown)
-    return;
-  if (before)
-    rates_[before] = second_->playback.player().ratePerMinute();
-  second_->playback.setSequence(shown, motion.organ);
-  if (const auto known = rates_.find(shown); known != rates_.end())
+  if (second_->playback.motion().sequence != shown)
+    second_->playback.setSequence(shown, motion.organ);
+  const auto known = rates_.find(shown);
+  if (known != rates_.end() && known->second != second_->playback.player().ratePerMinute())
     setSecondRate(known->second);
 }
 
@@ -459,8 +456,10 @@ void Comparison::takeRate() {
 /// Where the second view's sequence can be as fast and as slow.
 void Comparison::setSecondRate(double perMinute) {
   const sequences::Sequence* second = second_->playback.sequence();
-  if (second && perMinute >= second->lowestRatePerMinute() && perMinute <= second->highestRatePerMinute())
-    second_->playback.setRate(perMinute);
+  if (!second || perMinute < second->lowestRatePerMinute() || perMinute > second->highestRatePerMinute())
+    return;
+  rates_[second_->playback.motion().sequence] = perMinute;
+  second_->playback.setRate(perMinute);
 }
 
 void Comparison::linkCameras() {

@@ -118,7 +118,7 @@ private:
   bool same_ = false;
   std::optional<presentation::Compared::What> what_; ///< None: files, or nothing yet.
   QString sample_;                                   ///< The one that was asked for.
-  /// Of the sequences that the second view has shown, a minute: an undo brings them back.
+  /// That were wanted of the second view's sequences, a minute: an undo brings these back.
   std::map<std::shared_ptr<const sequences::Sequence>, double> rates_;
   double wantedRate_ = 0; ///< Of the sample that is being loaded, a minute; 0: as fast as the first view's.
 };

@@ -279,8 +279,8 @@ TEST(LessonPlan, NamesThePhasesOfAKeySequenceInItsLanguage) {
     return all;
   };
   EXPECT_THAT(titles("en"), ElementsAre("Start", "Key 1", "Key 2"));
-  EXPECT_THAT(titles("de"), ElementsAre("Anfang", "Schl\u00fcssel 1", "Schl\u00fcssel 2"));
-  EXPECT_THAT(titles("es"), ElementsAre("Inicio", "Clave 1", "Clave 2"));
+  EXPECT_THAT(titles("de"), ElementsAre("Anfang", "Schl\u00fcsselbild 1", "Schl\u00fcsselbild 2"));
+  EXPECT_THAT(titles("es"), ElementsAre("Inicio", "Fotograma clave 1", "Fotograma clave 2"));
 }
 
 /// Whoever looks at the texts of a plan has seen all that a document says in the file.
