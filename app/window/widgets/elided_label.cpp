@@ -19,7 +19,8 @@ void ElidedLabel::setFullText(const QString& text) {
 }
 
 QSize ElidedLabel::sizeHint() const {
-  const int around = width() - contentsRect().width();
+  // The advance is rounded: half a pixel less would cut the last letters off.
+  const int around = width() - contentsRect().width() + 1;
   return {fontMetrics().horizontalAdvance(full_) + around, QLabel::sizeHint().height()};
 }
 
