@@ -6142,7 +6142,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % des Ruhewerts</translation>
+        <translation>%1 % der Ruheform</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

@@ -55,6 +55,7 @@ NumbersTable::NumbersTable(QWidget* parent)
   setSelectionMode(NoSelection);
   setFocusPolicy(Qt::NoFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWordWrap(false);
   setTextElideMode(Qt::ElideMiddle); // Names differ at their ends.
   for (int row = 0; row < rowCount(); ++row) {
     const circulation::Reading& reading = readingOf(row);
