@@ -9,12 +9,14 @@ namespace viscera::fuzz {
 namespace {
 
 /// Arguments are split at line breaks. `--help` comes last, so that what is asked for is parsed and checked,
-/// but not done.
+/// but not done. One option would take it for the folder into which it writes, and has no turn.
 void parseArguments(Bytes bytes) {
   std::vector<std::string> words = {"viscera"};
   std::istringstream lines(textOf(bytes));
   for (std::string line; std::getline(lines, line) && words.size() < 64;) {
     line.erase(std::find(line.begin(), line.end(), '\0'), line.end());
+    if (line.starts_with("--write-manual"))
+      return;
     words.push_back(line);
   }
   words.emplace_back("--help");
