@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -15,6 +14,7 @@
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/view/picture.h"
+#include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -86,7 +86,9 @@ void MeasureBox::makeList() {
   }
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  list_->installEventFilter(this);
+  (new ListKeys(list_))->add(Qt::Key_Delete, [this] { removeChosen(); })->add(Qt::Key_F2, [this] {
+    list_->editItem(list_->selectedItems().front(), kMeasurementName);
+  });
   connect(list_, &QTreeWidget::itemChanged, this, &MeasureBox::rename);
   connect(list_, &QTreeWidget::itemDoubleClicked, this,
           [this](QTreeWidgetItem* item) { list_->editItem(item, kMeasurementName); });
@@ -96,23 +98,6 @@ void MeasureBox::makeList() {
     const auto chosen = list_->selectedItems();
     tool_.choose(chosen.isEmpty() ? document::MeasurementId{} : idOf(chosen.front()));
   });
-}
-
-/// Delete is the window's key for handles, F2 nobody's: with the list in focus both are meant for it.
-bool MeasureBox::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != list_ || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
-    return false;
-  const auto* key = static_cast<QKeyEvent*>(event);
-  const auto chosen = list_->selectedItems();
-  if (chosen.isEmpty() || (key->key() != Qt::Key_Delete && key->key() != Qt::Key_F2))
-    return false;
-  if (event->type() == QEvent::ShortcutOverride)
-    event->accept();
-  else if (key->key() == Qt::Key_Delete)
-    removeChosen();
-  else
-    list_->editItem(chosen.front(), kMeasurementName);
-  return true;
 }
 
 void MeasureBox::rebuild() {

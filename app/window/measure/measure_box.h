@@ -22,9 +22,6 @@ class MeasureBox final : public QWidget {
 public:
   MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& actions, QWidget* parent = nullptr);
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
   void makeList();
   void rebuild();

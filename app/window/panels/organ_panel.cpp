@@ -2,7 +2,6 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -20,6 +19,7 @@
 #include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
+#include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
@@ -71,7 +71,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
       search_(new QLineEdit(this)), menu_(new OrganMenu(
                                         workspace, poses, [this] { return chosen(); }, this)) {
   setObjectName(QStringLiteral("panel"));
-  list_->installEventFilter(this);
+  (new ListKeys(list_))->add(Qt::Key_Delete, [this] { remove(chosen()); });
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(
       tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
@@ -112,19 +112,6 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
   rebuild();
-}
-
-/// Delete is the window's key for handles: with the list in focus it is meant for the list.
-bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != list_ || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
-    return QWidget::eventFilter(watched, event);
-  if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete || chosen().empty())
-    return false;
-  if (event->type() == QEvent::ShortcutOverride)
-    event->accept();
-  else
-    remove(chosen());
-  return true;
 }
 
 void OrganPanel::addTo(Actions& actions) {

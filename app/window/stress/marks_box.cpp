@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QPushButton>
 #include <QTreeWidget>
 
@@ -15,6 +14,7 @@
 #include "window/language.h"
 #include "window/stress/profile_chart.h"
 #include "window/style/icon.h"
+#include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -89,25 +89,12 @@ void MarksBox::makeList() {
   list_->header()->setSectionResizeMode(kMarkPlace, QHeaderView::Stretch);
   list_->headerItem()->setTextAlignment(kMarkValue, Qt::AlignRight | Qt::AlignVCenter);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->installEventFilter(this);
+  (new ListKeys(list_))->add(Qt::Key_Delete, [this] { removeChosen(); });
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &MarksBox::syncButtons);
 }
 
 void MarksBox::setTheme(const Theme& theme) {
   chart_->setTheme(theme);
-}
-
-/// Delete is the window's key for handles: with the list in focus it is meant for the list.
-bool MarksBox::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != list_ || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
-    return false;
-  if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete || list_->selectedItems().isEmpty())
-    return false;
-  if (event->type() == QEvent::ShortcutOverride)
-    event->accept();
-  else
-    removeChosen();
-  return true;
 }
 
 /// Marks of organs that are gone wait for an undo and are not listed.

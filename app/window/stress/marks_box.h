@@ -25,9 +25,6 @@ public:
 
   void setTheme(const Theme& theme);
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
   void makeList();
   void rebuild();
