@@ -374,6 +374,23 @@ TEST_F(DicomScan, WidensThePackedBytesOfPixelsOfTwoBytes) {
   EXPECT_EQ(wrong, 0);
 }
 
+/// DCMTK waits for ever at such a marker (FF 01) where it looks for the frame header.
+TEST_F(DicomScan, RefusesJpegStreamsWithoutAFrameHeader) {
+  const std::string begin("\xFF\xD8\xFF"), endless("\xFF\x01\0", 3);
+  for (const char* packing : {"jpeg", "jpeg-lossless"}) {
+    SCOPED_TRACE(packing);
+    std::string packed = tests::packedDicom(tests::dicomBytes(tests::dicomSlice(smallPhantom(), 0)), packing);
+    ASSERT_NE(packed.find(begin), packed.npos);
+    folder_.put("0", packed.replace(packed.find(begin), endless.size(), endless));
+    try {
+      read();
+      FAIL();
+    } catch (const DataError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("it has no frame header"));
+    }
+  }
+}
+
 TEST_F(DicomScan, RefusesWhatIsNoScan) {
   EXPECT_THROW(read(), DataError) << "an empty folder";
   EXPECT_THROW(readScan(folder_ / "none", {}, progress_), NoInputError);

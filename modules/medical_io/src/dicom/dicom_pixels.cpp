@@ -86,16 +86,24 @@ private:
 
 static_assert(std::endian::native == std::endian::little, "widened pixels begin with their lowest byte");
 
-/// Bits of a pixel by the frame header of a JPEG stream (ISO/IEC 10918-1, B.2.2); 0 for another one.
+bool isJpeg(E_TransferSyntax syntax) {
+  return syntax >= EXS_JPEGProcess1 && syntax <= EXS_JPEGProcess14SV1;
+}
+
+/// Bits of a pixel by the frame header of a JPEG stream (ISO/IEC 10918-1, B.2.2); 0 where there is none
+/// behind its first marker and segments that have a length.
 int jpegPrecision(std::string_view stream) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(stream[at]); };
-  std::size_t at = 2; // Behind the mark of the beginning.
+  if (!stream.starts_with("\xFF\xD8"))
+    return 0;
+  std::size_t at = 2;
   while (at + 5 <= stream.size() && byte(at) == 0xFF) {
     const int marker = byte(at + 1);
     const bool isTable = marker == 0xC4 || marker == 0xC8 || marker == 0xCC;
+    const bool hasLength = marker >= 0xC0 && (marker < 0xD0 || marker > 0xD9);
     if (marker >= 0xC0 && marker <= 0xCF && !isTable)
       return byte(at + 4);
-    if (marker == 0xDA)
+    if (marker == 0xDA || !hasLength)
       return 0;
     at += marker == 0xFF ? 1 : 2 + std::size_t(byte(at + 2)) * 256 + byte(at + 3);
   }
@@ -162,6 +170,9 @@ private:
         stream == nullptr)
       return allocated;
     const int precision = jpegPrecision({reinterpret_cast<const char*>(stream), item->getLength()});
+    // DCMTK 3.6.7 looks for that header, too, and stays for ever at a marker without a length (TEM, FF 01).
+    if (precision == 0 && isJpeg(dataset.getOriginalXfer()))
+      file_.fail("its JPEG stream is damaged: it has no frame header");
     return precision == 0 ? allocated : precision <= 8 ? 1 : 2;
   }
 
