@@ -75,7 +75,9 @@ void VolumeMonitor::watch(Side& side) {
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
-    if (event.moved || event.replaced) // Once for all organs of a frame.
+    // Once for all organs of a frame; while they are bound one after the other the throttle tells of them.
+    const bool oneOfMany = event.status && side.workspace->live().busy();
+    if ((event.moved || event.replaced) && !oneOfMany)
       frame_.start();
     if (!throttle_.isActive())
       throttle_.start();
