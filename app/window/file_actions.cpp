@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 #include "viscera/document/session_file.h"
 #include "viscera/medical_io/handle_file.h"
@@ -27,6 +28,16 @@ QString patterns(const std::vector<std::string>& extensions) {
   for (const std::string& extension : extensions)
     list.push_back(QStringLiteral("*") + text(extension));
   return list.join(QLatin1Char(' '));
+}
+
+/// Gives organs that are named after a tissue its colour, where their files give them none.
+void colorByTissue(std::vector<document::NewOrgan>& organs) {
+  for (document::NewOrgan& item : organs) {
+    document::Organ& organ = item.organ;
+    const auto color = tissueColor(text(organ.name));
+    if (color && organ.look == document::OrganLook() && organ.mesh && organ.mesh->colors.rows() == 0)
+      organ.look.color = asVec3(*color);
+  }
 }
 
 /// Series or phases of a DICOM series.
@@ -212,10 +223,12 @@ void FileActions::reviewOrImport(document::ImportDraft draft, const QStringList&
 void FileActions::take(const document::ImportDraft& draft, const QStringList& files) {
   document::OpenedFiles opened = document::accepted(draft);
   opened.warnings.clear(); // Who checked them has seen them; they stay with the organs.
-  take(opened, files);
+  take(std::move(opened), files);
 }
 
-void FileActions::take(const document::OpenedFiles& opened, const QStringList& files) {
+void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
+  // Before they come: list, charts, pictures and maps are made anew for every change of the organs there are.
+  colorByTissue(opened.organs);
   const document::OrganList& present = workspace_.document().organs();
   const bool replaces = !opened.organs.empty() && replacesPresent();
   const std::size_t firstNew = replaces ? 0 : present.size();
@@ -230,7 +243,6 @@ void FileActions::take(const document::OpenedFiles& opened, const QStringList& f
         undo.perform(document::replaceRig({}));
     }
     undo.perform(opened.command());
-    dressNewOrgans();
     if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
       undo.perform(placer_.commandOrBox(*workspace_.document().organs()[firstNew]));
     step.finish();
@@ -244,19 +256,6 @@ void FileActions::take(const document::OpenedFiles& opened, const QStringList& f
     workspace_.selection().setOrgan(workspace_.document().organs()[firstNew]->id);
   Q_EMIT filesOpened();
   sayWarnings(opened.warnings);
-}
-
-void FileActions::dressNewOrgans() {
-  const document::OrganList organs = workspace_.document().organs();
-  for (const auto& organ : organs) {
-    const auto color = tissueColor(text(organ->name));
-    const bool untouched = organ->look == document::OrganLook();
-    if (!color || !untouched || organ->mesh->colors.rows() > 0)
-      continue;
-    document::OrganLook look = organ->look;
-    look.color = asVec3(*color);
-    workspace_.undo().perform(document::setOrganLook(organ->id, look));
-  }
 }
 
 void FileActions::sayWarnings(const std::vector<std::string>& warnings) {

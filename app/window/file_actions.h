@@ -88,10 +88,8 @@ private:
   void takeRead(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
-  void take(const document::OpenedFiles& opened, const QStringList& files);
+  void take(document::OpenedFiles opened, const QStringList& files);
   void reviewOrImport(document::ImportDraft draft, const QStringList& files, bool check);
-  /// Gives organs that are named after a tissue its colour.
-  void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
   void takeCage(const document::GivenCage& cage, const QString& file);
   void saySaved(const QString& what, const QString& file);

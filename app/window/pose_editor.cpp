@@ -37,10 +37,11 @@ void PoseEditor::prepareLocks() {
   prepareSoon_.start();
 }
 
-bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
+bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored,
+                       const std::optional<Vec3>& plane) {
   cancel();
   const bool begun = workspace_.guarded([&] {
-    motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt));
+    motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt, plane));
     step_.emplace(workspace_.undo(), name.toStdString());
   });
   if (!begun)

@@ -20,9 +20,11 @@ public:
   /// `model` says which mirror is on.
   PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent = nullptr);
 
-  /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on. When it
-  /// is not possible now, says why and returns false.
-  bool begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored);
+  /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on; `plane`:
+  /// the unit normal of the plane that its translations keep to. When it is not possible now, says why and
+  /// returns false.
+  bool begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored,
+             const std::optional<Vec3>& plane = std::nullopt);
   bool active() const { return motion_.has_value(); }
   /// The motion of the present gesture, or null.
   const live::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }

@@ -18,6 +18,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
+#include "window/view/picture.h"
 
 namespace viscera::tests {
 namespace {
@@ -112,6 +113,20 @@ TEST_F(ManyOrgans, DeleteTakesTheChosenRowsAndNotTheHandlesBehindThem) {
   EXPECT_EQ(document().organs().size(), organs - 1);
   EXPECT_THROW(organ("spleen"), std::runtime_error) << "it is still there";
   EXPECT_EQ(document().rig().handles.size(), handles);
+}
+
+TEST_F(ManyOrgans, ThatMoveTogetherComeIntoThePictureTogether) {
+  ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
+  key(Qt::Key_3);
+  int pictures = 0;
+  const auto counting =
+      QObject::connect(&window().picture(), &app::Picture::changed, [&pictures] { ++pictures; });
+  Points pose = document().pose();
+  pose.row(0) *= 1.1;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  QObject::disconnect(counting);
+  EXPECT_GE(pictures, 1);
+  EXPECT_LT(pictures, 4) << "not once for each of sixteen organs";
 }
 
 TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {

@@ -72,6 +72,35 @@ TEST_F(OwnMotion, KeysOfPosesBecomeASequenceThatPlays) {
   EXPECT_NEAR(volume() / rest, 1, 1e-6);
 }
 
+TEST_F(OwnMotion, TheChartOfDragsFollowsPosesThatComeAndGoBesideIt) {
+  const motion::VolumeRecord& drags = window().volumes().drags();
+  const auto last = [&] { return drags.milliliters(drags.rows() - 1, 0); };
+  key(Qt::Key_3);
+  pose(1.1);
+  const std::size_t rows = drags.rows();
+  ASSERT_EQ(rows, 2u);
+  key(Qt::Key_5);
+  key(Qt::Key_K, Qt::ControlModifier);
+  ASSERT_NE(window().playback().sequence(), nullptr);
+  pose(1.2); // The motion is not played yet: this pose is seen.
+  EXPECT_EQ(drags.rows(), rows + 1);
+  EXPECT_NEAR(last(), volume(), 1e-9);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(drags.rows(), rows + 2);
+  EXPECT_NEAR(last(), volume(), 1e-9) << "undo is in the chart";
+  const double before = last();
+  pose(1.2);
+  key(Qt::Key_K, Qt::ControlModifier);
+  press("playKeys");
+  ASSERT_TRUE(window().playback().showing());
+  pose(0.9);
+  EXPECT_EQ(drags.rows(), rows + 3) << "what is seen is the sequence";
+  key(Qt::Key_3);
+  EXPECT_EQ(drags.rows(), rows + 4) << "and now it is the pose";
+  EXPECT_NEAR(last(), volume(), 1e-9);
+  EXPECT_LT(last(), 0.8 * before);
+}
+
 TEST_F(OwnMotion, StandsAmongTheSequencesWithoutHidingOthers) {
   key(Qt::Key_K, Qt::ControlModifier);
   pose(1.2);

@@ -208,10 +208,14 @@ TEST_F(SlicesTest, ADragInASliceKeepsALockedVolumeAndEscapePutsTheHandleBack) {
   ASSERT_TRUE(document().organs().front()->volumeLocked);
   const int row = handleInSlice();
   const Vec3 rest = document().pose().row(row).transpose();
-  dragIn(0, Qt::LeftButton, placeIn(0, rest), placeIn(0, 0.7 * rest));
+  // Along the organ's surface, where the volume leaves a way, and some way into it.
+  const Vec3 wanted(0.8 * rest.x() - 0.4 * rest.y(), 0.8 * rest.y() + 0.4 * rest.x(), rest.z());
+  dragIn(0, Qt::LeftButton, placeIn(0, rest), placeIn(0, wanted));
   const live::OrganVolume volume = window().workspace().live().volume(document().organs().front()->id);
   EXPECT_FALSE(document::atRest(window().workspace().state()));
-  EXPECT_LT(std::abs(volume.relativeChange()), 1e-6);
+  EXPECT_LT(std::abs(volume.relativeChange()), 1e-9);
+  EXPECT_EQ(document().pose()(row, 2), rest.z()) << "it stays in the slice's plane under the lock, too";
+  EXPECT_GT((document().pose().row(row).transpose() - rest).norm(), 5);
   const document::DocumentState dragged = window().workspace().state();
   cutThrough(document().pose().row(row).transpose());
   const QPoint from = placeIn(0, document().pose().row(row).transpose());

@@ -75,7 +75,10 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
   view.addClickTaker([this] { return !picking_.empty(); });
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { syncTarget(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncTarget(); }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { syncGlyphs(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+    if (!event.more)
+      syncGlyphs();
+  }));
   rebuildRows();
   syncTarget();
 }

@@ -14,7 +14,9 @@ bool HandleGrip::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyboard
     return false;
   start_ = picture_.view().handles()->GetPosition(row);
   offset_ = panes_.presenter().frame(direction).pixelOf(start_) - pixel;
-  picture_.view().handleWidget()->Grab(row, (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) != 0);
+  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  picture_.view().handleWidget()->Grab(row, (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) != 0,
+                                       Vec3(Vec3::Unit(axis)));
   return true;
 }
 

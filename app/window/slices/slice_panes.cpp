@@ -43,7 +43,10 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
   }
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+    if (!event.more)
+      refresh();
+  }));
   subscriptions_.push_back(workspace.bend().onChange([this] { followBend(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {

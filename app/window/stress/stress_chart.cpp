@@ -49,7 +49,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
                     {tr("95th percentile").toStdString(), kPercentileColor},
                     {tr("mean").toStdString(), kMeanColor}});
   connect(&model, &StressModel::updated, this, &StressChart::refresh);
-  connect(&model, &StressModel::numbersChanged, this, &StressChart::placeCursor);
+  connect(&model, &StressModel::instantChanged, this, &StressChart::placeCursor);
 }
 
 StressChart::~StressChart() {

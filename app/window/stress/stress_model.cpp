@@ -36,7 +36,8 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   connect(&playback, &Playback::advanced, this, [this] {
     if (!active())
       return;
-    frame_.start();
+    Q_EMIT instantChanged();
+    frameSoon();
     if (!throttle_.isActive())
       throttle_.start();
   });
@@ -44,8 +45,8 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   connect(&view, &ViewModel::changed, this, &StressModel::onView);
   connect(&picture, &Picture::changed, this, &StressModel::shownChanged);
   connect(&picture, &Picture::changed, this, [this] {
-    if (active()) // A picture is brought up to date several times a frame.
-      frame_.start();
+    if (active())
+      frameSoon();
   });
   subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { follow(); }));
@@ -61,6 +62,14 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   const std::string kept = settings.value(kSetting).toString().toStdString();
   view.change([&](presentation::ViewState& state) { state.stress = presentation::stressLookFromJson(kept); });
   onView();
+}
+
+/// A picture is brought up to date several times a frame; the first time counts. Where a frame takes longer
+/// than the timer of the frames waits, that timer is due before one that begins anew, and would put it off
+/// for ever.
+void StressModel::frameSoon() {
+  if (!frame_.isActive())
+    frame_.start();
 }
 
 void StressModel::follow() {

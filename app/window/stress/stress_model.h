@@ -99,13 +99,16 @@ Q_SIGNALS:
   void probeChanged();
   /// Probes and lines, or the organs that they are in, are others.
   void marksChanged();
-  /// The numbers are those of the frame that is drawn: once a frame, for texts and cursors.
+  /// The sequence is at another instant, and its frame comes next: for cursors.
+  void instantChanged();
+  /// The numbers are those of the frame that is drawn: once a frame, for texts.
   void numbersChanged();
   /// The same, at most ten times a second: for what takes longer.
   void updated();
 
 private:
   void follow();
+  void frameSoon();
   void onView();
   void onStress(const live::StressEvent& event);
 

@@ -75,7 +75,9 @@ void VolumeMonitor::watch(Side& side) {
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
-    if (event.moved || event.replaced) // Once for all organs of a frame.
+    // Once for all organs of a frame; while they are bound one after the other the throttle tells of them.
+    const bool oneOfMany = event.status && side.workspace->live().busy();
+    if ((event.moved || event.replaced) && !oneOfMany)
       frame_.start();
     if (!throttle_.isActive())
       throttle_.start();
@@ -114,6 +116,7 @@ void VolumeMonitor::rebuild() {
     names.push_back(line.label);
   record_ = motion::VolumeRecord(names, kRows);
   drags_ = motion::VolumeRecord(std::move(names), kDragRows);
+  dragsBehind_ = false;
   refresh();
   Q_EMIT linesChanged();
 }
@@ -147,6 +150,11 @@ void VolumeMonitor::update() {
 void VolumeMonitor::followFrame() {
   frame_.stop();
   refresh();
+  if (dragsBehind_ && posesAreSeen() && !sides_[0].workspace->live().busy()) {
+    dragsBehind_ = false;
+    if (drags_.rows() > 0)
+      addDrag(false);
+  }
   Q_EMIT shown();
 }
 
@@ -221,17 +229,33 @@ void VolumeMonitor::sample() {
     throttle_.start();
 }
 
-/// A row for the pose as it is now. What leads up to the first one is the pose before.
+/// Whether the first view's organs are in the document's pose. What is asked is what they show: a sequence
+/// that is wanted may not have been started, and one that an undo has just taken away may still be there.
+bool VolumeMonitor::posesAreSeen() const {
+  const Points& seen = sides_[0].workspace->live().shownPose();
+  const Points& own = sides_[0].workspace->document().pose();
+  return seen.rows() == own.rows() && seen == own;
+}
+
+/// A row for the pose as it is now, where it is seen; else it comes later.
 void VolumeMonitor::sampleDrag(bool goesOn) {
   const bool begins = goesOn && !std::exchange(dragging_, goesOn);
   dragging_ = goesOn;
-  // Where the sequence is seen, a pose that changes, as by undo, is not. (It shows again only after all have
-  // heard of the change.)
+  dragsBehind_ = !posesAreSeen();
+  // Where a sequence is to be seen, a pose that is changed begins no chart of drags in the place of its
+  // cycle.
   const Playback& playback = *sides_[0].playback;
-  if (playback.sequence() && playback.wantedPose() == motion::WantedPose::sequence)
+  const bool beginsNone =
+      drags_.rows() == 0 && playback.sequence() && playback.wantedPose() == motion::WantedPose::sequence;
+  if (dragsBehind_ || beginsNone)
     return;
   if (goesOn && !begins && sinceDragged_.elapsed() < kVolumeUpdateMilliseconds)
     return;
+  addDrag(begins);
+}
+
+/// What leads up to the first row is the pose before.
+void VolumeMonitor::addDrag(bool begins) {
   const double step = kMillisecond * kVolumeUpdateMilliseconds;
   const double passed =
       begins || !sinceDragged_.isValid() ? step : kMillisecond * static_cast<double>(sinceDragged_.elapsed());

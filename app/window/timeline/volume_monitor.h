@@ -59,7 +59,8 @@ public:
   /// The record of the sequence as played; one column a line, the time is the first view's.
   const motion::VolumeRecord& record() const { return record_; }
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
-  /// between them. One column a line.
+  /// between them. A pose that changes while a sequence is seen in its place has its row once it is seen. One
+  /// column a line.
   const motion::VolumeRecord& drags() const { return drags_; }
   /// A volume over one cycle.
   struct Curve {
@@ -114,7 +115,9 @@ private:
   void rebuild();
   void followFrame();
   void sample();
+  bool posesAreSeen() const;
   void sampleDrag(bool goesOn);
+  void addDrag(bool begins);
   /// Has cycles measured after everybody has heard of a change, and later where nobody sees them.
   void measureSoon(const Side& side);
   /// Begins to measure each cycle that is not the one known.
@@ -129,6 +132,7 @@ private:
   QPointer<const MeasuredMotion> measured_;
   QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
   bool dragging_ = false;
+  bool dragsBehind_ = false; ///< The pose was changed while it was not seen.
   QTimer throttle_;
   QTimer frame_;       ///< Ends with the frame that is drawn of what has moved.
   QTimer measureSoon_; ///< Until cycles are measured.

@@ -112,7 +112,7 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
     workspace_.guarded([&] { step_.emplace(workspace_.undo(), name.toStdString()); });
   } else {
     // The cursor moves the handle in the plane that the locked volume leaves it, when there is one.
-    const bool begun = poses_.begin(name, idsOf(event.moving), true);
+    const bool begun = poses_.begin(name, idsOf(event.moving), true, event.plane);
     const Vec3 normal = begun ? poses_.motion()->planeNormal() : Vec3(Vec3::Zero());
     if (normal.norm() > 0)
       view_.handles()->SetConstraintPlane(normal);

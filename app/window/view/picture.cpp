@@ -50,7 +50,10 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
     if (isDrawn(change))
       refresh();
   }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+    if (!event.more)
+      refresh();
+  }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
   subscriptions_.push_back(workspace.bend().onChange([this] { refresh(); }));

@@ -215,6 +215,8 @@ void LiveBinding::Impl::tell(bool otherPose) {
   const auto moved = [](const LiveEvent& event) { return event.moved; };
   if (otherPose && std::none_of(news.begin(), news.end(), moved))
     news.push_back({{}, true});
+  for (std::size_t i = 0; i + 1 < news.size(); ++i)
+    news[i].more = true;
   FirstException exception;
   for (const LiveEvent& event : news)
     exception.watch([&] { document.announce(events.emission(event)); });

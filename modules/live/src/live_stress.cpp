@@ -83,7 +83,8 @@ struct LiveStress::Impl {
   StressStatus status;
   std::shared_ptr<Points> points = std::make_shared<Points>(0, 3);
   std::shared_ptr<deformation::StressMap> map = std::make_shared<deformation::StressMap>();
-  std::uint64_t revision = 0; ///< Another number whenever points and map are others.
+  Points evaluated = Points(0, 3); ///< The pose that points and map are in; empty: none.
+  std::uint64_t revision = 0;      ///< Another number whenever points and map are others.
   deformation::StressStatistics statistics;
   std::shared_ptr<const CycleStress> cycle;
   bool findingCycle = false;
@@ -272,6 +273,7 @@ void LiveStress::Impl::boundArrived(JobResult<BoundWitnesses> result) {
 void LiveStress::Impl::takeBound(BoundWitnesses result) {
   bound = std::move(result);
   boundToTarget = true;
+  evaluated.resize(0, 3);
   secondsEach =
       bound.seconds / (static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size()));
   status.closedForm = bound.gradients->closedForm();
@@ -302,6 +304,7 @@ void LiveStress::Impl::cycleArrived(JobResult<CycleStress> result) {
 void LiveStress::Impl::dropBinding() {
   bound = {};
   boundToTarget = false;
+  evaluated.resize(0, 3);
   // Others, not emptied: somebody may still look at those.
   points = std::make_shared<Points>(0, 3);
   map = std::make_shared<deformation::StressMap>();
@@ -320,18 +323,20 @@ void LiveStress::Impl::dropMesh() {
   dropBinding();
 }
 
-/// The map in the pose that is shown; nothing while the document has other handles than the binding.
+/// The map in the pose that is shown; nothing while the document has other handles than the binding, and
+/// where it is that map already: organs that come or look otherwise are changes, too.
 void LiveStress::Impl::evaluate() {
   if (!organ || !boundToTarget || rigSeen != document.state().rig || systemSeen != document.state().system)
     return;
   const Points& pose = live.shownPose();
-  if (pose.rows() != bound.gradients->handles())
+  if (pose.rows() != bound.gradients->handles() || (evaluated.rows() == pose.rows() && evaluated == pose))
     return;
   bound.gradients->evaluate(pose, *map, options.threads);
   bound.positions->deform(pose, *points, options.threads);
   for (const int point : bound.positions->report().failures)
     points->row(point) = mesh->points.row(point);
   statistics = deformation::statisticsOf(*map, mesh->witnesses);
+  evaluated = pose;
   ++revision;
   pending.moved = true;
 }

@@ -40,7 +40,7 @@ void LockedMotion::chooseWay() {
   int influenced = 0;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
     const Vec3 gradient = gradients.row(static_cast<Eigen::Index>(k)).transpose();
-    if (gradient.norm() <= kNoInfluence * std::pow(surfaces[k].targetMm3, 2.0 / 3))
+    if (gradient.norm() <= leastInfluence(k))
       continue;
     ++influenced;
     bending_ = k;
@@ -48,6 +48,22 @@ void LockedMotion::chooseWay() {
   }
   if (influenced > 0)
     translations_ = influenced > 1 || setup_.alwaysCompensate ? Way::compensated : Way::bent;
+}
+
+double LockedMotion::leastInfluence(std::size_t surface) const {
+  return kNoInfluence * std::pow(setup_.lock->surfaces()[surface].targetMm3, 2.0 / 3);
+}
+
+/// What of a vector lies in the plane that holds translations.
+Vec3 LockedMotion::inPlane(const Vec3& vector) const {
+  return setup_.plane ? Vec3(vector - setup_.plane->dot(vector) * *setup_.plane) : vector;
+}
+
+/// The way along which a translation is corrected. Zero where it cannot be: in a plane that has only the
+/// gradient's rounding, the correction would go in any direction.
+Vec3 LockedMotion::correction(const Vec3& gradient) const {
+  const Vec3 way = inPlane(gradient);
+  return way.norm() <= leastInfluence(bending_) ? Vec3(Vec3::Zero()) : way;
 }
 
 /// The start with the selection, and the partners, translated.
@@ -83,26 +99,28 @@ double LockedMotion::relativeError(const std::vector<double>& volumes) const {
 }
 
 /// Goes to the point nearest to `wanted` on the surface of constant volume, by Newton's steps: one is enough
-/// where that surface is a plane.
+/// where that surface is a plane. `wanted` lies in the plane that holds translations, and so does what is
+/// added.
 bool LockedMotion::bend(const Vec3& wanted) {
   const double target = setup_.lock->surfaces()[bending_].targetMm3;
-  Vec3 gradient = gradient_;
+  Vec3 way = correction(gradient_);
   Vec3 by = Vec3::Zero();
   double missing = target - setup_.lock->volumes(setup_.start)[bending_];
   double error = 0;
   Points pose;
   for (int step = 0; step < kMostSteps; ++step) {
     // The nearest point of the tangent plane at `by`, where the volume is short of `missing`.
-    by = wanted + gradient * ((missing - gradient.dot(wanted - by)) / gradient.squaredNorm());
+    const double steepness = way.squaredNorm();
+    by = steepness > 0 ? Vec3(wanted + way * ((missing - way.dot(wanted - by)) / steepness)) : wanted;
     pose = moved(by);
     const auto volumes = setup_.lock->volumes(pose);
     const double before = std::exchange(error, relativeError(volumes));
     if (error <= kRoundingOfVolume || (step > 0 && error >= before))
       break;
     missing = target - volumes[bending_];
-    gradient = gradientsOfMotion(pose).row(static_cast<Eigen::Index>(bending_)).transpose();
-    if (gradient.squaredNorm() == 0)
-      return false;
+    way = correction(gradientsOfMotion(pose).row(static_cast<Eigen::Index>(bending_)).transpose());
+    if (way.squaredNorm() == 0)
+      break;
   }
   if (!(error <= deformation::VolumeLock::kRelativeTolerance) || !pose.allFinite())
     return false;
@@ -124,7 +142,8 @@ bool LockedMotion::compensate(const Points& wanted) {
   return true;
 }
 
-const Points& LockedMotion::translate(const Vec3& by) {
+const Points& LockedMotion::translate(const Vec3& wanted) {
+  const Vec3 by = inPlane(wanted);
   obstacle_.clear();
   if (translations_ == Way::free) {
     pose_ = moved(by);

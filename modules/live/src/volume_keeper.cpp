@@ -132,9 +132,11 @@ std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& h
 }
 
 LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
-                                 const std::optional<deformation::MirrorPlane>& mirror) {
+                                 const std::optional<deformation::MirrorPlane>& mirror,
+                                 const std::optional<Vec3>& plane) {
   const auto organs = lockedOrgans();
   LockedMotion::Setup setup{lockOf(organs), *state_.pose, rowsOf(*state_.rig, handles)};
+  setup.plane = plane;
   if (mirror)
     setup.mirror = {*mirror, partners(handles, *mirror)};
   if (setup.lock) {

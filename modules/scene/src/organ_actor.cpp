@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -77,7 +78,8 @@ struct OrganActor::Parts {
   std::shared_ptr<const Points> points;
   std::shared_ptr<const Values> values;
   geometry::VertexTriangles around;
-  geometry::Normals normals;
+  geometry::Normals normals; ///< Of all triangles.
+  bool normalsDue = true;    ///< They are of earlier points.
   Threads threads;
   bool vertexColors = false;
   bool selected = false;
@@ -85,6 +87,9 @@ struct OrganActor::Parts {
 
   int coarsePart = 1; ///< One in so many vertices is a corner of `coarse`.
   Triangles coarse;
+  geometry::VertexTriangles aroundCoarse;
+  geometry::Normals coarseNormals; ///< Of `coarse`; zero at vertices that are no corners of it.
+  bool coarseNormalsDue = true;
   vtkSmartPointer<vtkCellArray> cells;
   vtkSmartPointer<vtkCellArray> coarseCells;
 
@@ -97,6 +102,8 @@ struct OrganActor::Parts {
   vtkNew<WallActor> actor;
 
   void buildData();
+  const geometry::Normals& wholeNormals();
+  void drawNormals();
   void chooseColoring();
   void chooseLook();
 };
@@ -120,6 +127,23 @@ void OrganActor::Parts::buildData() {
     data->GetPointData()->AddArray(colorArray);
     vertexColors = true;
   }
+}
+
+const geometry::Normals& OrganActor::Parts::wholeNormals() {
+  if (std::exchange(normalsDue, false))
+    geometry::vertexNormals(*points, mesh->triangles, around, normals, threads);
+  return normals;
+}
+
+/// Has VTK draw the normals of the triangles that it draws. It lights a triangle on the side from which it is
+/// seen, and takes its normals to be of that side: those of the whole surface may be of the other one where a
+/// coarse triangle lies across a fold, which was black then.
+void OrganActor::Parts::drawNormals() {
+  const bool few = data->GetPolys() == coarseCells.Get();
+  if (few && std::exchange(coarseNormalsDue, false))
+    geometry::vertexNormals(*points, coarse, aroundCoarse, coarseNormals, threads);
+  const geometry::Normals& drawn = few ? coarseNormals : wholeNormals();
+  look(normalArray.Get(), drawn.data(), drawn.size());
 }
 
 void OrganActor::Parts::chooseColoring() {
@@ -183,15 +207,15 @@ const Points& OrganActor::points() const {
 
 void OrganActor::pointsChanged() {
   auto& p = *parts_;
-  geometry::vertexNormals(*p.points, p.mesh->triangles, p.around, p.normals, p.threads);
+  p.normalsDue = p.coarseNormalsDue = true;
   look(p.pointArray.Get(), p.points->data(), p.points->size());
-  look(p.normalArray.Get(), p.normals.data(), p.normals.size());
+  p.drawNormals();
   p.data->GetPoints()->Modified();
   p.data->Modified();
 }
 
 const geometry::Normals& OrganActor::normals() const {
-  return parts_->normals;
+  return parts_->wholeNormals();
 }
 
 Bounds OrganActor::bounds() const {
@@ -301,10 +325,14 @@ void OrganActor::setCoarse(int part) {
     p.coarsePart = part;
     p.coarse = geometry::coarseTriangles(*p.mesh, std::max(kFewest, p.mesh->points.rows() / part));
     p.coarseCells = cellsOf(p.coarse);
+    p.aroundCoarse = geometry::vertexTriangles(p.mesh->points.rows(), p.coarse);
+    p.coarseNormalsDue = true;
   }
   vtkCellArray* wanted = part > 1 ? p.coarseCells : p.cells;
-  if (p.data->GetPolys() != wanted)
-    p.data->SetPolys(wanted);
+  if (p.data->GetPolys() == wanted)
+    return;
+  p.data->SetPolys(wanted);
+  p.drawNormals();
 }
 
 bool OrganActor::scalarsShown() const {

@@ -34,6 +34,8 @@ void vtkVisceraHandleSetWidget::Tell(unsigned long event) {
   HandleEvent payload;
   payload.handle = handles->GetActiveHandle();
   payload.moving = Dragging ? handles->GetDraggedHandles() : handles->GetSelection();
+  if (Dragging)
+    payload.plane = Plane;
   if (payload.handle >= 0)
     payload.position = payload.start = handles->GetPosition(payload.handle);
   for (std::size_t k = 0; Dragging && k < payload.moving.size(); ++k)
@@ -82,16 +84,18 @@ bool vtkVisceraHandleSetWidget::PressHandle(bool extends) {
 void vtkVisceraHandleSetWidget::Press(int x, int y) {
   if (!PressHandle(Interactor->GetShiftKey() || Interactor->GetControlKey()))
     return;
+  Plane.reset();
   BeginDrag(x, y);
   RenderAfterChange();
 }
 
-bool vtkVisceraHandleSetWidget::Grab(int handle, bool extends) {
+bool vtkVisceraHandleSetWidget::Grab(int handle, bool extends, const std::optional<viscera::Vec3>& plane) {
   if (Dragging || !Enabled || handle < 0 || handle >= GetHandleSet()->GetNumberOfHandles())
     return false;
   SetHovered(handle);
   if (!PressHandle(extends))
     return false;
+  Plane = plane;
   BeginDrag(0, 0); // Where this view's cursor is does not matter to `DragTo`.
   RenderAfterChange();
   return Dragging;

@@ -129,6 +129,17 @@ TEST(LiveBinding, FollowsThePoseOfTheDocument) {
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points) << "back at rest, exactly";
 }
 
+TEST(LiveBinding, SaysOfOrgansThatMoveTogetherWhichNewsIsTheLast) {
+  Live l;
+  l.undo.perform(document::addOrgans(
+      {tests::ball("Second", 9, 2, {12, 0, 0}), tests::ball("Third", 9, 2, {-12, 0, 0})}));
+  std::vector<bool> more;
+  const Subscription subscription =
+      l.live.onEvent([&](const LiveEvent& event) { more.push_back(event.more); });
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  EXPECT_EQ(more, (std::vector<bool>{true, true, false}));
+}
+
 TEST(LiveBinding, TellsWhenEveryObserverOfTheDocumentMayKnowOfTheChangeAndIsItselfUpToDateThen) {
   tests::Session s;
   plugin::Registry registry = plugin::builtInRegistry();

@@ -134,6 +134,26 @@ TEST(LiveStress, IsTheDirectEvaluationInEveryPoseThatIsShown) {
   EXPECT_EQ(s.stress.map().rotationalStress, expected.rotationalStress);
 }
 
+TEST(LiveStress, IsNotComputedAnewWhereOrgansOnlyComeOrLookOtherwise) {
+  Stressed s;
+  s.begin();
+  s.move(0, Vec3(8, -5, 11));
+  const std::uint64_t revision = s.stress.frame().revision;
+  s.heard = {};
+  document::OrganLook look;
+  look.opacity = 0.5;
+  s.undo.perform(document::setOrganLook(s.organ(), look));
+  s.undo.perform(document::addOrgans({tests::ball("Second", 9, 2, {12, 0, 0})}));
+  EXPECT_FALSE(s.heard.moved);
+  EXPECT_EQ(s.stress.frame().revision, revision);
+  // Who comes back to the organ finds the map of the pose that there is then.
+  s.stress.follow({});
+  s.move(0, Vec3(3, 0, 0));
+  s.stress.follow(s.organ());
+  EXPECT_TRUE(s.heard.moved);
+  EXPECT_NE(s.stress.frame().revision, revision);
+}
+
 TEST(LiveStress, OfARigidMotionIsZero) {
   Stressed s;
   s.begin();

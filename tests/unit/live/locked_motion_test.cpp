@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -60,8 +61,10 @@ public:
     return worst;
   }
 
-  LockedMotion motion(const std::vector<int>& selection, const std::vector<int>& marked = {}) const {
+  LockedMotion motion(const std::vector<int>& selection, const std::vector<int>& marked = {},
+                      const std::optional<Vec3>& plane = std::nullopt) const {
     LockedMotion::Setup setup{lock, handles, selection};
+    setup.plane = plane;
     setup.limitMm = 0.5 * boundsOf(handles).diagonal();
     setup.compensating = marked;
     setup.alwaysCompensate = !marked.empty();
@@ -72,8 +75,10 @@ public:
     return LockedMotion(std::move(setup));
   }
 
-  LockedMotion mirrored(const std::vector<int>& selection, const MirrorPlane& plane) const {
+  LockedMotion mirrored(const std::vector<int>& selection, const MirrorPlane& plane,
+                        const std::optional<Vec3>& slice = std::nullopt) const {
     LockedMotion::Setup setup{lock, handles, selection};
+    setup.plane = slice;
     setup.mirror = {plane, deformation::mirrorPartners(handles, selection, plane, 0.2 * size)};
     setup.limitMm = 0.5 * boundsOf(handles).diagonal();
     return LockedMotion(std::move(setup));
@@ -201,6 +206,25 @@ TEST_P(LockedMotions, MarkedHandlesMakeUpForTheVolumeAndTheDraggedOneGoesWhereIt
   EXPECT_EQ(motion.planeNormal(), Vec3(Vec3::Zero()));
 }
 
+TEST_P(LockedMotions, ADragThatIsHeldToASliceStaysInItAndKeepsTheVolumes) {
+  for (int drag = 0; drag < 12; ++drag) {
+    const int axis = drag % 3;
+    const LockedMotion begun = organ_->motion(random_.handles(drag % 2 ? 5 : 1), {}, Vec3(Vec3::Unit(axis)));
+    const double length = random_.between(0.02, 0.2) * organ_->size;
+    const Vec3 by = length * random_.direction();
+    const std::string what = "drag " + std::to_string(drag);
+    expectKeptAlong(
+        *organ_, begun, length,
+        [&](LockedMotion& motion, double part) -> const Points& {
+          const Points& pose = motion.translate(part * by);
+          for (const int row : motion.selection())
+            EXPECT_EQ(pose(row, axis), motion.start()(row, axis)) << what;
+          return pose;
+        },
+        what);
+  }
+}
+
 TEST_P(LockedMotions, GoingBackToWhereItBeganEndsWhereItBegan) {
   for (const int count : {1, 5}) {
     LockedMotion motion = organ_->motion(random_.handles(count));
@@ -228,6 +252,57 @@ TEST(LockedMotion, ADraggedHandleComesAsNearAsThePlaneAllows) {
     EXPECT_NEAR(normal.norm(), 1, 1e-12);
     EXPECT_NEAR((moved - (by - normal.dot(by) * normal)).norm(), 0, 1e-9 * organ.size);
   }
+}
+
+TEST(LockedMotion, HeldToASliceAHandleComesAsNearAsTheLineInItAllowsAndNothingElseMoves) {
+  const LockedOrgan organ("stomach", 1);
+  Random random(5);
+  for (int drag = 0; drag < 12; ++drag) {
+    const int axis = drag % 3;
+    LockedMotion motion = organ.motion(random.handles(1), {}, Vec3(Vec3::Unit(axis)));
+    const int row = motion.selection().front();
+    const Vec3 by = 0.2 * organ.size * random.direction();
+    Points others = motion.translate(by) - motion.start();
+    const Vec3 moved = others.row(row).transpose();
+    others.row(row).setZero();
+    EXPECT_EQ(others.norm(), 0);
+    Vec3 inSlice = by;
+    inSlice[axis] = 0;
+    // The line along which the volume stays is at a right angle to what the slice has of the gradient.
+    const Vec3 line = motion.planeNormal().cross(Vec3(Vec3::Unit(axis))).normalized();
+    EXPECT_NEAR((moved - line.dot(inSlice) * line).norm(), 0, 1e-9 * organ.size) << "drag " << drag;
+    EXPECT_LE(organ.error(motion.pose()), kAllowedError);
+  }
+}
+
+TEST(LockedMotion, HeldToThePlaneInWhichTheVolumeStaysAHandleGoesWhereverThatPlaneLeads) {
+  const LockedOrgan organ("stomach", 1);
+  Random random(9);
+  for (int drag = 0; drag < 6; ++drag) {
+    const std::vector<int> handle = random.handles(1);
+    const Vec3 normal = organ.motion(handle).planeNormal();
+    LockedMotion motion = organ.motion(handle, {}, normal);
+    const Vec3 by = 0.2 * organ.size * random.direction();
+    const int row = handle.front();
+    const Vec3 moved = (motion.translate(by).row(row) - motion.start().row(row)).transpose();
+    EXPECT_NEAR((moved - (by - normal.dot(by) * normal)).norm(), 0, 1e-9 * organ.size) << "drag " << drag;
+    EXPECT_LE(organ.error(motion.pose()), kAllowedError);
+  }
+}
+
+TEST(LockedMotion, HeldToASliceAPairOfMirrorImagesStaysInItToo) {
+  const LockedOrgan organ("heart", 1);
+  Random random(2);
+  const MirrorPlane sagittal{organ.center, Vec3::UnitX()};
+  double farthest = 0;
+  for (int drag = 0; drag < 6; ++drag) {
+    LockedMotion motion = organ.mirrored(random.handles(1), sagittal, Vec3(Vec3::UnitZ()));
+    const Points way = motion.translate(0.1 * organ.size * random.direction()) - motion.start();
+    EXPECT_LE(organ.error(motion.pose()), kAllowedError);
+    EXPECT_EQ(way.col(2).cwiseAbs().maxCoeff(), 0) << "drag " << drag;
+    farthest = std::max(farthest, longest(way));
+  }
+  EXPECT_GT(farthest, 0.01 * organ.size);
 }
 
 TEST(LockedMotion, AWishBeyondReachStopsOnItsWayAndSaysWhy) {

@@ -9,6 +9,7 @@
 #include <vtkProperty.h>
 
 #include "viscera/core/error.h"
+#include "viscera/geometry/coarse_triangles.h"
 #include "viscera/scene/organ_actor.h"
 
 #include "shapes.h"
@@ -23,6 +24,12 @@ std::shared_ptr<geometry::TriangleMesh> ball(int levels = 3) {
 
 const void* pointsSeen(const OrganActor& actor) {
   return actor.polyData()->GetPoints()->GetVoidPointer(0);
+}
+
+geometry::Normals normalsSeen(const OrganActor& actor) {
+  auto* seen = actor.polyData()->GetPointData()->GetNormals();
+  return Eigen::Map<const geometry::Normals>(static_cast<const float*>(seen->GetVoidPointer(0)),
+                                             seen->GetNumberOfTuples(), 3);
 }
 
 TEST(OrganActor, VtkLooksAtTheMeshItself) {
@@ -58,6 +65,29 @@ TEST(OrganActor, IsDrawnWithFewerTrianglesOnTheSamePointsAndWholeAgain) {
   EXPECT_EQ(pointsSeen(actor), mesh->points.data());
   actor.setCoarse(1);
   EXPECT_EQ(actor.polyData()->GetNumberOfPolys(), mesh->triangles.rows());
+}
+
+TEST(OrganActor, ItsFewTrianglesAreLitByTheirOwnNormalsWhereItFolds) {
+  const auto mesh = ball(5);
+  OrganActor actor(mesh);
+  actor.setCoarse(8);
+  auto posed = std::make_shared<Points>(mesh->points);
+  actor.setPoints(posed);
+  const Triangles few = geometry::coarseTriangles(*mesh, mesh->points.rows() / 8);
+  for (const double fold : {10.0, 30.0}) {
+    posed->col(0) =
+        (mesh->points.col(0).array() + fold * (0.25 * mesh->points.col(2).array()).sin()).matrix();
+    actor.pointsChanged();
+    const geometry::Normals whole = geometry::vertexNormals({*posed, mesh->triangles, {}});
+    const geometry::Normals own = geometry::vertexNormals({*posed, few, {}});
+    EXPECT_TRUE(normalsSeen(actor) == own);
+    EXPECT_TRUE(actor.normals() == whole) << "who asks for places on the organ is told of all of it";
+    EXPECT_TRUE(normalsSeen(actor) == own) << "and the picture stays";
+    actor.setCoarse(1);
+    EXPECT_TRUE(normalsSeen(actor) == whole);
+    actor.setCoarse(8);
+    EXPECT_TRUE(normalsSeen(actor) == own);
+  }
 }
 
 TEST(OrganActor, FollowsThePosedPointsWithoutCopyEvenWhenTheyMoveInMemory) {

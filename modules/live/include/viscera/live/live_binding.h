@@ -42,6 +42,9 @@ struct LiveEvent {
   bool moved = false;    ///< `points` has other values.
   bool replaced = false; ///< `points` is another array: whoever looks at its memory must look again.
   bool status = false;   ///< `status` is new.
+  /// Other organs' events of the same change follow: all organs are as they will be, so who looks at all of
+  /// them can wait for the last event.
+  bool more = false;
 };
 
 /// Keeps every organ of a document bound to its handles and in the pose that is shown. Edits of the rest

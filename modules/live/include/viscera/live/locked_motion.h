@@ -22,6 +22,8 @@ namespace viscera::live {
 /// * Anything else (rotation, scaling, several locks, or handles that the user made compensate): the handles
 /// go
 ///   where they are wanted, and the others make up for the volume by the least displacement.
+/// * Translations that are held to a plane (`Setup::plane`) are corrected along it only: a selection alone
+///   then goes along the line in which it meets the plane of the lock.
 /// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` says why.
 ///
 /// A target costs one to three evaluations of the volumes when it is bent, about four evaluations and
@@ -42,14 +44,18 @@ public:
     std::vector<int> compensating = {}; ///< Those that may make up for the volume, ascending.
     bool alwaysCompensate = false;      ///< They do so even where the motion could be bent instead.
     double limitMm = 0;                 ///< The farthest that one of them may go.
+    /// The unit normal of a plane that translations of the selection do not leave, whatever is wanted: that
+    /// of the slice in which the hand is.
+    std::optional<Vec3> plane = std::nullopt;
   };
 
   explicit LockedMotion(Setup setup);
 
   /// Each of these is wanted in place of what was wanted before, counted from the start; returns `pose()`.
   ///
-  /// Moves the selection by `by` (mm), and its partners by the mirrored vector.
-  const Points& translate(const Vec3& by);
+  /// Moves the selection by `wanted` (mm), or what of it lies in `Setup::plane`, and its partners by the
+  /// mirrored vector.
+  const Points& translate(const Vec3& wanted);
   /// Turns the selection about `center` by `angle` (rad) around the unit `axis`.
   const Points& rotate(const Vec3& center, const Vec3& axis, double angle);
   /// Scales the selection about `center` along x, y and z.
@@ -61,8 +67,8 @@ public:
   const Points& pose() const { return pose_; }
   const Points& start() const { return setup_.start; }
   const std::vector<int>& selection() const { return setup_.selection; }
-  /// The unit normal of the plane in which the selection may be translated, the way in which the volume
-  /// grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
+  /// The unit normal of the plane in which the lock lets the selection be translated, the way in which the
+  /// volume grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
   Vec3 planeNormal() const;
   /// Why the last wish was not met as far as the volumes go; empty when it was.
   const std::string& obstacle() const { return obstacle_; }
@@ -73,6 +79,9 @@ private:
   Points moved(const Vec3& by) const;
   Points gradientsOfMotion(const Points& pose) const;
   void chooseWay();
+  double leastInfluence(std::size_t surface) const;
+  Vec3 inPlane(const Vec3& vector) const;
+  Vec3 correction(const Vec3& gradient) const;
   bool bend(const Vec3& wanted);
   bool compensate(const Points& wanted);
   double relativeError(const std::vector<double>& volumes) const;

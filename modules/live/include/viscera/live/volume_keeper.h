@@ -50,10 +50,12 @@ public:
   /// while one change follows another.
   void dropOutdated();
 
-  /// A motion of these handles from the document's pose; locked handles among them are left out. Throws
-  /// `DataError` when an organ with a locked volume is still being bound: what it will be is not known yet.
+  /// A motion of these handles from the document's pose; locked handles among them are left out. With the
+  /// unit normal of a `plane` its translations stay in that plane (`LockedMotion::Setup`). Throws `DataError`
+  /// when an organ with a locked volume is still being bound: what it will be is not known yet.
   LockedMotion begin(const std::vector<document::HandleId>& handles,
-                     const std::optional<deformation::MirrorPlane>& mirror = std::nullopt);
+                     const std::optional<deformation::MirrorPlane>& mirror = std::nullopt,
+                     const std::optional<Vec3>& plane = std::nullopt);
 
   /// The pose in which an organ has another volume, mm^3: the compensating handles, or all that are free,
   /// move as little as that takes, and other locked volumes stay. Throws `DataError` when there is none

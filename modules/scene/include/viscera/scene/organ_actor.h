@@ -39,12 +39,14 @@ public:
   void setPoints(std::shared_ptr<const Points> points);
   const Points& points() const;
 
-  /// Computes the normals of the points as they are now and tells VTK that both have changed. Call after
-  /// every change of the points, before the next render. Follows an array that has moved in memory. O(n + m),
-  /// on several threads.
+  /// Computes the normals of the points as they are now, of the triangles that are drawn, and tells VTK that
+  /// both have changed. Call after every change of the points, before the next render. Follows an array that
+  /// has moved in memory. O(n + m), on several threads.
   void pointsChanged();
 
-  /// The normals that are drawn, `n x 3`.
+  /// The normals of the whole surface, `n x 3`, for the points as they were at the last `pointsChanged`:
+  /// those that are drawn, unless the surface is coarse. O(n + m) for who asks first after that while it is
+  /// coarse.
   const geometry::Normals& normals() const;
   /// The box of the points that are drawn. O(n).
   Bounds bounds() const;
@@ -89,8 +91,9 @@ public:
   void setDrawnWithoutPeeling(bool unpeeled);
 
   /// Draws the surface with fewer triangles, between one in `part` of its vertices
-  /// (`geometry::coarseTriangles`) and no fewer than some hundreds; they follow its points. 1: all of it.
-  /// `OrganView` calls it while something moves. O(n log n) for another part than the one before.
+  /// (`geometry::coarseTriangles`) and no fewer than some hundreds; they follow its points, and have normals
+  /// of their own. 1: all of it. `OrganView` calls it while something moves. O(n log n) for another part than
+  /// the one before.
   void setCoarse(int part);
 
   vtkActor* actor() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <vtkCommand.h>
@@ -57,10 +58,11 @@ public:
   /// The hand of another view that shows the same handles, a slice of a scan: the same events follow as from
   /// this view's mouse. `SetHovered` says which handle is under the cursor there (-1: none). `Grab` is a
   /// press on one, which selects as a press here does (`extends`: with Shift or Ctrl), and says whether it is
-  /// in the hand now: a locked one never is. `DragTo` brings it to a place, mm, and what is dragged along by
-  /// the same way. `Drop` lets it go. `CancelDrag` puts everything back.
+  /// in the hand now: a locked one never is. `plane` is the unit normal of the plane that this hand keeps to,
+  /// for the listeners. `DragTo` brings it to a place, mm, and what is dragged along by the same way. `Drop`
+  /// lets it go. `CancelDrag` puts everything back.
   void SetHovered(int handle);
-  bool Grab(int handle, bool extends);
+  bool Grab(int handle, bool extends, const std::optional<viscera::Vec3>& plane = std::nullopt);
   void DragTo(const viscera::Vec3& position);
   void Drop();
   ///@}
@@ -85,4 +87,5 @@ private:
   bool RenderOnChange = true;
   bool Moved = false;
   bool AloneOnRelease = false;
+  std::optional<viscera::Vec3> Plane; ///< That the hand of the present drag keeps to.
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "viscera/core/arrays.h"
@@ -16,6 +17,8 @@ struct HandleEvent {
   Vec3 position = Vec3::Zero(); ///< Where that handle is now, mm.
   Vec3 start = Vec3::Zero();    ///< Where it was when it was grabbed, mm.
   std::vector<int> moving; ///< During a drag every handle that moves with it, ascending; else the selection.
+  /// The unit normal of the plane that the hand keeps to, a slice's; none in a 3D view.
+  std::optional<Vec3> plane = std::nullopt;
   Vec3 delta() const { return position - start; } ///< The same for every handle of `moving`.
 };
 
