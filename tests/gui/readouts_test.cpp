@@ -4,11 +4,13 @@
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QLabel>
+#include <QSpinBox>
 #include <QTreeWidget>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -21,6 +23,7 @@
 #include "window/language.h"
 #include "window/session/session_files.h"
 #include "window/timeline/chart_cursor.h"
+#include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/widgets/elided_label.h"
 
@@ -193,6 +196,47 @@ TEST_F(Readouts, NormalRangesOfABeatAreShownOfABeatOnly) {
     }
   EXPECT_TRUE(waitUntil([&] { return !source->fullText().isEmpty(); }));
   EXPECT_TRUE(waitUntil([&] { return !find<QLabel>("normalRanges").isHidden(); }));
+}
+
+TEST_F(Readouts, NoRateIsShownWhereThereIsNoMotion) {
+  const auto& rate = find<QSpinBox>("rate");
+  window().playback().setRate(150);
+  ASSERT_EQ(rate.text(), QStringLiteral("150 / min"));
+  key(Qt::Key_N, Qt::ControlModifier);
+  ASSERT_EQ(window().playback().sequence(), nullptr);
+  EXPECT_EQ(rate.text(), QStringLiteral("-"));
+  EXPECT_FALSE(rate.toolTip().contains(QStringLiteral("Heartbeat"))) << rate.toolTip().toStdString();
+  loadSample(QStringLiteral("liver"));
+  EXPECT_EQ(rate.text(),
+            QStringLiteral("%1 / min").arg(std::lround(window().playback().player().ratePerMinute())));
+}
+
+/// A motion that can be played at one rate only, as the beat of a circulation.
+class OneRate final : public sequences::Sequence {
+public:
+  explicit OneRate(double perMinute) : rate_(perMinute) {}
+
+  std::string id() const override { return "one-rate"; }
+  std::string name() const override { return "One rate"; }
+  const Points& restHandles() const override { return rest_; }
+  double standardRatePerMinute() const override { return rate_; }
+  double lowestRatePerMinute() const override { return rate_; }
+  double highestRatePerMinute() const override { return rate_; }
+  void poseAt(double, double, Points& pose) const override { pose = rest_; }
+  std::vector<sequences::Phase> phases(double) const override { return {{"all", 0, 1}}; }
+
+private:
+  Points rest_;
+  double rate_;
+};
+
+TEST(RateOfTheTimeline, IsTheOnlyOneThereIsAlsoWhereThatHasAFraction) {
+  QSpinBox box;
+  for (const double rate : {60 / (60 / 110.0), 85.7}) {
+    app::showRate(box, OneRate(rate), rate);
+    EXPECT_EQ(box.value(), std::lround(rate));
+    EXPECT_EQ(box.minimum(), box.maximum());
+  }
 }
 
 TEST_F(Readouts, TheTwoViewsHaveNumbersWhereLettersAreSides) {
