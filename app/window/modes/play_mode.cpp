@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
@@ -35,6 +36,10 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
   return walls.empty() ? organs : walls;
 }
 
+QString keyRemark(const document::SequenceKey& key) {
+  return PlayMode::tr("Key at %1 s").arg(formatNumber(key.seconds, 2));
+}
+
 } // namespace
 
 PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
@@ -57,6 +62,10 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
   connect(circulation_.get(), &CirculationModel::changed, this,
           [this] { comparison_->setBeside(circulation_->keptBeat()); });
   connect(&parts.view, &ViewModel::changed, this, &Mode::chartWantedChanged);
+  subscription_ = parts.workspace.onChange([this](const document::Change& change) {
+    if (change.keySequence())
+      retractKey();
+  });
 }
 
 PlayMode::~PlayMode() {
@@ -336,9 +345,19 @@ void PlayMode::slower() {
 }
 
 void PlayMode::addKey() {
-  const double seconds = keySequence_->nextSeconds();
-  if (keySequence_->addKey(seconds, sequences::Easing::smooth))
-    parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
+  if (!keySequence_->addKey(keySequence_->nextSeconds(), sequences::Easing::smooth))
+    return;
+  const document::SequenceKey& key = workspace_.document().keySequence().keys.back();
+  toldKey_ = key.id;
+  keyRemark_ = keyRemark(key);
+  parts_.area.showBadge(keyRemark_);
+}
+
+/// Undo may have removed the key that the view still speaks of, or its time may be another one.
+void PlayMode::retractKey() {
+  const document::SequenceKey* key = workspace_.document().keySequence().key(toldKey_);
+  if (!keyRemark_.isEmpty() && (!key || keyRemark(*key) != keyRemark_))
+    parts_.area.retractBadge(std::exchange(keyRemark_, {}));
 }
 
 bool PlayMode::record(const MoviePlan& plan) {

@@ -71,6 +71,7 @@ private:
   bool seesThrough() const;
   void slower();
   void addKey();
+  void retractKey();
   void sayRecorded(bool complete, const MoviePlan& plan);
 
   std::unique_ptr<Comparison> comparison_;
@@ -83,6 +84,9 @@ private:
   QPointer<CirculationPanel> chart_;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
+  document::KeyId toldKey_; ///< The view said that it was recorded.
+  QString keyRemark_;       ///< What was said of it; empty when that no longer holds.
+  Subscription subscription_;
 };
 
 } // namespace viscera::app
