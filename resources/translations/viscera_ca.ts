@@ -2802,7 +2802,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1: this view is kept</source>
-        <translation>%1: aquesta vista s'ha desat</translation>
+        <translation>%1: aquesta vista s&apos;ha desat</translation>
     </message>
 </context>
 <context>
@@ -3943,6 +3943,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls corbats.</translation>
+    </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Aquesta seqüència no diu res de les vàlvules: trieu el batec del cor</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Només el cor de mostra té vàlvules per mostrar</translation>
     </message>
 </context>
 <context>

@@ -3944,6 +3944,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine gebogenen Schnitte.</translation>
     </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Diese Sequenz sagt nichts über Klappen: wählen Sie den Herzschlag</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Nur das Beispielherz hat Klappen, die gezeigt werden können</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>

@@ -3944,6 +3944,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>La película no muestra distancias, superficies ajenas ni cortes curvados.</translation>
     </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Esta secuencia no dice nada de las válvulas: elija el latido</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Solo el corazón de muestra tiene válvulas que mostrar</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>

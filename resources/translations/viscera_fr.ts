@@ -3944,6 +3944,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes courbées.</translation>
     </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Cette séquence ne dit rien des valves&#x202f;: choisissez le battement du cœur</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Seul le cœur type a des valves à montrer</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
