@@ -119,6 +119,24 @@ TEST_F(Readouts, OfALectureAreOfTheFrameThatIsDrawn) {
   }
 }
 
+TEST_F(Readouts, OfALectureWithTwoViewsSayOfWhichViewTheyAre) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  app::Workspace& second = parts().comparison().workspace();
+  ASSERT_TRUE(waitUntil([&] { return !second.live().busy() && second.jobs().idle(); }));
+  key(Qt::Key_F5);
+  window().playback().seek(0.4);
+  settle();
+  const QStringList rows =
+      find<QLabel>("lectureNumbers").text().replace(QChar::Nbsp, QLatin1Char(' ')).split(QLatin1Char('\n'));
+  ASSERT_EQ(rows.size(), 2) << rows.join(QLatin1Char('|')).toStdString();
+  const double volumes[] = {volumeOf("LV"), volumeIn(second, "LV")};
+  ASSERT_GT(std::abs(volumes[0] - volumes[1]), 1) << "the second beats twice as fast";
+  for (int side = 0; side < 2; ++side) {
+    EXPECT_TRUE(rows[side].startsWith(QStringLiteral("%1: ").arg(side + 1))) << rows[side].toStdString();
+    EXPECT_TRUE(rows[side].contains(app::formatNumber(volumes[side], 1))) << rows[side].toStdString();
+  }
+}
+
 TEST_F(Readouts, TheChartsCursorIsAtTheInstantInEveryFrame) {
   auto* cursor = chart().findChild<app::ChartCursor*>();
   ASSERT_NE(cursor, nullptr);
