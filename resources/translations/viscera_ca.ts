@@ -3318,6 +3318,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indiqueu les fases amb el número, comptant des d’1, p. ex. 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Trieu primer una sèrie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Una sola imatge no mostra moviment</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>

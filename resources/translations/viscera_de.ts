@@ -3318,6 +3318,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>Nennen Sie Phasen mit ihrer Nummer, ab 1 gezählt, wie in 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Wählen Sie zuerst eine Serie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Ein einzelnes Bild zeigt keine Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>

@@ -3318,6 +3318,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indique las fases por su número, contando desde 1, p. ej. 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Elija primero una serie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Una sola imagen no muestra movimiento</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>

@@ -3318,6 +3318,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>nommez les phases par leurs numéros, comptés à partir de 1, comme 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Choisissez d’abord une série</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Une image seule ne montre pas de mouvement</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
