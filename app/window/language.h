@@ -71,6 +71,8 @@ QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
 /// What the language of the window writes before decimals, for texts that are drawn: ',' in German.
 char decimalMark();
+/// What stands between the numbers of a list: ", ", or "; " where decimals follow a comma: "80,5; 163,3".
+QString listSeparator();
 
 /// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
 std::optional<double> numberIn(const QString& typed);

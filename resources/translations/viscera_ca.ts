@@ -2137,7 +2137,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Vèrtex %1 de %2, en repòs a %3, %4, %5 mm (LPS)</translation>
+        <translation>Vèrtex %1 de %2, en repòs a %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>

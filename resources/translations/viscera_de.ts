@@ -2137,7 +2137,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Eckpunkt %1 von %2, in Ruhe bei %3, %4, %5 mm (LPS)</translation>
+        <translation>Eckpunkt %1 von %2, in Ruhe bei %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>

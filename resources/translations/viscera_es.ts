@@ -2137,7 +2137,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Vértice %1 de %2, en reposo en %3, %4, %5 mm (LPS)</translation>
+        <translation>Vértice %1 de %2, en reposo en %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>

@@ -2137,7 +2137,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Sommet %1 sur %2, au repos à %3, %4, %5 mm (LPS)</translation>
+        <translation>Sommet %1 sur %2, au repos à %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>

@@ -246,6 +246,7 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   {
     const InstalledLanguage german(QStringLiteral("de"));
     EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234,5"));
+    EXPECT_EQ(app::listSeparator(), QStringLiteral("; "));
     EXPECT_EQ(app::numberIn(QStringLiteral("0,25")), 0.25);
     EXPECT_EQ(app::numberIn(QStringLiteral("0.25")), 0.25) << "as in a table of another program";
     EXPECT_FALSE(app::numberIn(QStringLiteral("two")));
@@ -257,6 +258,7 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
     EXPECT_TRUE(voxels(3).contains(QLatin1Char('3')) && !voxels(3).contains(QLatin1String("tissue")));
   }
   EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234.5"));
+  EXPECT_EQ(app::listSeparator(), QStringLiteral(", "));
   EXPECT_EQ(voxels(1), QStringLiteral("The pose folds the tissue at 1 voxel: their values are estimates."));
 }
 
