@@ -224,6 +224,7 @@ TEST_F(Readouts, NoRateIsShownWhereThereIsNoMotion) {
   ASSERT_EQ(window().playback().sequence(), nullptr);
   EXPECT_EQ(rate.text(), QStringLiteral("-"));
   EXPECT_FALSE(rate.toolTip().contains(QStringLiteral("Heartbeat"))) << rate.toolTip().toStdString();
+  EXPECT_EQ(find<QLabel>("phase").toolTip(), QString()) << "nothing is at an instant of a cycle";
   loadSample(QStringLiteral("liver"));
   EXPECT_EQ(rate.text(),
             QStringLiteral("%1 / min").arg(std::lround(window().playback().player().ratePerMinute())));

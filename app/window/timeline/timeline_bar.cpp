@@ -169,7 +169,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   syncInstant();
 }
 
-/// A line says where sequences come from; nothing has a rate.
+/// A line says where sequences come from; nothing has a rate or is at an instant.
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion yet: choose a sequence in Play (5)");
   const QSignalBlocker quietRate(rate_), quietSlider(rateSlider_);
@@ -184,6 +184,7 @@ void TimelineBar::clearSequence() {
   syncSigns();
   scrubber_->setFraction(0);
   phase_->clear();
+  phase_->setToolTip({});
 }
 
 void TimelineBar::syncInstant() {
