@@ -12,6 +12,8 @@ source "$root/resources/scripts/prepare.sh"
 readonly build=$root/build/release
 mapfile -t packages < <(packages_to_build)
 install_packages "${packages[@]}"
+mapfile -t packages < <(packages_to_run_if_there)
+install_if_there "${packages[@]}"
 configure_and_build "$root" "$build" viscera_program -DVISCERA_BUILD_TESTS=OFF -DVISCERA_BUILD_BENCHMARKS=OFF
 
 readonly viscera=$build/bin/viscera

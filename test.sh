@@ -83,7 +83,7 @@ if [ "${1:-}" = --sanitise ]; then
   sanitise "${@:2}"
   exit
 fi
-mapfile -t packages < <(packages_to_test_if_there)
+mapfile -t packages < <(packages_to_run_if_there && packages_to_test_if_there)
 mapfile -t packages < <(known_of "${packages[@]}")
 [ "${#packages[@]}" -eq 0 ] || install_packages "${packages[@]}"
 unpack_paraview "$root/build/paraview"

@@ -93,6 +93,10 @@ char decimalMark() {
   return QLocale().decimalPoint().toLatin1();
 }
 
+QString listSeparator() {
+  return decimalMark() == ',' ? QStringLiteral("; ") : QStringLiteral(", ");
+}
+
 std::optional<double> numberIn(const QString& typed) {
   bool number = false;
   const double value = QLocale().toDouble(typed, &number);

@@ -58,7 +58,8 @@ private:
 
 /// Translates a name of the numerical modules into the language of the window: a name (a phase, a parameter,
 /// a part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h).
-/// As it is when it has no translation.
+/// A name with a number behind it, such as a handle's of a sequence, keeps the number. As it is when it has
+/// no translation.
 QString inWords(const std::string& name);
 
 /// Parts and seconds in the units that texts are in.
@@ -70,6 +71,8 @@ QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
 /// What the language of the window writes before decimals, for texts that are drawn: ',' in German.
 char decimalMark();
+/// What stands between the numbers of a list: ", ", or "; " where decimals follow a comma: "80,5; 163,3".
+QString listSeparator();
 
 /// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
 std::optional<double> numberIn(const QString& typed);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::app {
 namespace {
 
@@ -137,6 +139,12 @@ QString PhraseTranslator::exactly(const char* text, int n) const {
   return found;
 }
 
+QString PhraseTranslator::numbered(const std::string& text) const {
+  const std::size_t end = numberAtEnd(text);
+  const QString name = end < text.size() ? exactly(text.substr(0, end).c_str()) : QString();
+  return name.isEmpty() ? QString() : name + QString::fromStdString(text.substr(end));
+}
+
 QString PhraseTranslator::translateWhole(const QString& text) const {
   // An error begins with a capital letter, whoever says it (viscera/core/error.h).
   QString small = text;
@@ -164,14 +172,18 @@ QString PhraseTranslator::inWords(const QString& text) const {
   static const QRegularExpression number(QStringLiteral(R"(^-?\d+\.\d+$)"));
   if (number.match(text).hasMatch())
     return QString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());
-  const QString found = translate(kMessages, text.toUtf8().constData());
+  QString found = translate(kMessages, text.toUtf8().constData());
+  if (found.isEmpty())
+    found = numbered(text.toStdString());
   return found.isEmpty() ? text : found;
 }
 
 QString PhraseTranslator::translate(const char* context, const char* source, const char* disambiguation,
                                     int n) const {
-  if (context && source && qstrcmp(context, kContext) == 0)
-    return exactly(source, n);
+  if (context && source && qstrcmp(context, kContext) == 0) {
+    const QString name = exactly(source, n);
+    return name.isEmpty() ? numbered(source) : name;
+  }
   const QString exact = QTranslator::translate(context, source, disambiguation, n);
   if (!exact.isEmpty() || !context || !source || qstrcmp(context, kMessages) != 0)
     return exact;

@@ -52,6 +52,9 @@ private:
   QString translateWhole(const QString& text) const;
   /// The translation of exactly this text, here or of a plugin; null when there is none.
   QString exactly(const char* text, int n = -1) const;
+  /// Of a name with a number behind it, as sequences give to handles ("LV endocardium 3"): the name's
+  /// translation with the number; null when there is none.
+  QString numbered(const std::string& text) const;
   /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
   /// and what stands in quotes as it is, with the marks of the language.
   QString inWords(const QString& text) const;

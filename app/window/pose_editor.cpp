@@ -91,10 +91,10 @@ std::optional<Vec3> PoseEditor::moveBy(const std::vector<document::HandleId>& ha
     document::Command command = document::setPose(motion.pose());
     command.name = handles.size() == 1
                        ? tr("Move handle %1")
-                             .arg(text(workspace_.document()
-                                           .rig()
-                                           .handles[static_cast<std::size_t>(motion.selection().front())]
-                                           .label))
+                             .arg(inWords(workspace_.document()
+                                              .rig()
+                                              .handles[static_cast<std::size_t>(motion.selection().front())]
+                                              .label))
                              .toStdString()
                        : tr("Move %n handles", nullptr, static_cast<int>(handles.size())).toStdString();
     workspace_.undo().perform(command);

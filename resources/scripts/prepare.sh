@@ -11,6 +11,11 @@ packages_to_build() {
     pybind11-dev python3-dev python3-numpy
 }
 
+# Packages that the program does without: what Qt says itself (buttons such as Cancel, keys in menus) in other languages.
+packages_to_run_if_there() {
+  printf '%s\n' qttranslations5-l10n
+}
+
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libavcodec-dev \
     xvfb xauth xdotool clang-format-14 python3 python3-jsonschema chromium \
@@ -87,6 +92,18 @@ known_of() {
   for package in "$@"; do
     ! lists_know "$package" || printf '%s\n' "$package"
   done
+}
+
+# install_if_there NAME...: installs those that apt-get's lists know, where that needs no password of its own, and goes on
+# without them where it cannot.
+install_if_there() {
+  local -a missing known
+  find_missing "$@"
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  mapfile -t known < <(known_of "${missing[@]}")
+  [ "${#known[@]}" -gt 0 ] || return 0
+  [ "$(id -u)" -eq 0 ] || sudo -n true 2>/dev/null || return 0
+  (install_packages "${known[@]}") || say "Going on without: ${known[*]}"
 }
 
 # The libraries that a package file depends on.

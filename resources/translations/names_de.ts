@@ -188,6 +188,10 @@
         <translation>%1 von mehr als 1 GB passt nicht in eine Sitzungsdatei</translation>
     </message>
     <message>
+        <source>%1 x %2 x %3 voxels of %4 x %5 x %6 mm around %7, %8, %9</source>
+        <translation>%1 x %2 x %3 Voxel von %4 x %5 x %6 mm um %7; %8; %9</translation>
+    </message>
+    <message>
         <source>%1 / %2</source>
         <translation>%1 / %2</translation>
     </message>
@@ -7799,7 +7803,7 @@
     </message>
     <message>
         <source>± %1, %2 to %3, %4, %5 voxels</source>
-        <translation>± %1, %2 bis %3, %4, %5 Voxel</translation>
+        <translation>± %1; %2 bis %3; %4; %5 Voxel</translation>
     </message>
     <message>
         <source>Not all of what the window showed can be brought back</source>

@@ -2137,7 +2137,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Vèrtex %1 de %2, en repòs a %3, %4, %5 mm (LPS)</translation>
+        <translation>Vèrtex %1 de %2, en repòs a %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
@@ -2802,7 +2802,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1: this view is kept</source>
-        <translation>%1: aquesta vista s'ha desat</translation>
+        <translation>%1: aquesta vista s&apos;ha desat</translation>
     </message>
 </context>
 <context>
@@ -3317,6 +3317,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indiqueu les fases amb el número, comptant des d’1, p. ex. 3, 7</translation>
+    </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Trieu primer una sèrie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Una sola imatge no mostra moviment</translation>
     </message>
 </context>
 <context>
@@ -3943,6 +3951,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls corbats.</translation>
+    </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Aquesta seqüència no diu res de les vàlvules: trieu el batec del cor</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Només el cor de mostra té vàlvules per mostrar</translation>
     </message>
 </context>
 <context>

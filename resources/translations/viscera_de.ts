@@ -2137,7 +2137,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Eckpunkt %1 von %2, in Ruhe bei %3, %4, %5 mm (LPS)</translation>
+        <translation>Eckpunkt %1 von %2, in Ruhe bei %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
@@ -3318,6 +3318,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>Nennen Sie Phasen mit ihrer Nummer, ab 1 gezählt, wie in 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Wählen Sie zuerst eine Serie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Ein einzelnes Bild zeigt keine Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3943,6 +3951,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine gebogenen Schnitte.</translation>
+    </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Diese Sequenz sagt nichts über Klappen: wählen Sie den Herzschlag</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Nur das Beispielherz hat Klappen, die gezeigt werden können</translation>
     </message>
 </context>
 <context>

@@ -2137,7 +2137,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Vértice %1 de %2, en reposo en %3, %4, %5 mm (LPS)</translation>
+        <translation>Vértice %1 de %2, en reposo en %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
@@ -3318,6 +3318,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indique las fases por su número, contando desde 1, p. ej. 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Elija primero una serie</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Una sola imagen no muestra movimiento</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3943,6 +3951,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>La película no muestra distancias, superficies ajenas ni cortes curvados.</translation>
+    </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Esta secuencia no dice nada de las válvulas: elija el latido</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Solo el corazón de muestra tiene válvulas que mostrar</translation>
     </message>
 </context>
 <context>

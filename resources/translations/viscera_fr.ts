@@ -2137,7 +2137,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
-        <translation>Sommet %1 sur %2, au repos à %3, %4, %5 mm (LPS)</translation>
+        <translation>Sommet %1 sur %2, au repos à %3; %4; %5 mm (LPS)</translation>
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
@@ -3318,6 +3318,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>nommez les phases par leurs numéros, comptés à partir de 1, comme 3, 7</translation>
     </message>
+    <message>
+        <source>Choose a series first</source>
+        <translation>Choisissez d’abord une série</translation>
+    </message>
+    <message>
+        <source>A single image shows no motion</source>
+        <translation>Une image seule ne montre pas de mouvement</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3943,6 +3951,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>The movie leaves out distances, surfaces of others and bent slices.</source>
         <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes courbées.</translation>
+    </message>
+    <message>
+        <source>This sequence says nothing about valves: choose the heartbeat</source>
+        <translation>Cette séquence ne dit rien des valves&#x202f;: choisissez le battement du cœur</translation>
+    </message>
+    <message>
+        <source>Only the sample heart has valves to show</source>
+        <translation>Seul le cœur type a des valves à montrer</translation>
     </message>
 </context>
 <context>

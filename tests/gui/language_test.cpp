@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -9,6 +10,7 @@
 #include <QTreeWidget>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 
@@ -30,6 +32,7 @@
 #include "window/panels/organ_panel.h"
 #include "window/phrase_translator.h"
 #include "window/sample_loader.h"
+#include "window/table/handle_table.h"
 #include "window/timeline/phase_scrubber.h"
 
 namespace viscera::tests {
@@ -243,14 +246,19 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   {
     const InstalledLanguage german(QStringLiteral("de"));
     EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234,5"));
+    EXPECT_EQ(app::listSeparator(), QStringLiteral("; "));
     EXPECT_EQ(app::numberIn(QStringLiteral("0,25")), 0.25);
     EXPECT_EQ(app::numberIn(QStringLiteral("0.25")), 0.25) << "as in a table of another program";
     EXPECT_FALSE(app::numberIn(QStringLiteral("two")));
     EXPECT_EQ(app::inWords("Aortic arch"), QStringLiteral("Aortenbogen"));
     EXPECT_EQ(app::inWords("A name of somebody"), QStringLiteral("A name of somebody"));
+    EXPECT_EQ(app::inWords("LV endocardium 12"), QStringLiteral("LV-Endokard 12"));
+    EXPECT_EQ(app::inWords("Tip of somebody 3"), QStringLiteral("Tip of somebody 3"));
+    EXPECT_EQ(app::messageInWords("handle LV endocardium 12"), QStringLiteral("Griff LV-Endokard 12"));
     EXPECT_TRUE(voxels(3).contains(QLatin1Char('3')) && !voxels(3).contains(QLatin1String("tissue")));
   }
   EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234.5"));
+  EXPECT_EQ(app::listSeparator(), QStringLiteral(", "));
   EXPECT_EQ(voxels(1), QStringLiteral("The pose folds the tissue at 1 voxel: their values are estimates."));
 }
 
@@ -292,6 +300,23 @@ TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("Herz"));
   EXPECT_EQ(document().organs().front()->name, "Heart");
+}
+
+TEST_F(GermanWindow, NamesTheHandlesOfASequence) {
+  const auto& handles = document().rig().handles;
+  const int row = document().rig().indexOf("LV endocardium 1");
+  ASSERT_GE(row, 0);
+  window().actions()["handles.table"]->trigger();
+  settle();
+  app::HandleModel& model = window().findChild<app::HandleTable*>(QStringLiteral("handleTable"))->model();
+  const QModelIndex cell = model.index(row, app::HandleModel::label);
+  EXPECT_EQ(cell.data().toString(), QStringLiteral("LV-Endokard 1"));
+  EXPECT_FALSE(model.setData(cell, cell.data(Qt::EditRole), Qt::EditRole)) << "nothing was typed";
+  EXPECT_EQ(handles[static_cast<std::size_t>(row)].label, "LV endocardium 1");
+  const auto lists = window().findChildren<QTreeWidget*>();
+  EXPECT_TRUE(std::any_of(lists.begin(), lists.end(), [](const QTreeWidget* list) {
+    return !list->findItems(QStringLiteral("LV-Endokard 1"), Qt::MatchExactly | Qt::MatchRecursive).isEmpty();
+  })) << "the list of handles";
 }
 
 TEST_F(GermanWindow, NamesASampleInSentencesAsTheLanguageDoes) {

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QTest>
 
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -144,6 +145,21 @@ TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
   table.item(1, 0)->setText(QStringLiteral("never"));
   settle();
   EXPECT_EQ(keySequence().keys[1].seconds, 0.5) << "what is not a time changes nothing";
+}
+
+TEST_F(OwnMotion, TheViewTellsOfAKeyOnlyWhileItIsThere) {
+  const auto& badge = find<QLabel>("viewBadge");
+  window().viewArea().messages()->dismiss();
+  // Without waiting, since it fades by itself.
+  QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
+  EXPECT_EQ(badge.text(), QStringLiteral("Key at 0.00 s"));
+  EXPECT_FALSE(badge.isHidden());
+  window().workspace().undo().undo();
+  EXPECT_TRUE(badge.isHidden()) << "the key is gone";
+  QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
+  EXPECT_FALSE(badge.isHidden());
+  ASSERT_TRUE(window().workspace().perform(document::moveKey(keySequence().keys.front().id, 0.2)));
+  EXPECT_TRUE(badge.isHidden()) << "it is at another time";
 }
 
 TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {

@@ -181,6 +181,8 @@ TEST(PhraseTranslator, KnowsThePatternOfATextAndTranslatesItsParts) {
                            "to 4.5 mm"),
             QStringLiteral("2 von 800 Eckpunkten haben keine Koordinaten: 1 liegen außerhalb der Hülle der "
                            "Griffe, bis zu 4,5 mm"));
+  EXPECT_EQ(messageInWords("40 x 40 x 30 voxels of 1 x 1 x 2.5 mm around 0.5, -12.0, 3.5"),
+            QStringLiteral("40 x 40 x 30 Voxel von 1 x 1 x 2,5 mm um 0,5; -12,0; 3,5"));
   EXPECT_EQ(messageInWords("beat.csv, line 3"), QStringLiteral("beat.csv, Zeile 3"));
 }
 

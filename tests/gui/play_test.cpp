@@ -15,6 +15,7 @@
 
 #include "build_paths.h"
 #include "run_process.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/session_file.h"
 #include "viscera/presentation/view_state.h"
@@ -303,6 +304,42 @@ TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion
   EXPECT_EQ(window().playback().sequence(), first);
   key(Qt::Key_Space);
   EXPECT_TRUE(window().playback().player().playing());
+}
+
+TEST_F(PlayMode, ValvesAreOfferedOnlyWhereTheyAreDrawnAndTheWishForThemStays) {
+  const auto& valves = find<QAction>("play.valves");
+  const auto expectOffered = [&](bool offered, const char* where) {
+    settle();
+    EXPECT_EQ(valves.isEnabled(), offered) << where;
+    EXPECT_EQ(valves.isChecked(), offered) << where;
+    EXPECT_TRUE(window().viewModel().state().valves) << where;
+  };
+  expectOffered(true, "the heart with its beat");
+  const QString tip = valves.toolTip();
+  loadSample(QStringLiteral("stomach"));
+  expectOffered(false, "a stomach");
+  EXPECT_TRUE(valves.toolTip().contains(QStringLiteral("sample heart"))) << valves.toolTip().toStdString();
+  window().workspace().undo().undo();
+  expectOffered(true, "the heart is back");
+  for (const double seconds : {0.0, 0.8}) {
+    Points pose = document().pose();
+    pose.row(0) += Vec3(4, 0, 0).transpose();
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(document::recordKey(seconds)));
+  }
+  window().playback().choose(parts().keySequence().sequence());
+  expectOffered(false, "keys by hand");
+  EXPECT_TRUE(valves.toolTip().contains(QStringLiteral("choose the heartbeat")))
+      << valves.toolTip().toStdString();
+  for (const auto& motion : window().playback().motions())
+    if (motion.sequence->id() == "heartbeat") {
+      window().playback().choose(motion.sequence.get());
+      break;
+    }
+  expectOffered(true, "its beat again");
+  EXPECT_EQ(valves.toolTip(), tip);
+  key(Qt::Key_V);
+  EXPECT_FALSE(window().viewModel().state().valves);
 }
 
 TEST_F(PlayMode, UndoAndRedoOfAChangeOfSequenceStopWhatPlaysOrIsPausedInEveryMode) {

@@ -4,11 +4,13 @@
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QLabel>
+#include <QSpinBox>
 #include <QTreeWidget>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -21,6 +23,7 @@
 #include "window/language.h"
 #include "window/session/session_files.h"
 #include "window/timeline/chart_cursor.h"
+#include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/widgets/elided_label.h"
 
@@ -116,6 +119,24 @@ TEST_F(Readouts, OfALectureAreOfTheFrameThatIsDrawn) {
   }
 }
 
+TEST_F(Readouts, OfALectureWithTwoViewsSayOfWhichViewTheyAre) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  app::Workspace& second = parts().comparison().workspace();
+  ASSERT_TRUE(waitUntil([&] { return !second.live().busy() && second.jobs().idle(); }));
+  key(Qt::Key_F5);
+  window().playback().seek(0.4);
+  settle();
+  const QStringList rows =
+      find<QLabel>("lectureNumbers").text().replace(QChar::Nbsp, QLatin1Char(' ')).split(QLatin1Char('\n'));
+  ASSERT_EQ(rows.size(), 2) << rows.join(QLatin1Char('|')).toStdString();
+  const double volumes[] = {volumeOf("LV"), volumeIn(second, "LV")};
+  ASSERT_GT(std::abs(volumes[0] - volumes[1]), 1) << "the second beats twice as fast";
+  for (int side = 0; side < 2; ++side) {
+    EXPECT_TRUE(rows[side].startsWith(QStringLiteral("%1: ").arg(side + 1))) << rows[side].toStdString();
+    EXPECT_TRUE(rows[side].contains(app::formatNumber(volumes[side], 1))) << rows[side].toStdString();
+  }
+}
+
 TEST_F(Readouts, TheChartsCursorIsAtTheInstantInEveryFrame) {
   auto* cursor = chart().findChild<app::ChartCursor*>();
   ASSERT_NE(cursor, nullptr);
@@ -193,6 +214,48 @@ TEST_F(Readouts, NormalRangesOfABeatAreShownOfABeatOnly) {
     }
   EXPECT_TRUE(waitUntil([&] { return !source->fullText().isEmpty(); }));
   EXPECT_TRUE(waitUntil([&] { return !find<QLabel>("normalRanges").isHidden(); }));
+}
+
+TEST_F(Readouts, NoRateIsShownWhereThereIsNoMotion) {
+  const auto& rate = find<QSpinBox>("rate");
+  window().playback().setRate(150);
+  ASSERT_EQ(rate.text(), QStringLiteral("150 / min"));
+  key(Qt::Key_N, Qt::ControlModifier);
+  ASSERT_EQ(window().playback().sequence(), nullptr);
+  EXPECT_EQ(rate.text(), QStringLiteral("-"));
+  EXPECT_FALSE(rate.toolTip().contains(QStringLiteral("Heartbeat"))) << rate.toolTip().toStdString();
+  EXPECT_EQ(find<QLabel>("phase").toolTip(), QString()) << "nothing is at an instant of a cycle";
+  loadSample(QStringLiteral("liver"));
+  EXPECT_EQ(rate.text(),
+            QStringLiteral("%1 / min").arg(std::lround(window().playback().player().ratePerMinute())));
+}
+
+/// A motion that can be played at one rate only, as the beat of a circulation.
+class OneRate final : public sequences::Sequence {
+public:
+  explicit OneRate(double perMinute) : rate_(perMinute) {}
+
+  std::string id() const override { return "one-rate"; }
+  std::string name() const override { return "One rate"; }
+  const Points& restHandles() const override { return rest_; }
+  double standardRatePerMinute() const override { return rate_; }
+  double lowestRatePerMinute() const override { return rate_; }
+  double highestRatePerMinute() const override { return rate_; }
+  void poseAt(double, double, Points& pose) const override { pose = rest_; }
+  std::vector<sequences::Phase> phases(double) const override { return {{"all", 0, 1}}; }
+
+private:
+  Points rest_;
+  double rate_;
+};
+
+TEST(RateOfTheTimeline, IsTheOnlyOneThereIsAlsoWhereThatHasAFraction) {
+  QSpinBox box;
+  for (const double rate : {60 / (60 / 110.0), 85.7}) {
+    app::showRate(box, OneRate(rate), rate);
+    EXPECT_EQ(box.value(), std::lround(rate));
+    EXPECT_EQ(box.minimum(), box.maximum());
+  }
 }
 
 TEST_F(Readouts, TheTwoViewsHaveNumbersWhereLettersAreSides) {

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QInputDialog>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
@@ -19,6 +20,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/language.h"
 #include "window/modes/explore_mode.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
@@ -162,6 +164,12 @@ TEST_F(SlicesTest, SaysWhatIsUnderTheCursor) {
   EXPECT_TRUE(in.contains(QStringLiteral("A 30")) || in.contains(QStringLiteral("A 29"))) << in.toStdString();
   EXPECT_TRUE(out.contains(QStringLiteral("-50 HU"))) << out.toStdString();
   EXPECT_FALSE(out.contains(QStringLiteral("ball"))) << out.toStdString();
+  EXPECT_TRUE(in.contains(QRegularExpression(QStringLiteral(R"(L \d+\.\d, A \d+\.\d, [SI] \d+\.\d mm)"))))
+      << in.toStdString();
+  const app::InstalledLanguage german(QStringLiteral("de"));
+  const QString deutsch = hover(inside);
+  EXPECT_TRUE(deutsch.contains(QRegularExpression(QStringLiteral(R"(L \d+,\d; A \d+,\d; [SI] \d+,\d mm)"))))
+      << deutsch.toStdString();
 }
 
 TEST_F(SlicesTest, ContoursFollowAHandleWhileItIsDragged) {

@@ -289,6 +289,26 @@ TEST_F(Track, RefusalsStandInTheDialogAndChangeNothing) {
   EXPECT_EQ(document().state().rig, before.rig);
 }
 
+TEST_F(Track, TheGreyButtonSaysWhatIsMissing) {
+  app::MotionDialog& dialog = window().play().chooseSeries();
+  const auto& button = *dialog.findChild<QPushButton*>(QStringLiteral("primary"));
+  const auto& missing = *dialog.findChild<QLabel*>(QStringLiteral("motionMissing"));
+  EXPECT_FALSE(button.isEnabled());
+  EXPECT_TRUE(button.toolTip().contains(QStringLiteral("series"))) << button.toolTip().toStdString();
+  ask(series(6, 0));
+  auto& period = find<QDoubleSpinBox>("seriesPeriod");
+  period.setValue(0);
+  EXPECT_FALSE(button.isEnabled());
+  EXPECT_TRUE(missing.isVisible()) << "also for whom the mouse is elsewhere";
+  EXPECT_TRUE(missing.text().contains(QStringLiteral("duration of one cycle")))
+      << missing.text().toStdString();
+  EXPECT_EQ(button.toolTip(), missing.text());
+  period.setValue(900);
+  EXPECT_TRUE(button.isEnabled());
+  EXPECT_TRUE(missing.isHidden());
+  EXPECT_EQ(button.toolTip(), QString());
+}
+
 TEST_F(Track, CanBeCancelled) {
   app::MotionDialog& dialog = ask(series());
   dialog.start();

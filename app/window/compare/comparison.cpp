@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QMenu>
-#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTimer>
 #include <QToolButton>
@@ -11,7 +10,6 @@
 #include <QWidgetAction>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "window/compare/compared_stress.h"
@@ -23,6 +21,7 @@
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/sample_loader.h"
+#include "window/timeline/timeline_bar.h"
 #include "window/view/camera_link.h"
 #include "window/view/organ_pointer.h"
 #include "window/view/picture.h"
@@ -505,12 +504,8 @@ void Comparison::syncHeaders() {
   secondHeader_->setState(second.showing() ? messageInWords(second.player().phase()) : QString(),
                           volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);
-  if (!second.sequence())
-    return;
-  const QSignalBlocker quiet(rate_);
-  rate_->setRange(static_cast<int>(std::ceil(second.sequence()->lowestRatePerMinute())),
-                  static_cast<int>(std::floor(second.sequence()->highestRatePerMinute())));
-  rate_->setValue(static_cast<int>(std::lround(second.player().ratePerMinute())));
+  if (second.sequence())
+    showRate(*rate_, *second.sequence(), second.player().ratePerMinute());
 }
 
 } // namespace viscera::app

@@ -18,7 +18,7 @@ namespace {
 /// How much larger than the window's type the caption and the numbers are.
 constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
-constexpr std::size_t kMostVolumes = 5; ///< A heart and its chambers.
+constexpr int kMostVolumes = 5; ///< Of a view: a heart and its chambers.
 /// However long a caption is, the view has so much of the screen.
 constexpr double kLeastView = 0.5;
 
@@ -100,15 +100,32 @@ bool LectureScreen::end() {
 }
 
 QString LectureScreen::numbers() const {
+  QStringList rows = {numbersOf(0)};
+  if (parts_.volumes.hasSecond())
+    rows << numbersOf(1);
+  rows.removeAll(QString());
+  return rows.join(QLatin1Char('\n'));
+}
+
+/// The phase and the volumes of one view; of two views with the number that its header has.
+QString LectureScreen::numbersOf(int side) const {
+  const Playback* playback = side == 0 ? &parts_.playback : nullptr;
   QStringList parts;
-  const motion::Player& player = parts_.playback.player();
-  if (player.showing())
-    parts << messageInWords(player.phase());
   const auto& lines = parts_.volumes.lines();
-  for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
-    parts
-        << tr("%1 %2 ml").arg(lines[i].name).arg(formatNumber(lines[i].nowMl, lines[i].nowMl < 1000 ? 1 : 0));
+  for (std::size_t i = 0; i < lines.size() && parts.size() < kMostVolumes; ++i) {
+    const VolumeMonitor::Line& line = lines[i];
+    if (line.side != side)
+      continue;
+    playback = &parts_.volumes.playbackOf(i);
+    parts << tr("%1 %2 ml").arg(line.name).arg(formatNumber(line.nowMl, line.nowMl < 1000 ? 1 : 0));
+  }
+  if (playback && playback->player().showing())
+    parts.push_front(messageInWords(playback->player().phase()));
   parts.removeAll(QString());
+  if (parts.isEmpty())
+    return {};
+  if (parts_.volumes.hasSecond())
+    parts.front() = VolumeMonitor::tr("%1: %2").arg(side + 1).arg(parts.front());
   constexpr QChar kHyphenThatHolds(0x2011);
   for (QString& part : parts) // A line breaks between them only.
     part.replace(QLatin1Char(' '), QChar::Nbsp).replace(QLatin1Char('-'), kHyphenThatHolds);

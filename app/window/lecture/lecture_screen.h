@@ -46,6 +46,7 @@ private:
   void makeCard();
   void placeCard();
   QString numbers() const;
+  QString numbersOf(int side) const;
 
   Parts parts_;
   QAction* shown_;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/sequences/heart_valves.h"
 #include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
@@ -35,6 +37,16 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
   return walls.empty() ? organs : walls;
 }
 
+bool holdsSampleHeart(const Playback& playback) {
+  const auto motions = playback.motions();
+  return std::any_of(motions.begin(), motions.end(),
+                     [](const auto& motion) { return motion::sampleHeartOf(motion.recipe).has_value(); });
+}
+
+QString keyRemark(const document::SequenceKey& key) {
+  return PlayMode::tr("Key at %1 s").arg(formatNumber(key.seconds, 2));
+}
+
 } // namespace
 
 PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
@@ -57,6 +69,10 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
   connect(circulation_.get(), &CirculationModel::changed, this,
           [this] { comparison_->setBeside(circulation_->keptBeat()); });
   connect(&parts.view, &ViewModel::changed, this, &Mode::chartWantedChanged);
+  subscription_ = parts.workspace.onChange([this](const document::Change& change) {
+    if (change.keySequence())
+      retractKey();
+  });
 }
 
 PlayMode::~PlayMode() {
@@ -83,14 +99,7 @@ void PlayMode::makeMotionActions(Actions& actions) {
                          tr("Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and "
                             "which valves are open")},
                         &presentation::ViewState::beatSigns);
-  parts_.view.addToggle(
-      actions, "play.valves",
-      {tr("&Valves and flow"),
-       "beat",
-       {Qt::Key_V},
-       tr("In the beating sample heart: leaflets as far open as the valves are, and an arrow "
-          "where blood flows, as thick as the opening and as long as the blood is fast")},
-      &presentation::ViewState::valves);
+  makeValvesAction(actions);
   actions.add(
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the recorded sequence")},
@@ -101,6 +110,50 @@ void PlayMode::makeMotionActions(Actions& actions) {
                {},
                tr("Compute a patient's own motion from surfaces or label maps of each phase of the cycle")},
               [this] { chooseSeries(); });
+}
+
+void PlayMode::makeValvesAction(Actions& actions) {
+  valves_ = actions.addToggle(
+      "play.valves",
+      {tr("&Valves and flow"),
+       "beat",
+       {Qt::Key_V},
+       tr("In the beating sample heart: leaflets as far open as the valves are, and an arrow "
+          "where blood flows, as thick as the opening and as long as the blood is fast")},
+      false, [this](bool on) {
+        if (valves_->isEnabled()) // Else the mark goes because no valves can be drawn.
+          parts_.view.change([on](presentation::ViewState& state) { state.valves = on; });
+      });
+  valvesTip_ = valves_->toolTip();
+  actions.onSync([this] { syncValves(); });
+  connect(&parts_.playback, &Playback::stateChanged, this, &PlayMode::syncValves);
+  connect(comparison_.get(), &Comparison::toggled, this, [this](bool on) {
+    if (on)
+      connect(&comparison_->playback(), &Playback::stateChanged, this, &PlayMode::syncValves);
+    syncValves();
+  });
+}
+
+/// Of both views; empty where one of them can draw valves.
+QString PlayMode::whyNoValves() const {
+  const auto tells = [](const Playback& playback) {
+    const sequences::Sequence* sequence = playback.sequence();
+    return sequence && sequences::valvesAt(*sequence, 0, playback.player().ratePerMinute()).has_value();
+  };
+  const bool here = hasSampleHeart();
+  const bool beside = comparison_->on() && holdsSampleHeart(comparison_->playback());
+  if ((here && tells(parts_.playback)) || (beside && tells(comparison_->playback())))
+    return {};
+  return here || beside ? tr("This sequence says nothing about valves: choose the heartbeat")
+                        : tr("Only the sample heart has valves to show");
+}
+
+/// The mark is what the view wants where that has an effect; what it wants stays.
+void PlayMode::syncValves() {
+  const QString why = whyNoValves();
+  valves_->setEnabled(why.isEmpty());
+  valves_->setToolTip(why.isEmpty() ? valvesTip_ : why);
+  valves_->setChecked(why.isEmpty() && parts_.view.state().valves);
 }
 
 MotionDialog& PlayMode::chooseSeries() {
@@ -184,7 +237,6 @@ void PlayMode::makeCirculationActions(Actions& actions) {
   actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("End the comparison")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
   actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
-  actions.enableWhile({"play.valves"}, [this] { return hasSampleHeart(); });
   actions.enableWhile({"play.forgetBefore"},
                       [this] { return circulation_->on() && circulation_->choice().kept.has_value(); });
 }
@@ -286,9 +338,7 @@ void PlayMode::chooseSequence(const QString& id) {
 }
 
 bool PlayMode::hasSampleHeart() const {
-  const auto& motions = parts_.playback.motions();
-  return std::any_of(motions.begin(), motions.end(),
-                     [](const auto& motion) { return motion::sampleHeartOf(motion.recipe).has_value(); });
+  return holdsSampleHeart(parts_.playback);
 }
 
 bool PlayMode::replacesOrgans(const QString& sequence) const {
@@ -336,9 +386,19 @@ void PlayMode::slower() {
 }
 
 void PlayMode::addKey() {
-  const double seconds = keySequence_->nextSeconds();
-  if (keySequence_->addKey(seconds, sequences::Easing::smooth))
-    parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
+  if (!keySequence_->addKey(keySequence_->nextSeconds(), sequences::Easing::smooth))
+    return;
+  const document::SequenceKey& key = workspace_.document().keySequence().keys.back();
+  toldKey_ = key.id;
+  keyRemark_ = keyRemark(key);
+  parts_.area.showBadge(keyRemark_);
+}
+
+/// Undo may have removed the key that the view still speaks of, or its time may be another one.
+void PlayMode::retractKey() {
+  const document::SequenceKey* key = workspace_.document().keySequence().key(toldKey_);
+  if (!keyRemark_.isEmpty() && (!key || keyRemark(*key) != keyRemark_))
+    parts_.area.retractBadge(std::exchange(keyRemark_, {}));
 }
 
 bool PlayMode::record(const MoviePlan& plan) {

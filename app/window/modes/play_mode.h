@@ -16,6 +16,8 @@
 #include "window/track/motion_dialog.h"
 #include "window/track/residual_table.h"
 
+class QAction;
+
 namespace viscera::app {
 
 class StatusLine;
@@ -67,10 +69,14 @@ private:
   void makeComparisonActions(Actions& actions);
   void makeLookActions(Actions& actions);
   void makeCirculationActions(Actions& actions);
+  void makeValvesAction(Actions& actions);
+  QString whyNoValves() const;
+  void syncValves();
   void setSeeThrough(bool on);
   bool seesThrough() const;
   void slower();
   void addKey();
+  void retractKey();
   void sayRecorded(bool complete, const MoviePlan& plan);
 
   std::unique_ptr<Comparison> comparison_;
@@ -78,11 +84,16 @@ private:
   std::unique_ptr<KeySequencePlayback> keySequence_;
   std::unique_ptr<CirculationModel> circulation_;
   std::unique_ptr<MeasuredMotion> measured_;
+  QAction* valves_ = nullptr;           ///< The window's.
+  QString valvesTip_;                   ///< Of the action while it can be used.
   QPointer<MotionDialog> seriesDialog_; ///< The window's.
   QPointer<ResidualTable> residuals_;
   QPointer<CirculationPanel> chart_;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
+  document::KeyId toldKey_; ///< The view said that it was recorded.
+  QString keyRemark_;       ///< What was said of it; empty when that no longer holds.
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -21,7 +21,7 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
   QStringList names;
   for (const document::HandleId id : handles)
     if (const int row = rig.indexOf(id); row >= 0)
-      names.push_back(text(rig.handles[static_cast<std::size_t>(row)].label));
+      names.push_back(inWords(rig.handles[static_cast<std::size_t>(row)].label));
   return names.join(QStringLiteral(", "));
 }
 

@@ -135,7 +135,7 @@ void HandlePanel::addGroup(const QString& name, const QColor& color,
     auto* item = new QTreeWidgetItem(parent);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setData(0, kHandleIdRole, static_cast<qlonglong>(handle->id.value));
-    item->setText(0, text(handle->label));
+    item->setText(0, inWords(handle->label));
     if (handle->locked)
       item->setIcon(0, icon("lock"));
     item->setToolTip(0, handle->description.empty() ? tr("F2 renames, Delete removes")

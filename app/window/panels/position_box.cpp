@@ -79,7 +79,7 @@ void PositionBox::sync() {
   }
   const document::Handle& handle = rig.handles[row];
   const double moved = (workspace_.document().pose().row(row).transpose() - handle.rest).norm();
-  QString line = tr("Handle %1").arg(text(handle.label));
+  QString line = tr("Handle %1").arg(inWords(handle.label));
   if (what_ == Of::pose)
     line += tr(", %1 mm from rest").arg(formatNumber(moved, 1));
   if (handle.locked)

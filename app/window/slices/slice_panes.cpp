@@ -249,7 +249,7 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   for (int axis = 0; axis < 3; ++axis)
     place << text(presentation::formatSlicePosition(axis, reading.position[axis], decimalMark()))
                  .remove(QStringLiteral(" mm"));
-  parts << place.join(QStringLiteral(", ")) + QStringLiteral(" mm");
+  parts << place.join(listSeparator()) + QStringLiteral(" mm");
   if (const auto organ = workspace_.document().organ(reading.organ))
     parts << inWords(organ->name);
   shown.setReading(parts.join(QStringLiteral("   ")));

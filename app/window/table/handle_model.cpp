@@ -120,7 +120,7 @@ QVariant HandleModel::data(const QModelIndex& index, int role) const {
     return {};
   const document::Handle& handle = workspace_.document().rig().handles[static_cast<std::size_t>(index.row())];
   if (column == label)
-    return text(handle.label);
+    return inWords(handle.label);
   if (column == groups)
     return groupsOf(handle);
   if (column == weight && index.row() >= weights_.size())

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 #include "window/language.h"
@@ -17,6 +18,16 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+
+void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePerMinute) {
+  const QSignalBlocker quiet(&box);
+  const int shown = static_cast<int>(std::lround(ratePerMinute));
+  box.setSpecialValueText({});
+  box.setRange(std::min(shown, static_cast<int>(std::ceil(sequence.lowestRatePerMinute()))),
+               std::max(shown, static_cast<int>(std::floor(sequence.highestRatePerMinute()))));
+  box.setValue(shown);
+}
+
 TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
     : QWidget(parent), playback_(playback) {
   setObjectName(QStringLiteral("panel"));
@@ -129,11 +140,10 @@ void TimelineBar::sync() {
 
 void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   const motion::Player& player = playback_.player();
-  const QSignalBlocker quietRate(rate_), quietSlider(rateSlider_);
+  const QSignalBlocker quietSlider(rateSlider_);
   const QString unit = tr("/ min");
   rate_->setSuffix(QLatin1Char(' ') + unit);
-  rate_->setRange(static_cast<int>(std::ceil(sequence.lowestRatePerMinute())),
-                  static_cast<int>(std::floor(sequence.highestRatePerMinute())));
+  showRate(*rate_, sequence, player.ratePerMinute());
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
   rate_->setToolTip(tr("%1: %2 to %3 %4")
                         .arg(inWords(sequence.name()))
@@ -143,7 +153,6 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   if (const std::string remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
     rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + inWords(remark));
   rateSlider_->setToolTip(rate_->toolTip());
-  rate_->setValue(static_cast<int>(std::lround(player.ratePerMinute())));
   rateSlider_->setValue(rate_->value());
   play_->setIcon(icon(player.playing() ? "pause" : "play"));
   loop_->setChecked(player.loop());
@@ -160,15 +169,22 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   syncInstant();
 }
 
-/// A line says where sequences come from.
+/// A line says where sequences come from; nothing has a rate or is at an instant.
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion yet: choose a sequence in Play (5)");
+  const QSignalBlocker quietRate(rate_), quietSlider(rateSlider_);
+  rate_->setSpecialValueText(QStringLiteral("-"));
+  rate_->setValue(rate_->minimum());
+  rate_->setToolTip(line);
+  rateSlider_->setValue(rateSlider_->minimum());
+  rateSlider_->setToolTip(line);
   scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
   play_->setIcon(icon("play"));
   signs_->setHeart(nullptr, 0);
   syncSigns();
   scrubber_->setFraction(0);
   phase_->clear();
+  phase_->setToolTip({});
 }
 
 void TimelineBar::syncInstant() {

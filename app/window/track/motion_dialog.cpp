@@ -68,6 +68,9 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(said_);
+  missing_ = makeRemark({}, this);
+  missing_->setObjectName(QStringLiteral("motionMissing"));
+  column->addWidget(missing_);
   auto* buttons = makeLayout<QHBoxLayout>(nullptr, 8);
   buttons->addStretch(1);
   auto* close = new QPushButton(tr("Close"), this);
@@ -279,9 +282,22 @@ void MotionDialog::sync() {
                              : tr("%1: surfaces, %n phases", nullptr, int(contents_.phases)))
                .arg(QFileInfo(files_.front()).fileName());
   what_->setText(what);
-  start_->setEnabled(!contents_.items.empty() && contents_.phases != 1 && period > 0 && !finding_);
+  const QString lacks = missing();
+  start_->setEnabled(lacks.isEmpty() && !finding_);
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
-  start_->setToolTip(period > 0 ? QString() : tr("Enter the duration of one cycle first"));
+  start_->setToolTip(lacks);
+  missing_->setText(lacks);
+  // Without a series, or with one image, that is said above.
+  missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
+}
+
+/// What has to be given before the motion can be found; empty when everything is.
+QString MotionDialog::missing() const {
+  if (contents_.items.empty())
+    return tr("Choose a series first");
+  if (contents_.phases == 1)
+    return tr("A single image shows no motion");
+  return period_->value() > 0 ? QString() : tr("Enter the duration of one cycle first");
 }
 
 motion::SeriesRequest MotionDialog::request() const {

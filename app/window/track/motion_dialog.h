@@ -48,6 +48,7 @@ private:
   void onEnded(const QString& refusal);
   void say(const QString& what, bool refused);
   void sync();
+  QString missing() const;
   /// The request as it is asked for. Throws `UsageError`.
   motion::SeriesRequest request() const;
   motion::TrackOptions options() const;
@@ -69,6 +70,7 @@ private:
   QCheckBox* keepVolumes_ = nullptr;
   QLineEdit* leaveOut_ = nullptr;
   QLabel* said_ = nullptr;
+  QLabel* missing_ = nullptr;
   QPushButton* start_ = nullptr;
 };
 

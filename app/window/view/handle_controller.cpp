@@ -7,6 +7,7 @@
 #include "viscera/scene/vtkVisceraGizmoWidget.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/language.h"
 
 namespace viscera::app {
 
@@ -107,7 +108,7 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
   const QString name =
       event.moving.size() > 1
           ? tr("Move %n handles", nullptr, static_cast<int>(event.moving.size()))
-          : tr("Move handle %1").arg(text(handles.at(static_cast<std::size_t>(event.handle)).label));
+          : tr("Move handle %1").arg(inWords(handles.at(static_cast<std::size_t>(event.handle)).label));
   if (grabbed_.rest) {
     workspace_.guarded([&] { step_.emplace(workspace_.undo(), name.toStdString()); });
   } else {

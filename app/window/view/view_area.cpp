@@ -107,6 +107,11 @@ void ViewArea::showBadge(const QString& text) {
   badgeTimer_->start(kBadgeMilliseconds);
 }
 
+void ViewArea::retractBadge(const QString& text) {
+  if (badge_->text() == text)
+    badge_->hide();
+}
+
 void ViewArea::reserveBelow(int pixels) {
   if (views_->layout()->contentsMargins().bottom() != pixels)
     views_->layout()->setContentsMargins(0, 0, 0, pixels);

@@ -43,6 +43,8 @@ public:
 
   /// A short remark at the top left that fades by itself ("bound in 15 ms").
   void showBadge(const QString& text);
+  /// Takes that remark away before its time; another one stays.
+  void retractBadge(const QString& text);
   /// Leaves so many pixels below the views and slices free of them; 0: none.
   void reserveBelow(int pixels);
   /// Puts a card over the view; it keeps its own size and is clipped by nothing.

@@ -106,7 +106,10 @@ void Page::addCheck(QAction* action) {
   box->setChecked(action->isChecked());
   box->setEnabled(action->isEnabled());
   connect(box, &QCheckBox::clicked, action, &QAction::trigger);
-  connect(action, &QAction::changed, box, [box, action] { box->setEnabled(action->isEnabled()); });
+  connect(action, &QAction::changed, box, [box, action] {
+    box->setEnabled(action->isEnabled());
+    box->setToolTip(action->toolTip());
+  });
   connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
   add(box);
 }

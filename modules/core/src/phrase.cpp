@@ -40,4 +40,11 @@ std::string phraseOf(std::string_view pattern, const std::vector<PhrasePart>& pa
   return text;
 }
 
+std::size_t numberAtEnd(std::string_view name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  const bool numbered =
+      last != std::string_view::npos && last > 0 && last + 1 < name.size() && name[last] == ' ';
+  return numbered ? last : name.size();
+}
+
 } // namespace viscera

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -26,11 +26,9 @@ constexpr std::size_t kNamed = 3;
 std::string described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
   const Vec3 spacing = indexToLps.linear().colwise().norm();
   const Vec3 middle = indexToLps * (0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
-  char text[200];
-  std::snprintf(text, sizeof text, "%d x %d x %d voxels of %.3g x %.3g x %.3g mm around %.1f, %.1f, %.1f",
-                size[0], size[1], size[2], spacing.x(), spacing.y(), spacing.z(), middle.x(), middle.y(),
-                middle.z());
-  return text;
+  return phrase("%1 x %2 x %3 voxels of %4 x %5 x %6 mm around %7, %8, %9", size[0], size[1], size[2],
+                significant(spacing.x()), significant(spacing.y()), significant(spacing.z()),
+                fixed(middle.x(), 1), fixed(middle.y(), 1), fixed(middle.z(), 1));
 }
 
 /// Whether both have the same voxels, whatever the order of axes in their files and the ends at which these

@@ -174,13 +174,13 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
     }
 }
 
-void addHandles(LessonPlan& plan, const document::Rig& rig, const LessonSpec& spec) {
+void addHandles(LessonPlan& plan, const document::Rig& rig, const LessonSpec& spec, const PageWords& words) {
   plan.ownHandles = !spec.handles && !rig.handles.empty() && rig.handles.size() <= kMostOwnHandles;
   if (spec.handles)
     plan.placedHandles = *spec.handles;
   if (plan.ownHandles)
     for (const document::Handle& handle : rig.handles)
-      plan.handles.push_back(handle.label);
+      plan.handles.push_back(words.named(handle.label));
 }
 
 /// As far away as one has to be to see as much at 30 degrees.
@@ -292,7 +292,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   if (source.camera && source.camera->position != source.camera->focus)
     plan.eye = eyeOf(*source.camera);
   addMotion(plan, source, spec, words);
-  addHandles(plan, *state.rig, spec);
+  addHandles(plan, *state.rig, spec, words);
   addKeptSlides(plan, source);
   addSlides(plan, state, spec);
   return plan;

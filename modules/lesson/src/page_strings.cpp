@@ -155,7 +155,8 @@ std::string PageWords::named(const std::string& text) const {
     const std::string part = text.substr(before.size(), text.size() - before.size() - after.size());
     return phrase(translated("viscera::presentation", pattern.data()), named(part));
   }
-  return text;
+  const std::size_t end = numberAtEnd(text);
+  return end < text.size() ? named(text.substr(0, end)) + text.substr(end) : text;
 }
 
 std::string PageWords::translated(const char* context, const char* text) const {

@@ -28,7 +28,8 @@ public:
   std::string said(const char* text) const;
 
   /// A name or text of the numerical modules (resources/translations/names_*.ts): who was measured for a
-  /// normal range, or the key of a recorded sequence. As it is when there is no translation.
+  /// normal range, the key of a recorded sequence, or a handle of a sequence. As it is when there is no
+  /// translation.
   std::string named(const std::string& text) const;
 
   /// Everything that the page itself says, by the names under which its script asks for it.

@@ -127,7 +127,8 @@ void Presenter::Parts::updateInfluence(const Scene& scene) {
     influence.range.high = kPercent;
   influence.colors = scene::viridis();
   std::string title = translate("Influence of %1");
-  title.replace(title.find("%1"), 2, scene.state.rig->handles[static_cast<std::size_t>(row)].label);
+  title.replace(title.find("%1"), 2,
+                translate(scene.state.rig->handles[static_cast<std::size_t>(row)].label.c_str()));
   influence.title = std::move(title);
   influence.unit = "%";
 }

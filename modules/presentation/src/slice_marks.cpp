@@ -128,6 +128,11 @@ void draw(Sheet& sheet, const Outline& outline, const Vec3& color, std::string w
                                    outline.closed ? around : Eigen::AlignedBox2d()});
 }
 
+/// Where the next item of a list ends; languages with decimal commas have semicolons between items.
+std::size_t endOfItem(const std::string& list, std::size_t from) {
+  return std::min(list.find(", ", from), list.find("; ", from));
+}
+
 /// Its points as marks. Only those of the document can be taken hold of.
 void markPoints(Sheet& sheet, const document::Measurement& measurement, const std::vector<Vec3>& places,
                 double reach, const Vec3& color, std::optional<std::size_t> item) {
@@ -151,7 +156,7 @@ std::string wordsOf(const document::Measurement& measurement, const document::Me
     words = measurement.name + ": " + words;
   std::string spread = describeSpread(measurement, values, unit, language.translate, language.decimalMark);
   // Values in one line, size in the next: a slice is not wide.
-  if (const std::size_t size = spread.find(", ", spread.find(", ") + 1); size != std::string::npos)
+  if (const std::size_t size = endOfItem(spread, endOfItem(spread, 0) + 1); size != std::string::npos)
     spread.replace(size, 2, "\n");
   return spread.empty() ? words : words + '\n' + spread;
 }

@@ -1,6 +1,7 @@
 #include "viscera/core/phrase.h"
 
 #include <cstdint>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,13 @@ TEST(Phrase, ChoosesTheFormForItsNumber) {
 TEST(Phrase, LeavesWhatIsNoPlaceAndWhatItsPartsSay) {
   EXPECT_EQ(phrase("50 % of {all}, %3", "a"), "50 % of {all}, %3");
   EXPECT_EQ(phrase("Open %1", "%1 {a|b}"), "Open %1 {a|b}");
+}
+
+TEST(NumberAtEnd, BeginsWithItsSpaceBehindAName) {
+  EXPECT_EQ(numberAtEnd("Septum 12"), 6u);
+  EXPECT_EQ(numberAtEnd("LV free wall 3"), 12u);
+  for (const std::string_view none : {"", "Septum", "H-3", "Septum ", " 12", "12", "Septum 1a", "Septum 1.5"})
+    EXPECT_EQ(numberAtEnd(none), none.size()) << none;
 }
 
 } // namespace viscera

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -272,6 +273,26 @@ TEST(SlicePresenter, DrawsWhatIsMeasuredOnTheSlicesThatItLiesIn) {
   ball.view.measurements = false;
   ball.update();
   EXPECT_TRUE(ball.slices.picture(0).texts.empty());
+}
+
+TEST(SlicePresenter, BreaksTheLineBehindValuesAlsoWhereSemicolonsDivideThem) {
+  ScannedBall ball;
+  document::MeasuredPoint from, to;
+  from.rest = Vec3(-8, -6, 5);
+  to.rest = Vec3(8, 6, 5);
+  ball.undo.perform(document::addMeasurement(
+      document::Measurement{{}, {}, {from, to}, document::MeasurementKind::rectangle, 2}));
+  SlicePresenter german({}, [](const char* text) {
+    std::string said = text;
+    std::replace(said.begin(), said.end(), ',', ';');
+    return said;
+  });
+  german.setDecimalMark(',');
+  german.update({ball.document.state(), ball.live, ball.view}, {{0, 200, 160}});
+  ASSERT_EQ(german.picture(0).texts.size(), 1u);
+  const std::string& words = german.picture(0).texts[0].words;
+  EXPECT_EQ(words.substr(0, words.rfind("; ")),
+            "Rectangle 1: 100,0 HU\n\u00b1 0,0; 100 to 100 HU\n192 mm\u00b2");
 }
 
 TEST(ScanLook, ComesBackFromASessionAndOldSessionsHaveNone) {

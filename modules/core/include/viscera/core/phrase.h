@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,5 +38,9 @@ template <class... Parts>
 std::string phrase(std::string_view pattern, const Parts&... parts) {
   return phraseOf(pattern, {PhrasePart(parts)...});
 }
+
+/// Where the number begins with which a name ends, with the space before it: 6 in "Septum 12"; the name's
+/// size when there is none. Such a name is translated without its number. O(n); from any thread.
+std::size_t numberAtEnd(std::string_view name);
 
 } // namespace viscera
