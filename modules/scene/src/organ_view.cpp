@@ -31,6 +31,7 @@
 #include "before_render.h"
 #include "blended_actor.h"
 #include "orientation_cube.h"
+#include "sight_keeper.h"
 #include "standard_view.h"
 #include "text_guard.h"
 #include "view_furniture.h"
@@ -130,10 +131,13 @@ struct OrganView::Parts {
   char decimalMark = '.';
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
+  SightKeeper sight;
   BeforeRender beforeRender{[this] { prepareFrame(); }};
   vtkNew<vtkCallbackCommand> beforeWindow;
   unsigned long beforeWindowTag = 0;
 
+  Bounds bounds() const;
+  void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
   Eigen::Index verticesSeen() const;
@@ -144,6 +148,12 @@ struct OrganView::Parts {
   void peelOrOrder(const Vec3& eye);
   void putHandlesIntoRenderer();
 };
+
+/// What follows the camera does so when a renderer begins: the camera is at its place before.
+void OrganView::Parts::prepareWindow() {
+  sight.follow(renderer, [this] { return bounds(); });
+  smoothEdges();
+}
 
 /// Multisampling doubles the time of a frame in software (FXAA triples it), so it waits until there is time.
 /// Depth peeling draws nothing at all into a multisampled buffer, so there FXAA steps in.
@@ -264,7 +274,7 @@ OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
   p.watchMotion(p.gizmoWidget);
   p.beforeWindow->SetClientData(&p);
   p.beforeWindow->SetCallback(
-      [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->smoothEdges(); });
+      [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->prepareWindow(); });
   p.putHandlesIntoRenderer();
   setTheme(p.theme);
   lookFrom(StandardView::anterior);
@@ -373,9 +383,9 @@ const std::vector<std::shared_ptr<OrganActor>>& OrganView::organs() const {
   return parts_->organs;
 }
 
-Bounds OrganView::bounds() const {
-  std::optional<Bounds> all = parts_->alsoFramed ? parts_->alsoFramed() : std::nullopt;
-  for (const auto& organ : parts_->organs) {
+Bounds OrganView::Parts::bounds() const {
+  std::optional<Bounds> all = alsoFramed ? alsoFramed() : std::nullopt;
+  for (const auto& organ : organs) {
     if (!organ->visible())
       continue;
     const Bounds box = organ->bounds();
@@ -383,9 +393,13 @@ Bounds OrganView::bounds() const {
   }
   if (all)
     return *all;
-  if (parts_->handles->GetNumberOfHandles() > 0)
-    return boundsOf(parts_->handles->GetPositions());
+  if (handles->GetNumberOfHandles() > 0)
+    return boundsOf(handles->GetPositions());
   return {Vec3::Constant(-kEmptyHalfSize), Vec3::Constant(kEmptyHalfSize)};
+}
+
+Bounds OrganView::bounds() const {
+  return parts_->bounds();
 }
 
 void OrganView::setAlsoFramed(std::function<std::optional<Bounds>()> box) {
