@@ -49,6 +49,8 @@ constexpr Eigen::Index kAllDrawnInMotion = 50000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
+/// The part of a view's height that a legend leaves to organs, at least.
+constexpr double kLeastFree = 0.4;
 
 /// Factor of one turn of the wheel.
 constexpr double kZoomPerStep = 1.15;
@@ -117,6 +119,7 @@ struct OrganView::Parts {
   bool knowsGpu = false;
   bool software = false;
   bool moving = false;
+  bool held = false; ///< The mouse moves something.
   bool quick = false;
   bool peeling = true;
   vtkNew<vtkCallbackCommand> motion;
@@ -137,6 +140,7 @@ struct OrganView::Parts {
   unsigned long beforeWindowTag = 0;
 
   Bounds bounds() const;
+  double freeHeight() const;
   void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
@@ -149,9 +153,19 @@ struct OrganView::Parts {
   void putHandlesIntoRenderer();
 };
 
-/// What follows the camera does so when a renderer begins: the camera is at its place before.
+/// The part of the view's height, about its middle, that a legend along the upper edge leaves to organs.
+double OrganView::Parts::freeHeight() const {
+  if (!legend.visible() || !isNarrow(renderer, theme.typeScale))
+    return 1;
+  const double taken = theme.typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kLevelLegend;
+  return std::max(kLeastFree, 1 - 2 * taken / renderer->GetSize()[1]);
+}
+
+/// What follows the camera does so when a renderer begins: the camera is at its place before. It stands still
+/// under the mouse: a handle that is pressed may bring a legend.
 void OrganView::Parts::prepareWindow() {
-  sight.follow(renderer, [this] { return bounds(); });
+  if (!held)
+    sight.follow(renderer, freeHeight(), [this] { return bounds(); });
   smoothEdges();
 }
 
@@ -268,7 +282,8 @@ OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
   p.gizmoWidget->SetRepresentation(p.gizmo);
   p.motion->SetClientData(&p);
   p.motion->SetCallback([](vtkObject*, unsigned long event, void* parts, void*) {
-    static_cast<Parts*>(parts)->moving = event == vtkCommand::StartInteractionEvent;
+    auto& own = *static_cast<Parts*>(parts);
+    own.moving = own.held = event == vtkCommand::StartInteractionEvent;
   });
   p.watchMotion(p.widget);
   p.watchMotion(p.gizmoWidget);
@@ -429,8 +444,9 @@ void OrganView::frame(const Bounds& bounds) {
   auto* camera = renderer->GetActiveCamera();
   const auto view = viewGeometry(renderer);
   const int* size = renderer->GetSize();
-  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] : 1;
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
+  const double freeHeight = parts_->freeHeight();
+  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] / freeHeight : 1;
+  const double tangent = freeHeight * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);
   if (!(distance > 0))
     distance = kEmptyHalfSize;
@@ -438,7 +454,8 @@ void OrganView::frame(const Bounds& bounds) {
   camera->SetFocalPoint(center.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
-  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin));
+  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin) /
+                           freeHeight);
   renderer->ResetCameraClippingRange();
 }
 

@@ -126,6 +126,29 @@ TEST(OrganView, WhatIsWhollySeenStaysSoInANarrowerViewAndTheCameraComesBack) {
   }
 }
 
+TEST(OrganView, AnOrganLiesBesideTheLegendOfANarrowViewAndIsAsLargeAsBeforeWithoutIt) {
+  for (const bool framed : {false, true}) {
+    ViewInWindow window(270, 400);
+    window.addOrgan(tests::box(120, 60, 160));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    window.render();
+    const Vec3 eye(camera->GetPosition());
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    if (framed)
+      window.view.frame();
+    window.render();
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = window.display(Vec3(corner & 1 ? 120 : 0, corner & 2 ? 60 : 0, corner & 4 ? 160 : 0));
+      EXPECT_TRUE(at[0] > 0 && at[0] < 270) << at[0];
+      EXPECT_TRUE(at[1] > kLevelLegend && at[1] < 400 - kLevelLegend) << at[1];
+    }
+    window.view.legend().hide();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()) == eye, !framed);
+  }
+}
+
 TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
   ViewInWindow window(400, 200);
   window.addOrgan(tests::box(120, 60, 90));
