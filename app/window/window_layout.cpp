@@ -1,5 +1,6 @@
 #include "window/window_layout.h"
 
+#include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -77,6 +78,7 @@ void WindowLayout::place(const Panels& panels) {
       addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
   panels.timeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  panels.timeline->installEventFilter(this);
   auto* chart = charts_ = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
   chart->setTitleBarWidget(new QWidget(chart));
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
@@ -124,13 +126,34 @@ void WindowLayout::arrange() {
                                           {QStringLiteral("timeline"), useful_.timeline},
                                           {QStringLiteral("volumes"), useful_.charts},
                                           {QStringLiteral("slides"), false}};
-  // What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
-  // from mode to mode.
+  learnHeights();
+  for (PanelDock* dock : docks_)
+    dock->setVisible(chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool());
+  keepHeights();
+}
+
+/// The timeline has the height of its rows, of which a sequence has more than another. Qt takes them from the
+/// chart and gives them to the view. Qt has not laid the window out anew yet when this hears of it.
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest && timeline_->isVisible()) {
+    const int height = timeline_->widget()->sizeHint().height();
+    if (std::exchange(timelineHeight_, height) != height) {
+      learnHeights();
+      keepHeights();
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+/// What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
+/// from mode to mode.
+void WindowLayout::learnHeights() {
   for (auto known = heights_.begin(); known != heights_.end(); ++known)
     if (known.key()->isVisible() && !resizing_ && heightOf(*known.key()) != settled_.value(known.key(), -1))
       known.value() = heightOf(*known.key());
-  for (PanelDock* dock : docks_)
-    dock->setVisible(chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool());
+}
+
+void WindowLayout::keepHeights() {
   giveHeights();
   // Qt shares the room anew once more when it lays the panels out.
   if (!std::exchange(resizing_, true))

@@ -67,6 +67,10 @@ private:
   void placeRail(QWidget* rail);
   void bringBack();
   void arrange();
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void learnHeights();
+  /// Gives them now and once Qt has laid the panels out.
+  void keepHeights();
   void giveHeights();
   int heightOf(const QDockWidget& dock) const;
   void setFullScreen(bool full);
@@ -88,6 +92,7 @@ private:
   QVariantMap chosen_;
   QHash<QDockWidget*, int> heights_; ///< Of panels that come and go with the modes, as the user left them.
   QHash<QDockWidget*, int> settled_; ///< What they were once these had been given.
+  int timelineHeight_ = 0;           ///< What its rows took when it last had its layout.
   bool resizing_ = false;            ///< Heights are to be given once more: what they are now says nothing.
   std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;

@@ -110,6 +110,29 @@ TEST_F(Room, PanelsDoNotShrinkFromModeToMode) {
   }
 }
 
+TEST_F(Room, TheChartKeepsItsHeightFromSequenceToSequenceAndBesideSigns) {
+  const auto* chart = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
+  const auto* timeline = window().findChild<QDockWidget*>(QStringLiteral("timeline"));
+  const int height = chart->height(), rows = timeline->height();
+  for (const char* sequence : {"breathing", "heartbeat"}) {
+    parts().chooseSequence(QLatin1String(sequence));
+    ASSERT_TRUE(waitUntil([&] {
+      const auto* present = window().playback().sequence();
+      return present && present->id() == sequence;
+    })) << message().toStdString();
+    window().playback().pause();
+    settle();
+    EXPECT_NEAR(chart->height(), height, 4) << sequence;
+  }
+  EXPECT_EQ(timeline->height(), rows);
+  for (const bool signs : {true, false}) {
+    window().actions()["play.beatSigns"]->trigger();
+    settle();
+    EXPECT_EQ(timeline->height() > rows, signs);
+    EXPECT_NEAR(chart->height(), height, 4) << (signs ? "with" : "without") << " signs";
+  }
+}
+
 TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
   const QSize screen = window().screen()->availableSize();
   EXPECT_LE(window().width(), screen.width());

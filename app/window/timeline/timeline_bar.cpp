@@ -204,9 +204,13 @@ void TimelineBar::setSignsShown(bool shown) {
   syncSigns();
 }
 
-/// Only the textbook's beat has them; a circulation draws its own.
+/// Only the textbook's beat has them; a circulation draws its own. What is shown has the whole window laid
+/// out at once, at the chart's expense: without its layout the bar asks for its height later, and the panels
+/// keep theirs (`WindowLayout`).
 void TimelineBar::syncSigns() {
+  layout()->setEnabled(false);
   signs_->setVisible(signsShown_ && signs_->hasHeart());
+  layout()->setEnabled(true);
 }
 
 } // namespace viscera::app

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace viscera::scene {
 namespace {
@@ -14,6 +15,8 @@ constexpr double kHeightStep = 4;
 /// By how many heights of a label the way to what it names has to become shorter, before the label is broken,
 /// changes sides, or stands above or below everything.
 constexpr double kForBreaking = 2, kForOtherSide = 5, kForAbove = 10;
+/// How often labels are moved because of lines: moving one may open a way for another.
+constexpr int kRoundsForLines = 3;
 
 /// Means of runs of numbers, merged until they ascend: the nearest ascending numbers.
 std::vector<double> nearestAscending(const std::vector<double>& numbers) {
@@ -37,6 +40,28 @@ std::vector<double> nearestAscending(const std::vector<double>& numbers) {
   return ascending;
 }
 
+/// Whether a line runs through a box.
+bool runsThrough(const ScreenPlace& from, const ScreenPlace& to, const ScreenBox& box) {
+  double enter = 0, leave = 1; // The part of the line that is inside, of all between 0 and 1.
+  const auto clip = [&](double begin, double way, double low, double high) {
+    if (way == 0) {
+      if (begin <= low || begin >= high)
+        leave = -1;
+      return;
+    }
+    const double atLow = (low - begin) / way, atHigh = (high - begin) / way;
+    enter = std::max(enter, std::min(atLow, atHigh));
+    leave = std::min(leave, std::max(atLow, atHigh));
+  };
+  clip(from.x, to.x - from.x, box.left, box.right);
+  clip(from.y, to.y - from.y, box.bottom, box.top);
+  return enter < leave;
+}
+
+ScreenBox grown(const ScreenBox& box, double by) {
+  return {box.left - by, box.bottom - by, box.right + by, box.top + by};
+}
+
 /// Looks for places of labels one after the other.
 class Placer {
 public:
@@ -45,17 +70,17 @@ public:
 
   std::vector<std::optional<ScreenBox>> place() {
     const auto extent = covered_.all();
-    const double middle = extent ? (extent->left + extent->right) / 2 : space_.width / 2;
+    middle_ = extent ? (extent->left + extent->right) / 2 : space_.width / 2;
     for (const bool left : {true, false}) {
       std::vector<std::size_t> side;
       for (std::size_t i = 0; i < labels_.size(); ++i)
-        if ((labels_[i].x < middle) == left)
+        if (onLeft(i) == left)
           side.push_back(i);
       wishes(side);
     }
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
-      boxes_[i] = best(i, labels_[i].x < middle);
-    }
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      boxes_[i] = best(i);
+    clearNames();
     return boxes_;
   }
 
@@ -65,9 +90,43 @@ private:
     double height = 0;
   };
 
+  bool onLeft(std::size_t label) const { return labels_[label].x < middle_; }
+
+  /// Labels whose lines run through names, or on which lines of others run, move to the best place where
+  /// neither is so; where there is none they stay.
+  void clearNames() {
+    clear_ = true;
+    bool moved = true;
+    for (int round = 0; moved && round < kRoundsForLines; ++round) {
+      moved = false;
+      for (std::size_t i = 0; i < labels_.size(); ++i) {
+        const auto before = std::exchange(boxes_[i], std::nullopt);
+        if (before && !linesAreClear(i, *before))
+          boxes_[i] = best(i);
+        moved = moved || boxes_[i].has_value();
+        if (!boxes_[i])
+          boxes_[i] = before;
+      }
+    }
+  }
+
+  /// Whether a label, which has no place yet, can be there so that no line runs through a name.
+  bool linesAreClear(std::size_t label, const ScreenBox& box) const {
+    const double room = space_.between / 2; // Also while the organs move a little.
+    const auto crosses = [&](std::size_t named, const ScreenBox& from, const ScreenBox& other) {
+      const ScreenPlace end{labels_[named].x, labels_[named].y};
+      return runsThrough(leaderStart(from, end, space_.between), end, grown(other, room));
+    };
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (boxes_[i] && (crosses(label, box, *boxes_[i]) || crosses(i, *boxes_[i], box)))
+        return false;
+    return true;
+  }
+
   /// The place from which the way to what is named is shortest.
-  std::optional<ScreenBox> best(std::size_t label, bool left) const {
+  std::optional<ScreenBox> best(std::size_t label) const {
     const LabelRequest& wanted = labels_[label];
+    const bool left = onLeft(label);
     std::optional<ScreenBox> found;
     double least = kInfinity;
     const auto tryForm = [&](const Size& size, bool side, double handicap) {
@@ -135,7 +194,7 @@ private:
       else // Above or below everything: as far inside as it has to be.
         x = std::max(space_.margin, std::min(x, space_.width - space_.margin - size.width));
       const ScreenBox box{x, bottom, x + size.width, top};
-      if (isFree(box))
+      if (isFree(box) && (!clear_ || linesAreClear(label, box)))
         return box;
     }
     return std::nullopt;
@@ -144,8 +203,7 @@ private:
   bool isFree(const ScreenBox& box) const {
     if (box.left < space_.margin || box.right > space_.width - space_.margin || covered_.touches(box))
       return false;
-    const ScreenBox wide{box.left - space_.between, box.bottom - space_.between, box.right + space_.between,
-                         box.top + space_.between};
+    const ScreenBox wide = grown(box, space_.between);
     const auto meets = [&](const ScreenBox& other) { return wide.overlaps(other); };
     return std::none_of(space_.reserved.begin(), space_.reserved.end(), meets) &&
            std::none_of(boxes_.begin(), boxes_.end(),
@@ -155,6 +213,8 @@ private:
   const std::vector<LabelRequest>& labels_;
   const Footprint& covered_;
   const LabelSpace& space_;
+  double middle_ = 0;  ///< Of what is covered.
+  bool clear_ = false; ///< Only places count where no line runs through a name.
   std::vector<double> heights_;
   std::vector<std::optional<ScreenBox>> boxes_;
 };

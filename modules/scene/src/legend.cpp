@@ -1,8 +1,11 @@
 #include "viscera/scene/legend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <limits>
 
 #include <vtkCellData.h>
 #include <vtkProperty2D.h>
@@ -15,6 +18,7 @@
 
 #include "before_render.h"
 #include "flat_shape.h"
+#include "view_furniture.h"
 
 namespace viscera::scene {
 namespace {
@@ -28,8 +32,16 @@ constexpr double kLegendGap = 6;
 constexpr double kTitleGap = 14;
 constexpr double kTitleRight = 18;
 constexpr double kMarkGap = 26; ///< From the bar down to the mark's swatch.
+/// In a narrow view: from the upper edge of the view down to the foot of each.
+constexpr double kLevelTitle = 24, kLevelBar = 36, kLevelMark = 76;
+constexpr double kLevelBarHeight = 8;
+constexpr double kLevelSide = 24; ///< On either side of the bar: half a number.
+constexpr double kLevelGap = 2;
+constexpr double kLevelSwatch = 10;
+constexpr double kDigit = 7.5; ///< A character of a number is no wider.
 constexpr int kLegendFontSize = 12;
 constexpr int kTitleFontSize = 13;
+constexpr double kLeastTitleSize = 8;
 /// The bar takes at most this part of the view's height.
 constexpr double kMostOfView = 0.5;
 constexpr int kMostLegendTicks = 6;
@@ -131,6 +143,24 @@ std::vector<std::string> tickLabels(const std::vector<double>& ticks, char decim
   return labels;
 }
 
+namespace {
+
+/// Where the bar of colours lies, device pixels.
+struct BarPlace {
+  bool level = false; ///< From left to right; else upwards.
+  double left = 0;
+  double bottom = 0;
+  double length = 0; ///< Along its colours.
+  double width = 0;
+
+  std::array<double, 2> at(double along, double across) const {
+    return level ? std::array<double, 2>{left + along, bottom + across}
+                 : std::array<double, 2>{left + across, bottom + along};
+  }
+};
+
+} // namespace
+
 struct Legend::Parts {
   ColorMap map = viridis();
   ValueRange range;
@@ -150,8 +180,11 @@ struct Legend::Parts {
 
   std::vector<vtkActor2D*> actors() const;
   void layOut();
-  void layOutBar(double left, double bottom, double width, double height);
-  void layOutTicks(double left, double bottom, double width, double height, double ratio);
+  void layOutUpright(const int* size, double ratio);
+  void layOutLevel(const int* size, double ratio);
+  void layOutBar(const BarPlace& place);
+  void layOutTicks(const BarPlace& place, double ratio);
+  void layOutLabel(std::size_t tick, const std::array<double, 2>& at, bool level);
   void layOutMark(double left, double bottom, double width, double ratio);
   void setShown(bool on);
   void applyTheme();
@@ -171,24 +204,52 @@ void Legend::Parts::layOut() {
   auto* renderer = beforeRender.renderer();
   const double ratio = theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
   const int* size = renderer->GetSize();
+  setTextSize(title, kTitleFontSize, theme);
+  if (isNarrow(renderer, theme.typeScale))
+    layOutLevel(size, ratio);
+  else
+    layOutUpright(size, ratio);
+}
+
+void Legend::Parts::layOutUpright(const int* size, double ratio) {
   const double height = std::min(ratio * kBarHeight, kMostOfView * size[1]);
   const double left = size[0] - ratio * kRight, bottom = std::floor(0.5 * (size[1] - height));
-  layOutBar(left, bottom, ratio * kBarWidth, height);
-  layOutTicks(left, bottom, ratio * kBarWidth, height, ratio);
+  const BarPlace place{false, left, bottom, height, ratio * kBarWidth};
+  layOutBar(place);
+  layOutTicks(place, ratio);
   layOutMark(left, bottom - ratio * kMarkGap, ratio * kBarWidth, ratio);
+  title->GetTextProperty()->SetJustificationToRight();
   title->SetPosition(size[0] - ratio * kTitleRight, bottom + height + ratio * kTitleGap);
 }
 
-void Legend::Parts::layOutBar(double left, double bottom, double width, double height) {
+/// Along the upper edge, where it leaves the width to the organ. A long title is written smaller.
+void Legend::Parts::layOutLevel(const int* size, double ratio) {
+  const double left = ratio * kLevelSide, top = size[1];
+  const double length = std::max(1.0, size[0] - 2 * left);
+  const BarPlace place{true, left, top - ratio * kLevelBar, length, ratio * kLevelBarHeight};
+  layOutBar(place);
+  layOutTicks(place, ratio);
+  layOutMark(left, top - ratio * kLevelMark, ratio * kLevelSwatch, ratio);
+  std::array<double, 2> written{0, 0};
+  title->GetSize(beforeRender.renderer(), written.data());
+  if (written[0] > length)
+    setTextSize(title, std::max(kLeastTitleSize, std::floor(kTitleFontSize * length / written[0])), theme);
+  title->GetTextProperty()->SetJustificationToCentered();
+  title->SetPosition(0.5 * size[0], top - ratio * kLevelTitle);
+}
+
+void Legend::Parts::layOutBar(const BarPlace& place) {
   const Eigen::Index count = map.colors.rows();
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   bar.begin();
   for (Eigen::Index i = 0; i <= count; ++i) {
-    const double y = bottom + height * double(i) / double(count);
-    bar.add(left, y);
-    bar.add(left + width, y);
+    const double along = place.length * double(i) / double(count);
+    for (const double across : {0.0, place.width}) {
+      const auto at = place.at(along, across);
+      bar.add(at[0], at[1]);
+    }
     if (i == count)
       break;
     quads->InsertNextCell({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
@@ -199,17 +260,36 @@ void Legend::Parts::layOutBar(double left, double bottom, double width, double h
   bar.data->GetCellData()->SetScalars(colors);
 }
 
-void Legend::Parts::layOutTicks(double left, double bottom, double width, double height, double ratio) {
+/// Ticks and numbers are to the right of an upright bar and below a level one. Of numbers that would meet the
+/// first is written.
+void Legend::Parts::layOutTicks(const BarPlace& place, double ratio) {
   vtkNew<vtkCellArray> cells;
   lines.begin();
+  const double edge = place.level ? 0 : place.width;
+  const double tick = place.level ? -ratio * kLegendTick : ratio * kLegendTick;
+  const double gap = place.level ? -ratio * kLevelGap : ratio * kLegendGap;
+  double written = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    const double y = bottom + height * std::clamp(partOf(range, ticks[i]), 0.0, 1.0);
-    cells->InsertNextCell({lines.add(left + width, y), lines.add(left + width + ratio * kLegendTick, y)});
-    labels[i]->SetPosition(left + width + ratio * (kLegendTick + kLegendGap), y);
+    const double along = place.length * std::clamp(partOf(range, ticks[i]), 0.0, 1.0);
+    const auto from = place.at(along, edge), to = place.at(along, edge + tick);
+    cells->InsertNextCell({lines.add(from[0], from[1]), lines.add(to[0], to[1])});
+    layOutLabel(i, place.at(along, edge + tick + gap), place.level);
+    const double half = 0.5 * ratio * kDigit * static_cast<double>(std::strlen(labels[i]->GetInput()));
+    const bool fits = !place.level || along - half > written;
+    labels[i]->SetVisibility(fits);
+    if (fits)
+      written = along + half;
   }
   lines.end();
   lines.data->SetLines(cells);
   lines.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
+}
+
+void Legend::Parts::layOutLabel(std::size_t tick, const std::array<double, 2>& at, bool level) {
+  auto* letters = labels[tick]->GetTextProperty();
+  letters->SetJustification(level ? VTK_TEXT_CENTERED : VTK_TEXT_LEFT);
+  letters->SetVerticalJustification(level ? VTK_TEXT_TOP : VTK_TEXT_CENTERED);
+  labels[tick]->SetPosition(at[0], at[1]);
 }
 
 void Legend::Parts::layOutMark(double left, double bottom, double width, double ratio) {
@@ -239,7 +319,6 @@ void Legend::Parts::applyTheme() {
 }
 
 Legend::Legend() : parts_(std::make_unique<Parts>()) {
-  parts_->title->GetTextProperty()->SetJustificationToRight();
   parts_->title->GetTextProperty()->SetVerticalJustificationToBottom();
   parts_->markLabel->GetTextProperty()->SetVerticalJustificationToCentered();
   hide();
@@ -274,7 +353,6 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   for (const std::string& written : tickLabels(p.ticks, p.decimalMark)) {
     auto label = newText(kLegendFontSize);
     label->SetInput(written.c_str());
-    label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);
   }
   p.setShown(true);

@@ -16,6 +16,7 @@
 
 #include "before_render.h"
 #include "flat_shape.h"
+#include "view_furniture.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -30,7 +31,6 @@ constexpr double kLeaderWidth = 1;
 constexpr double kLineGap = 4;
 constexpr double kInside = 7; ///< How far inside the edge a line ends.
 constexpr double kLabelsBottom = 44;
-constexpr double kCube = 104;
 constexpr double kLegend = 120;
 constexpr double kLeaderOpacity = 0.75;
 constexpr double kCell = 16;
@@ -303,8 +303,11 @@ LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   room.margin *= ratio;
   room.gap *= ratio;
   room.between *= ratio;
-  room.reserved = {{0, 0, room.width, kLabelsBottom * ratio}, {0, 0, kCube * ratio, kCube * ratio}};
-  if (view.legend().visible())
+  const double corner = orientationCorner(view.renderer(), theme.typeScale);
+  room.reserved = {{0, 0, room.width, kLabelsBottom * ratio}, {0, 0, corner, corner}};
+  if (view.legend().visible() && isNarrow(view.renderer(), theme.typeScale))
+    room.reserved.push_back({0, room.height - kLevelLegend * ratio, room.width, room.height});
+  else if (view.legend().visible())
     room.reserved.push_back({room.width - kLegend * ratio, 0, room.width, room.height});
   return room;
 }

@@ -31,6 +31,7 @@
 #include "before_render.h"
 #include "blended_actor.h"
 #include "orientation_cube.h"
+#include "sight_keeper.h"
 #include "standard_view.h"
 #include "text_guard.h"
 #include "view_furniture.h"
@@ -48,6 +49,8 @@ constexpr Eigen::Index kAllDrawnInMotion = 50000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
+/// The part of a view's height that a legend leaves to organs, at least.
+constexpr double kLeastFree = 0.4;
 
 /// Factor of one turn of the wheel.
 constexpr double kZoomPerStep = 1.15;
@@ -116,6 +119,7 @@ struct OrganView::Parts {
   bool knowsGpu = false;
   bool software = false;
   bool moving = false;
+  bool held = false; ///< The mouse moves something.
   bool quick = false;
   bool peeling = true;
   vtkNew<vtkCallbackCommand> motion;
@@ -130,10 +134,14 @@ struct OrganView::Parts {
   char decimalMark = '.';
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
+  SightKeeper sight;
   BeforeRender beforeRender{[this] { prepareFrame(); }};
   vtkNew<vtkCallbackCommand> beforeWindow;
   unsigned long beforeWindowTag = 0;
 
+  Bounds bounds() const;
+  double freeHeight() const;
+  void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
   Eigen::Index verticesSeen() const;
@@ -144,6 +152,22 @@ struct OrganView::Parts {
   void peelOrOrder(const Vec3& eye);
   void putHandlesIntoRenderer();
 };
+
+/// The part of the view's height, about its middle, that a legend along the upper edge leaves to organs.
+double OrganView::Parts::freeHeight() const {
+  if (!legend.visible() || !isNarrow(renderer, theme.typeScale))
+    return 1;
+  const double taken = theme.typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kLevelLegend;
+  return std::max(kLeastFree, 1 - 2 * taken / renderer->GetSize()[1]);
+}
+
+/// What follows the camera does so when a renderer begins: the camera is at its place before. It stands still
+/// under the mouse: a handle that is pressed may bring a legend.
+void OrganView::Parts::prepareWindow() {
+  if (!held)
+    sight.follow(renderer, freeHeight(), [this] { return bounds(); });
+  smoothEdges();
+}
 
 /// Multisampling doubles the time of a frame in software (FXAA triples it), so it waits until there is time.
 /// Depth peeling draws nothing at all into a multisampled buffer, so there FXAA steps in.
@@ -258,13 +282,14 @@ OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
   p.gizmoWidget->SetRepresentation(p.gizmo);
   p.motion->SetClientData(&p);
   p.motion->SetCallback([](vtkObject*, unsigned long event, void* parts, void*) {
-    static_cast<Parts*>(parts)->moving = event == vtkCommand::StartInteractionEvent;
+    auto& own = *static_cast<Parts*>(parts);
+    own.moving = own.held = event == vtkCommand::StartInteractionEvent;
   });
   p.watchMotion(p.widget);
   p.watchMotion(p.gizmoWidget);
   p.beforeWindow->SetClientData(&p);
   p.beforeWindow->SetCallback(
-      [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->smoothEdges(); });
+      [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->prepareWindow(); });
   p.putHandlesIntoRenderer();
   setTheme(p.theme);
   lookFrom(StandardView::anterior);
@@ -373,9 +398,9 @@ const std::vector<std::shared_ptr<OrganActor>>& OrganView::organs() const {
   return parts_->organs;
 }
 
-Bounds OrganView::bounds() const {
-  std::optional<Bounds> all = parts_->alsoFramed ? parts_->alsoFramed() : std::nullopt;
-  for (const auto& organ : parts_->organs) {
+Bounds OrganView::Parts::bounds() const {
+  std::optional<Bounds> all = alsoFramed ? alsoFramed() : std::nullopt;
+  for (const auto& organ : organs) {
     if (!organ->visible())
       continue;
     const Bounds box = organ->bounds();
@@ -383,9 +408,13 @@ Bounds OrganView::bounds() const {
   }
   if (all)
     return *all;
-  if (parts_->handles->GetNumberOfHandles() > 0)
-    return boundsOf(parts_->handles->GetPositions());
+  if (handles->GetNumberOfHandles() > 0)
+    return boundsOf(handles->GetPositions());
   return {Vec3::Constant(-kEmptyHalfSize), Vec3::Constant(kEmptyHalfSize)};
+}
+
+Bounds OrganView::bounds() const {
+  return parts_->bounds();
 }
 
 void OrganView::setAlsoFramed(std::function<std::optional<Bounds>()> box) {
@@ -415,8 +444,9 @@ void OrganView::frame(const Bounds& bounds) {
   auto* camera = renderer->GetActiveCamera();
   const auto view = viewGeometry(renderer);
   const int* size = renderer->GetSize();
-  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] : 1;
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
+  const double freeHeight = parts_->freeHeight();
+  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] / freeHeight : 1;
+  const double tangent = freeHeight * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);
   if (!(distance > 0))
     distance = kEmptyHalfSize;
@@ -424,7 +454,8 @@ void OrganView::frame(const Bounds& bounds) {
   camera->SetFocalPoint(center.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
-  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin));
+  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin) /
+                           freeHeight);
   renderer->ResetCameraClippingRange();
 }
 

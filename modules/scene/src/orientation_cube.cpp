@@ -16,6 +16,7 @@
 
 #include "flat_shape.h"
 #include "standard_view.h"
+#include "view_furniture.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -36,6 +37,7 @@ constexpr double kBeside = 0.3;
 /// Logical pixels.
 constexpr int kLargeLetter = 22;
 constexpr int kSmallLetter = 13;
+constexpr double kLeastLetter = 10;
 constexpr double kLetterReach = 4; ///< Around a letter beside the cube.
 
 constexpr std::array kCubeSides = {StandardView::anterior, StandardView::posterior, StandardView::left,
@@ -200,7 +202,8 @@ OrientationCube::Letter OrientationCube::letterOf(StandardView side, const Vec3&
   const double part = std::clamp(facing / kOnFace, 0.0, 1.0);
   const double on = part * part * (3 - 2 * part);
   letter.place = (kHalf + (1 - on) * kBeside) * out;
-  letter.size = static_cast<int>(std::lround(kSmallLetter + on * (kLargeLetter - kSmallLetter)));
+  const double size = scale_ * (kSmallLetter + on * (kLargeLetter - kSmallLetter));
+  letter.size = static_cast<int>(std::lround(std::max(kLeastLetter, size)));
   letter.onFace = on > 0.5;
   letter.opacity = std::clamp((facing - kGone) / kFade, 0.0, 1.0);
   return letter;
@@ -228,7 +231,8 @@ void OrientationCube::placeLetters() {
 void OrientationCube::follow() {
   auto* window = followed_->GetRenderWindow();
   const int* size = window->GetSize();
-  const double corner = theme_.typeScale * kOrientationCorner * pixelRatioOf(window);
+  const double corner = orientationCorner(followed_, theme_.typeScale);
+  scale_ = corner / (theme_.typeScale * kOrientationCorner * pixelRatioOf(window));
   renderer_->SetViewport(0, 0, std::min(1.0, corner / std::max(1, size[0])),
                          std::min(1.0, corner / std::max(1, size[1])));
   auto* from = followed_->GetActiveCamera();

@@ -20,7 +20,7 @@ class vtkRenderer;
 namespace viscera::scene {
 
 /// Logical pixels, times the theme's type scale: the corner at the lower left that the orientation cube has
-/// for itself.
+/// for itself; less in a narrow view (`orientationCorner`).
 constexpr double kOrientationCorner = 104;
 
 /// A small bevelled cube in the lower left corner, turned with the main camera. Its letters say where the
@@ -66,6 +66,7 @@ private:
   std::array<Letter, 6> letters_;
   std::optional<StandardView> highlighted_;
   Theme theme_ = darkTheme();
+  double scale_ = 1; ///< Of the usual size, in the last frame.
   bool shown_ = true;
   BeforeRender beforeRender_;
 };

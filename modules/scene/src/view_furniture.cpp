@@ -19,6 +19,7 @@ namespace viscera::scene {
 namespace {
 
 /// Logical pixels.
+constexpr double kNarrowWidth = 480;
 constexpr double kLongest = 180;
 constexpr double kScaleBarBottom = 20;
 constexpr double kScaleBarTick = 5;
@@ -27,8 +28,19 @@ constexpr double kTextGap = 6;
 constexpr double kScaleBarWidth = 1.5;
 constexpr int kScaleBarFontSize = 13;
 constexpr double kGroundOfNumber = 0.7; ///< Opacity.
+constexpr double kSmallCube = 0.65;     ///< Of the usual size.
 
 } // namespace
+
+bool isNarrow(vtkRenderer* renderer, double typeScale) {
+  const int* size = renderer->GetSize();
+  return size[0] < size[1] && size[0] < typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kNarrowWidth;
+}
+
+double orientationCorner(vtkRenderer* renderer, double typeScale) {
+  const double usual = typeScale * kOrientationCorner * pixelRatioOf(renderer->GetRenderWindow());
+  return isNarrow(renderer, typeScale) ? kSmallCube * usual : usual;
+}
 
 double roundLength(double most) {
   const double power = std::pow(10, std::floor(std::log10(most)));
@@ -78,7 +90,8 @@ void ScaleBar::follow() {
   if (!(pixel > 0) || !std::isfinite(pixel))
     return;
   // In the middle, but not over the orientation cube of a narrow view.
-  const double width = renderer->GetSize()[0], corner = ratio * (kOrientationCorner + kCornerGap);
+  const double width = renderer->GetSize()[0];
+  const double corner = orientationCorner(renderer, typeScale_) + ratio * kCornerGap;
   const double most = std::min(ratio * kLongest, std::max(0.25 * width, width - corner - ratio * kCornerGap));
   const double length = roundLength(pixel * most);
   const double half = 0.5 * length / pixel;

@@ -10,6 +10,16 @@ class vtkRenderer;
 /// What stands at an edge of every view.
 namespace viscera::scene {
 
+/// Whether a view is narrow and higher than wide, as each of two is: it has room above and below an organ,
+/// and none beside it. There the legend lies along the upper edge and the orientation cube is small.
+bool isNarrow(vtkRenderer* renderer, double typeScale);
+
+/// What the legend of a narrow view takes from its upper edge on: logical pixels, times the type scale.
+inline constexpr double kLevelLegend = 62;
+
+/// The side of the corner at the lower left that the orientation cube has for itself, device pixels.
+double orientationCorner(vtkRenderer* renderer, double typeScale);
+
 /// A line of a round number of millimetres at the bottom of a view. With a perspective camera it is right in
 /// the plane of the camera's focal point.
 class ScaleBar {

@@ -167,6 +167,26 @@ TEST(LabelLayout, BreaksALongNameInANarrowViewSoThatItStandsNearby) {
   EXPECT_DOUBLE_EQ(wide[0]->height(), 16) << "in one line where there is room";
 }
 
+TEST(LabelLayout, MovesALabelWhoseLineWouldRunThroughAnothersName) {
+  const Footprint covered = disc(180, 200, 90);
+  const std::vector<LabelRequest> labels = {{155, 210, 100, 16}, {220, 220, 120, 16}, {230, 225, 120, 16}};
+  const auto boxes = placeLabels(labels, covered, view(360));
+  expectApart(boxes, covered, view(360));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    ASSERT_TRUE(boxes[i]) << i;
+    const ScreenPlace start = leaderStart(*boxes[i], {labels[i].x, labels[i].y}, 4);
+    for (std::size_t j = 0; j < labels.size(); ++j) {
+      bool through = false;
+      for (double part = 0; i != j && part <= 1; part += 0.005) {
+        const double x = start.x + part * (labels[i].x - start.x);
+        const double y = start.y + part * (labels[i].y - start.y);
+        through = through || ScreenBox{x, y, x, y}.overlaps(*boxes[j]);
+      }
+      EXPECT_FALSE(through) << "the line of " << i << " runs through name " << j;
+    }
+  }
+}
+
 TEST(LabelLayout, PutsALabelAboveEverythingIntoTheViewWhereverItsOrganIs) {
   const Footprint covered = disc(180, 150, 140);
   const auto boxes = placeLabels({{60, 200, 300, 16}}, covered, view(360));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -12,6 +13,8 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/picture.h"
+
+#include "view_furniture.h"
 
 namespace viscera::scene {
 namespace {
@@ -92,6 +95,36 @@ TEST(Legend, CanBeReadOverWhatLiesBehindIt) {
         covered += std::abs(at(with) - panel) < 0.6 * std::abs(at(without) - panel);
       }
     EXPECT_GT(covered, 200) << (theme.dark ? "dark" : "light");
+  }
+}
+
+/// Whether the legend draws anything between two heights of a view without organs, as parts of its height.
+bool drawsBetween(tests::ViewInWindow& window, double bottom, double top) {
+  const auto picture = [&](bool shown) {
+    shown ? window.view.legend().show("Rotational stress", "deg", viridis(), {0, 1})
+          : window.view.legend().hide();
+    window.render();
+    return grabPicture(window.surface.window());
+  };
+  window.view.setScaleBarShown(false);
+  window.view.setOrientationCubeShown(false);
+  const auto with = picture(true), without = picture(false);
+  const int* size = with->GetDimensions();
+  const auto* one = static_cast<const unsigned char*>(with->GetScalarPointer());
+  const auto* other = static_cast<const unsigned char*>(without->GetScalarPointer());
+  const int row = 3 * size[0];
+  const int first = static_cast<int>(bottom * size[1]) * row, last = static_cast<int>(top * size[1]) * row;
+  return !std::equal(one + first, one + last, other + first);
+}
+
+TEST(Legend, LiesAlongTheUpperEdgeOfANarrowViewAndStandsAtTheRightOfOthers) {
+  for (const double ratio : {1.0, 2.0}) {
+    const auto pixels = [ratio](int logical) { return static_cast<int>(ratio * logical); };
+    tests::ViewInWindow narrow(pixels(270), pixels(400), ratio);
+    EXPECT_TRUE(drawsBetween(narrow, 1 - kLevelLegend / 400, 1)) << ratio;
+    EXPECT_FALSE(drawsBetween(narrow, 0, 1 - kLevelLegend / 400)) << ratio;
+    tests::ViewInWindow wide(pixels(500), pixels(400), ratio);
+    EXPECT_TRUE(drawsBetween(wide, 0.25, 0.5)) << ratio;
   }
 }
 

@@ -102,6 +102,75 @@ TEST(OrganView, FramesTheWholeOrganAndFillsThePictureInAnyShapeOfWindow) {
     }
 }
 
+TEST(OrganView, WhatIsWhollySeenStaysSoInANarrowerViewAndTheCameraComesBack) {
+  for (const bool parallel : {false, true}) {
+    ViewInWindow window(400, 200);
+    window.addOrgan(tests::box(120, 60, 90));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    camera->SetParallelProjection(parallel);
+    window.view.lookFrom(StandardView::anterior);
+    window.render();
+    const Vec3 eye(camera->GetPosition());
+    const double scale = camera->GetParallelScale();
+    window.surface.window()->SetSize(100, 200);
+    window.render();
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = window.display(Vec3(corner & 1 ? 120 : 0, corner & 2 ? 60 : 0, corner & 4 ? 90 : 0));
+      EXPECT_TRUE(at[0] > 0 && at[0] < 100) << at[0];
+      EXPECT_TRUE(at[1] > 0 && at[1] < 200) << at[1];
+    }
+    window.surface.window()->SetSize(400, 200);
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), eye);
+    EXPECT_EQ(camera->GetParallelScale(), scale);
+  }
+}
+
+TEST(OrganView, AnOrganLiesBesideTheLegendOfANarrowViewAndIsAsLargeAsBeforeWithoutIt) {
+  for (const bool framed : {false, true}) {
+    ViewInWindow window(270, 400);
+    window.addOrgan(tests::box(120, 60, 160));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    window.render();
+    const Vec3 eye(camera->GetPosition());
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    if (framed)
+      window.view.frame();
+    window.render();
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = window.display(Vec3(corner & 1 ? 120 : 0, corner & 2 ? 60 : 0, corner & 4 ? 160 : 0));
+      EXPECT_TRUE(at[0] > 0 && at[0] < 270) << at[0];
+      EXPECT_TRUE(at[1] > kLevelLegend && at[1] < 400 - kLevelLegend) << at[1];
+    }
+    window.view.legend().hide();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()) == eye, !framed);
+  }
+}
+
+TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
+  ViewInWindow window(400, 200);
+  window.addOrgan(tests::box(120, 60, 90));
+  auto* camera = window.view.renderer()->GetActiveCamera();
+  const auto staysFrom = [&](int width, int otherWidth) {
+    window.surface.window()->SetSize(width, 200);
+    window.render();
+    const Vec3 eye(camera->GetPosition());
+    window.surface.window()->SetSize(otherWidth, 200);
+    window.render();
+    return eye == Vec3(camera->GetPosition());
+  };
+  window.view.lookFrom(StandardView::anterior);
+  camera->Dolly(3);
+  EXPECT_TRUE(staysFrom(400, 100)) << "it saw a part of the organ";
+  window.surface.window()->SetSize(400, 200);
+  window.view.lookFrom(StandardView::anterior);
+  EXPECT_FALSE(staysFrom(400, 100));
+  camera->Azimuth(30);
+  EXPECT_TRUE(staysFrom(100, 400)) << "it was moved in the narrow view";
+}
+
 TEST(OrganView, FrameKeepsTheDirectionOfSight) {
   ViewInWindow window;
   window.addOrgan(tests::sphere(2, 40));

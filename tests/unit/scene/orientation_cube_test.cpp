@@ -87,6 +87,19 @@ TEST(OrientationCube, ShowsWhichSideIsUnderTheMouseInBothThemes) {
   }
 }
 
+TEST(OrientationCube, IsSmallInANarrowViewAndFoundThere) {
+  for (const double ratio : {1.0, 2.0}) {
+    ViewInWindow window(static_cast<int>(270 * ratio), static_cast<int>(400 * ratio), ratio);
+    window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-50), Vec3::Constant(50)});
+    window.render();
+    const auto at = [&](double x, double y) { return window.view.orientationSideAt(ratio * x, ratio * y); };
+    constexpr double kPart = 0.65;
+    EXPECT_EQ(at(kPart * kMiddle, kPart * kMiddle), StandardView::anterior);
+    EXPECT_EQ(at(kPart * (kMiddle + kBeside), kPart * kMiddle), StandardView::left);
+    EXPECT_FALSE(at(kMiddle + kBeside, kMiddle)) << "where the letter is in a wide view";
+  }
+}
+
 TEST(OrientationCube, IsNeitherSeenNorFoundWhileItIsHidden) {
   ViewInWindow window(300, 240);
   window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-50), Vec3::Constant(50)});

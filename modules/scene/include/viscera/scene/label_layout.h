@@ -90,7 +90,8 @@ ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double g
 /// Places labels to the left and to the right of what is covered, each as level with what it names as there
 /// is room; in two lines (the box has that size), or on the other side, where that is much nearer to it, as
 /// it is in a narrow view. No two overlap, none touches what is covered or reserved, all lie inside the view;
-/// one for which there is no such place is left out (empty). Earlier labels go first. O(labels^2 x height).
+/// one for which there is no such place is left out (empty). A line runs through no other name where a label
+/// can be moved for that. Earlier labels go first. O(labels^2 x height).
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space);
 

@@ -12,8 +12,9 @@ class vtkRenderer;
 namespace viscera::scene {
 
 /// The legend of a colour map: a bar of colours with title, unit and at most six ticks at round numbers, at
-/// the right edge of a view. Keeps its size in logical pixels, times the theme's type scale, and follows the
-/// window's size and DPI. Belongs to the thread that renders.
+/// the right edge of a view, or along the upper edge of a narrow one that is higher than wide. Keeps its size
+/// in logical pixels, times the theme's type scale, and follows the window's size and DPI. Belongs to the
+/// thread that renders.
 class Legend {
 public:
   Legend();

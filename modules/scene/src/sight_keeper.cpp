@@ -1,0 +1,66 @@
+#include "sight_keeper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+namespace viscera::scene {
+namespace {
+
+/// What is wholly seen has a little room around it.
+constexpr double kRoomAround = 1.02;
+
+/// How far a camera is from seeing a box wholly; at most 0 where it does. mm by which it would have to back
+/// off, or a parallel one's half height to grow.
+double shortOf(const Bounds& box, const ViewGeometry& camera, const SightKeeper::Shape& shape) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
+                     corner & 4 ? box.high.z() : box.low.z());
+    const Vec3 seen = point - camera.eye;
+    const double half = kRoomAround * std::max(std::abs(seen.dot(camera.up)) / shape.freeHeight,
+                                               std::abs(seen.dot(camera.right)) / shape.aspect);
+    most = std::max(most, camera.parallel ? half - camera.halfHeight
+                                          : half / camera.halfHeight - seen.dot(camera.forward));
+  }
+  return most;
+}
+
+bool sameCamera(const ViewGeometry& a, const ViewGeometry& b) {
+  return a.eye == b.eye && a.forward == b.forward && a.up == b.up && a.parallel == b.parallel &&
+         a.halfHeight == b.halfHeight;
+}
+
+} // namespace
+
+void SightKeeper::follow(vtkRenderer* renderer, double freeHeight, const std::function<Bounds()>& bounds) {
+  const int* size = renderer->GetSize();
+  if (size[0] <= 0 || size[1] <= 0)
+    return;
+  const Shape shape{static_cast<double>(size[0]) / size[1], freeHeight};
+  const ViewGeometry now = viewGeometry(renderer);
+  if (shape_.aspect == 0 || !sameCamera(now, left_)) {
+    wished_ = left_ = now;
+    wishedShape_ = shape_ = shape;
+  }
+  if (std::exchange(shape_, shape) == shape)
+    return;
+  const Bounds box = bounds();
+  const bool whole = shortOf(box, wished_, wishedShape_) <= 0;
+  const double back = whole ? std::max(0.0, shortOf(box, wished_, shape)) : 0;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (wished_.parallel) {
+    camera->SetParallelScale(wished_.halfHeight + back);
+  } else {
+    const Vec3 eye = wished_.eye - back * wished_.forward;
+    camera->SetPosition(eye.data());
+  }
+  renderer->ResetCameraClippingRange();
+  left_ = viewGeometry(renderer);
+}
+
+} // namespace viscera::scene
