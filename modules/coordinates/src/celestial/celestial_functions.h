@@ -11,11 +11,19 @@ struct FunctionValues {
   Pack second;
 };
 
+/// phi' and phi'' in single precision.
+struct SingleSlopes {
+  SinglePack first;
+  SinglePack second;
+};
+
 /// S-Celestial: with r = sqrt(t^2 + 1) and u = t + r, phi = u^3/6 + u/2, phi' = u^2, phi'' = 2 u^2 / r. (phi
 /// is 2t^3/3 + t + 2r^3/3 in a form that does not cancel for negative t; u is 1/(r - t) there for the same
 /// reason.)
 struct SFunction {
-  static constexpr FunctionValues kAtZero = {Pack{} + 2.0 / 3.0, Pack{} + 1.0, Pack{} + 2.0};
+  /// To the bit what `evaluate` gives there.
+  static constexpr FunctionValues kAtZero = {Pack{} + (1.0 / 6.0 + 0.5), Pack{} + 1.0, Pack{} + 2.0};
+  static constexpr bool kHasSingle = true;
 
   static FunctionValues evaluate(Pack t) {
     const Pack r = squareRoot(t * t + 1.0);
@@ -24,6 +32,15 @@ struct SFunction {
     const Pack u = select(t < 0.0, inverse * r, large);
     const Pack square = u * u;
     return {u * (square * (1.0 / 6.0) + 0.5), square, 2.0 * square * (inverse * large)};
+  }
+
+  static SingleSlopes slopes(SinglePack t) {
+    const SinglePack r = squareRoot(t * t + 1.0f);
+    const SinglePack large = (t < 0.0f ? -t : t) + r;
+    const SinglePack inverse = 1.0f / (large * r);
+    const SinglePack u = t < 0.0f ? inverse * r : large;
+    const SinglePack square = u * u;
+    return {square, 2.0f * square * (inverse * large)};
   }
 
   static Pack first(Pack t) {
@@ -35,6 +52,7 @@ struct SFunction {
 
 /// T-Celestial: phi, phi' and phi'' are all e^t.
 struct TFunction {
+  static constexpr bool kHasSingle = false;
   static constexpr FunctionValues kAtZero = {Pack{} + 1.0, Pack{} + 1.0, Pack{} + 1.0};
 
   static FunctionValues evaluate(Pack t) {

