@@ -5,6 +5,7 @@
 #   ./test.sh CTEST_OPTION... a part: ./test.sh -R geometry, ./test.sh -L gui
 #   ./test.sh --fuzz SECONDS [TARGET...]  runs the fuzzers instead (docs/reliability.md), for so long each
 #   ./test.sh --sanitise address|thread [CTEST_OPTION...]  everything, or a part, under a sanitiser: an hour or more
+#   ./test.sh --sanitise-part address|thread  some programs of tests under it, as continuous integration does: minutes
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 readonly root
@@ -81,6 +82,10 @@ if [ "${1:-}" = --fuzz ]; then
 fi
 if [ "${1:-}" = --sanitise ]; then
   sanitise "${@:2}"
+  exit
+fi
+if [ "${1:-}" = --sanitise-part ]; then
+  sanitise_part "${2:-}"
   exit
 fi
 mapfile -t packages < <(packages_to_run_if_there && packages_to_test_if_there)
