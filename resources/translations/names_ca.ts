@@ -4446,6 +4446,10 @@
         <translation>hauria de contenir nombres enters</translation>
     </message>
     <message>
+        <source>its JPEG stream is damaged: it has no frame header</source>
+        <translation>el seu flux JPEG està malmès: no té capçalera de trama</translation>
+    </message>
+    <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
         <translation>el seu JSON no té «asset»: no és un fitxer glTF</translation>
     </message>

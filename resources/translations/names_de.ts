@@ -4446,6 +4446,10 @@
         <translation>es sollte ganze Zahlen enthalten</translation>
     </message>
     <message>
+        <source>its JPEG stream is damaged: it has no frame header</source>
+        <translation>ihr JPEG-Strom ist beschädigt: er hat keinen Frame-Header</translation>
+    </message>
+    <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
         <translation>ihr JSON hat kein „asset“: es ist keine glTF-Datei</translation>
     </message>

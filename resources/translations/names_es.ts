@@ -4446,6 +4446,10 @@
         <translation>debería contener números enteros</translation>
     </message>
     <message>
+        <source>its JPEG stream is damaged: it has no frame header</source>
+        <translation>su flujo JPEG está dañado: no tiene cabecera de trama</translation>
+    </message>
+    <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
         <translation>su JSON no tiene «asset»: no es un archivo glTF</translation>
     </message>

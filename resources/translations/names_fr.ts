@@ -4446,6 +4446,10 @@
         <translation>il devrait contenir des nombres entiers</translation>
     </message>
     <message>
+        <source>its JPEG stream is damaged: it has no frame header</source>
+        <translation>son flux JPEG est endommagé : il n&apos;a pas d&apos;en-tête de trame</translation>
+    </message>
+    <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
         <translation>son JSON n’a pas de « asset » : ce n’est pas un fichier glTF</translation>
     </message>
