@@ -196,6 +196,41 @@ TEST(DeflatedDicom, ThatUnpacksToFarMoreThanAScanIsRefusedWithoutItsMemory) {
   EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes / 2);
 }
 
+/// Whatever a JPEG 2000 stream or the header around it promises of its size, tiles and components.
+TEST(Jpeg2000Dicom, ThatPromisesFarMoreThanItHasIsRefusedWithoutItsMemory) {
+  const TemporaryFolder folder;
+  const auto bigEndian = [](std::uint32_t value, int bytes) {
+    std::string out;
+    while (bytes-- > 0)
+      out.push_back(static_cast<char>(value >> (8 * bytes) & 0xffU));
+    return out;
+  };
+  const std::string plain = tests::dicomBytes(tests::dicomSlice(phantom(), 3));
+  const std::string good = tests::packedDicom(plain, "jpeg-2000"), begin("\xFF\x4F\xFF\x51");
+  // The size segment (ISO/IEC 15444-1, A.5.1): marks, length, capabilities, width, height, origin, tiles.
+  constexpr std::size_t kWidth = 8, kTileWidth = 24, kComponents = 40;
+  const std::size_t at = good.find(begin);
+  ASSERT_NE(at, good.npos);
+  const std::string huge = bigEndian(65000, 4) + bigEndian(65000, 4);
+  std::string large = good, tiled = good, many = good, promised = good;
+  large.replace(at + kWidth, huge.size(), huge).replace(at + kTileWidth, huge.size(), huge);
+  tiled.replace(at + kWidth, huge.size(), huge)
+      .replace(at + kTileWidth, huge.size(), bigEndian(255, 4) + bigEndian(255, 4));
+  many.replace(at + kComponents, 2, bigEndian(16384, 2));
+  promised = large;
+  for (const auto& [tag, count] :
+       {std::pair{0x00280010U, phantom().size[1]}, {0x00280011U, phantom().size[0]}}) {
+    const std::string was = tests::dicomElement(tag, tests::us(count));
+    ASSERT_NE(promised.find(was), promised.npos);
+    promised.replace(promised.find(was), was.size(), tests::dicomElement(tag, tests::us(65000)));
+  }
+  for (const std::string& file : {large, tiled, many, promised}) {
+    const long before = peakKilobytes();
+    EXPECT_FALSE(tryReading(folder.put("bomb.dcm", file)));
+    EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes / 2);
+  }
+}
+
 /// Another program writes the file anew, shorter, longer or as another kind of image, while it is read.
 TEST(ChangingScan, IsReadOrRefusedAndNeverMixedUp) {
   constexpr int kTries = 200;

@@ -93,10 +93,34 @@ bool isPlausible(std::size_t packedBytes, const DicomHeader& header) {
   return pixels <= (1U << 26U) || pixels / 1000 <= packedBytes;
 }
 
+/// A tile has a header of 14 bytes at least. OpenJPEG takes some 10 kB for each tile that the size segment of
+/// a code stream (ISO/IEC 15444-1, A.5.1) promises, before it has seen one.
+bool hasRoomForItsTiles(std::string_view packed) {
+  constexpr std::string_view kSize("\xFF\x4F\xFF\x51");
+  constexpr std::size_t kExtent = 8, kTile = 24, kLength = 40, kLeastTile = 14;
+  for (std::size_t at = packed.find(kSize); at != packed.npos; at = packed.find(kSize, at + 1)) {
+    if (at + kLength > packed.size())
+      return false;
+    std::uint64_t tiles = 1;
+    for (const std::size_t axis : {0U, 4U}) {
+      const auto number = [&](std::size_t offset) -> std::uint64_t {
+        return loadValue<std::uint32_t>(packed.data() + at + offset + axis, std::endian::big);
+      };
+      const std::uint64_t extent = number(kExtent), origin = number(kTile + 8), size = number(kTile);
+      if (size == 0 || origin > extent)
+        return false;
+      tiles *= (extent - origin + size - 1) / size;
+    }
+    if (tiles > packed.size() / kLeastTile)
+      return false;
+  }
+  return true;
+}
+
 /// The picture in a code stream; none when it is damaged or another one than the header describes.
 Image unpacked(std::string_view packed, const DicomHeader& header) {
   Image none(nullptr, opj_image_destroy);
-  if (!isPlausible(packed.size(), header))
+  if (!isPlausible(packed.size(), header) || !hasRoomForItsTiles(packed))
     return none;
   PackedStream source{packed};
   const Codec codec = codecFor(packed);
