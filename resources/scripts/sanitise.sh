@@ -49,12 +49,12 @@ sanitise() {
 }
 
 # sanitise_part address|thread: what continuous integration has time for. The readers of files see the bytes of strangers;
-# the numerics and the live organ share their work among threads.
+# coordinates and deformation share their work among threads.
 sanitise_part() {
   local preset test
   preset=$(preset_of "${1:-}")
-  local -a tests=(test_medical_io test_scans test_document)
-  [ "$preset" = asan ] || tests=(test_core test_coordinates test_deformation test_live)
+  local -a tests=(test_medical_io test_scans)
+  [ "$preset" = asan ] || tests=(test_coordinates test_deformation)
   build_sanitised "$preset" "${tests[@]}"
   use_own_environment
   # Some kernels lay out memory in a way that a sanitiser refuses, or let it look for no leaks.

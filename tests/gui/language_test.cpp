@@ -337,6 +337,22 @@ TEST_F(GermanWindow, GivesStressInItsOwnUnitOfAngles) {
       << mean->text().toStdString();
 }
 
+/// But in the identifiers of publications.
+TEST_F(GermanWindow, WritesNoDecimalPoint) {
+  static const QRegularExpression point(QStringLiteral("\\d\\.\\d"));
+  static const QRegularExpression publication(QStringLiteral("doi [^ ;,)]+"));
+  for (const Qt::Key mode : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+    key(mode);
+    settle();
+    for (const QWidget* widget : window().findChildren<QWidget*>()) {
+      const auto* label = qobject_cast<const QLabel*>(widget);
+      for (QString text : {widget->toolTip(), label ? label->text() : QString()})
+        EXPECT_FALSE(text.remove(publication).contains(point))
+            << widget->objectName().toStdString() << ": " << text.toStdString();
+    }
+  }
+}
+
 TEST_F(GermanWindow, HasAWordForEverySample) {
   for (const QString& name : window().samples().names())
     EXPECT_NE(app::SampleLoader::nameInWords(name), QString(name).replace(QLatin1Char('_'), QLatin1Char(' ')))

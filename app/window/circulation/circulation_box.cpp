@@ -49,8 +49,12 @@ ValueSlider::Range rangeOf(const circulation::ParameterInfo& info) {
           QLatin1Char(' ') + text(info.unit)};
 }
 
+/// Enough for every parameter's value at rest.
+constexpr int kDigitsAtRest = 4;
+
 QString tipOf(const circulation::ParameterInfo& info) {
-  const QString what = CirculationBox::tr("%1, %2 at rest").arg(inWords(info.title)).arg(info.rest);
+  const QString what =
+      CirculationBox::tr("%1, %2 at rest").arg(inWords(info.title), formatDigits(info.rest, kDigitsAtRest));
   if (!info.normal)
     return what;
   const int decimals = rangeOf(info).decimals;

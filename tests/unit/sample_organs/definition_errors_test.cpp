@@ -53,6 +53,12 @@ TEST(DefinitionErrors, SayWhereTheFileIsNotJson) {
   EXPECT_THAT(messageOf<DataError>(files, "thing"), AllOf(HasSubstr("thing.json"), HasSubstr("line 3")));
 }
 
+TEST(DefinitionErrors, NameANumberBeyondDoubles) {
+  TemporaryLibrary files;
+  files.write("thing", "{\"name\": \"thing\", \"scale\": 1e999}");
+  EXPECT_THAT(messageOf<DataError>(files, "thing"), AllOf(HasSubstr("thing.json"), HasSubstr("1e999")));
+}
+
 TEST(DefinitionErrors, SayThatAFileIsEmpty) {
   TemporaryLibrary files;
   files.write("thing", "");

@@ -28,7 +28,7 @@ std::string readText(const std::filesystem::path& path) {
 json parse(const std::string& text, const std::string& where) {
   try {
     return json::parse(text, nullptr, true, true);
-  } catch (const json::parse_error& error) {
+  } catch (const json::exception& error) { // Numbers beyond doubles are no `parse_error`.
     throw DataError(std::string("not valid JSON: ") + error.what(), where, "mend the place that is named");
   }
 }
