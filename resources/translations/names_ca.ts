@@ -6982,6 +6982,18 @@
         <translation>de la paret lliure del ventricle esquerre a la sístole</translation>
     </message>
     <message>
+        <source>effective areas of normal valves: doi 10.1016/j.echo.2017.02.009</source>
+        <translation>àrees efectives de vàlvules normals: doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>una regurgitació lleu està per sota de 0,1 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>una regurgitació lleu està per sota de 0,2 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
         <source>20 % around the healthy adult at rest</source>
         <translation>20 % al voltant de l’adult sa en repòs</translation>
     </message>
@@ -7862,12 +7874,24 @@
         <translation>800 persones sanes de 45 a 74 anys, per ressonància magnètica, músculs papil·lars comptats com a cavitat</translation>
     </message>
     <message>
+        <source>ICRP publication 89, doi 10.1016/S0146-6453(03)00002-2</source>
+        <translation>ICRP, publicació 89, doi 10.1016/S0146-6453(03)00002-2</translation>
+    </message>
+    <message>
         <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
         <translation>1815 persones sense malaltia renal, per ressonància magnètica; la desviació és la dels quartils</translation>
     </message>
     <message>
+        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
+        <translation>dispersió: doi 10.1111/j.1365-2982.2010.01660.x; mitjana: «Simplifying the measurement of gastric accommodation using SPECT»</translation>
+    </message>
+    <message>
         <source>customary at the bedside</source>
         <translation>habitual a la clínica</translation>
+    </message>
+    <message>
+        <source>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower bound is customary</source>
+        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065: el normal és per sota de 120/80; el límit inferior és l’habitual</translation>
     </message>
     <message>
         <source>mass of the muscle</source>
@@ -7890,16 +7914,32 @@
         <translation>excursió de l’anell mitral (MAPSE)</translation>
     </message>
     <message>
+        <source>magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound finds less, 12 to 15 mm</source>
+        <translation>ressonància magnètica: 16,4 mm (Carlsson i altres 2007, doi 10.1152/ajpheart.01376.2006); l’ecografia dona menys, de 12 a 15 mm</translation>
+    </message>
+    <message>
         <source>excursion of the tricuspid annulus (TAPSE)</source>
         <translation>excursió de l’anell tricúspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)</source>
+        <translation>ressonància magnètica: 23,4 mm (Carlsson i altres 2007, doi 10.1152/ajpheart.01376.2006); en ecografia, menys de 17 mm és anormal (Lang i altres 2015, doi 10.1016/j.echo.2014.10.003)</translation>
     </message>
     <message>
         <source>twist of the apex against the base</source>
         <translation>torsió de l’àpex respecte a la base</translation>
     </message>
     <message>
+        <source>magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi 10.1186/1532-429X-14-49)</source>
+        <translation>ressonància magnètica: àpex uns 10 graus, base uns 3 en sentit contrari (Young i Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
+    </message>
+    <message>
         <source>thickening of the free wall</source>
         <translation>engruiximent de la paret lliure</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi 10.1186/1532-429X-11-S1-P61)</source>
+        <translation>ressonància magnètica: 4,4 ± 1,4 mm als talls mitjans (Ubachs i altres 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
     </message>
     <message>
         <source>healthy adults at rest</source>
@@ -7938,6 +7978,22 @@
         <translation>fracció de regurgitació</translation>
     </message>
     <message>
+        <source>Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations</source>
+        <translation>Kovacs 2009, doi 10.1183/09031936.00145608: mitjana ± 2 desviacions típiques</translation>
+    </message>
+    <message>
+        <source>between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</source>
+        <translation>entre l’acoblament més eficient (0,5) i el més potent (1): Burkhoff i Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
+    </message>
+    <message>
+        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
+        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: fins i tot una estenosi lleu es queda per sota de 20 mmHg</translation>
+    </message>
+    <message>
+        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
+        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: lleu vol dir menys del 30 %</translation>
+    </message>
+    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>dona i home de referència; no s’indica la dispersió</translation>
     </message>
@@ -7968,6 +8024,10 @@
     <message>
         <source>adults, by electrogastrography</source>
         <translation>adults, per electrogastrografia</translation>
+    </message>
+    <message>
+        <source>Yin and Chen 2013, doi 10.5056/jnm.2013.19.1.5</source>
+        <translation>Yin i Chen 2013, doi 10.5056/jnm.2013.19.1.5</translation>
     </message>
     <message>
         <source>speed of the waves</source>

@@ -6982,6 +6982,18 @@
         <translation>der freien Wand des linken Ventrikels in der Systole</translation>
     </message>
     <message>
+        <source>effective areas of normal valves: doi 10.1016/j.echo.2017.02.009</source>
+        <translation>effektive Öffnungsflächen normaler Klappen: doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>eine leichte Regurgitation liegt unter 0,1 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>eine leichte Regurgitation liegt unter 0,2 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
         <source>20 % around the healthy adult at rest</source>
         <translation>20 % um den gesunden Erwachsenen in Ruhe</translation>
     </message>
@@ -7862,12 +7874,24 @@
         <translation>800 Gesunde von 45 bis 74 Jahren, mit Magnetresonanz, Papillarmuskeln zur Höhle gezählt</translation>
     </message>
     <message>
+        <source>ICRP publication 89, doi 10.1016/S0146-6453(03)00002-2</source>
+        <translation>ICRP-Publikation 89, doi 10.1016/S0146-6453(03)00002-2</translation>
+    </message>
+    <message>
         <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
         <translation>1815 Menschen ohne Nierenkrankheit, mit Magnetresonanz; die Abweichung ist die der Quartile</translation>
     </message>
     <message>
+        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
+        <translation>Streuung: doi 10.1111/j.1365-2982.2010.01660.x; Mittelwert: „Simplifying the measurement of gastric accommodation using SPECT“</translation>
+    </message>
+    <message>
         <source>customary at the bedside</source>
         <translation>klinisch üblich</translation>
+    </message>
+    <message>
+        <source>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower bound is customary</source>
+        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal ist unter 120/80; die untere Grenze ist die klinisch übliche</translation>
     </message>
     <message>
         <source>mass of the muscle</source>
@@ -7890,16 +7914,32 @@
         <translation>Bewegung des Mitralrings (MAPSE)</translation>
     </message>
     <message>
+        <source>magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound finds less, 12 to 15 mm</source>
+        <translation>Magnetresonanz: 16,4 mm (Carlsson und andere 2007, doi 10.1152/ajpheart.01376.2006); Ultraschall findet weniger, 12 bis 15 mm</translation>
+    </message>
+    <message>
         <source>excursion of the tricuspid annulus (TAPSE)</source>
         <translation>Bewegung des Trikuspidalrings (TAPSE)</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)</source>
+        <translation>Magnetresonanz: 23,4 mm (Carlsson und andere 2007, doi 10.1152/ajpheart.01376.2006); im Ultraschall sind weniger als 17 mm nicht normal (Lang und andere 2015, doi 10.1016/j.echo.2014.10.003)</translation>
     </message>
     <message>
         <source>twist of the apex against the base</source>
         <translation>Drehung der Spitze gegen die Basis</translation>
     </message>
     <message>
+        <source>magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi 10.1186/1532-429X-14-49)</source>
+        <translation>Magnetresonanz: Spitze etwa 10 Grad, Basis etwa 3 Grad in Gegenrichtung (Young und Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
+    </message>
+    <message>
         <source>thickening of the free wall</source>
         <translation>Verdickung der freien Wand</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi 10.1186/1532-429X-11-S1-P61)</source>
+        <translation>Magnetresonanz: 4,4 ± 1,4 mm in den mittleren Schichten (Ubachs und andere 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
     </message>
     <message>
         <source>healthy adults at rest</source>
@@ -7938,6 +7978,22 @@
         <translation>Regurgitationsfraktion</translation>
     </message>
     <message>
+        <source>Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations</source>
+        <translation>Kovacs 2009, doi 10.1183/09031936.00145608: Mittel ± 2 Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</source>
+        <translation>zwischen der effizientesten (0,5) und der leistungsstärksten Kopplung (1): Burkhoff und Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
+    </message>
+    <message>
+        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
+        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: selbst eine leichte Stenose bleibt unter 20 mmHg</translation>
+    </message>
+    <message>
+        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
+        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: leicht heißt unter 30 %</translation>
+    </message>
+    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>Referenzfrau und Referenzmann; eine Streuung ist nicht angegeben</translation>
     </message>
@@ -7968,6 +8024,10 @@
     <message>
         <source>adults, by electrogastrography</source>
         <translation>Erwachsene, mit Elektrogastrographie</translation>
+    </message>
+    <message>
+        <source>Yin and Chen 2013, doi 10.5056/jnm.2013.19.1.5</source>
+        <translation>Yin und Chen 2013, doi 10.5056/jnm.2013.19.1.5</translation>
     </message>
     <message>
         <source>speed of the waves</source>

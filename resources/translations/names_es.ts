@@ -6982,6 +6982,18 @@
         <translation>de la pared libre del ventrículo izquierdo en la sístole</translation>
     </message>
     <message>
+        <source>effective areas of normal valves: doi 10.1016/j.echo.2017.02.009</source>
+        <translation>áreas efectivas de válvulas normales: doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>una regurgitación leve está por debajo de 0,1 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>una regurgitación leve está por debajo de 0,2 cm²: doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
         <source>20 % around the healthy adult at rest</source>
         <translation>20 % en torno al adulto sano en reposo</translation>
     </message>
@@ -7862,12 +7874,24 @@
         <translation>800 personas sanas de 45 a 74 años, por resonancia magnética, músculos papilares contados como cavidad</translation>
     </message>
     <message>
+        <source>ICRP publication 89, doi 10.1016/S0146-6453(03)00002-2</source>
+        <translation>ICRP, publicación 89, doi 10.1016/S0146-6453(03)00002-2</translation>
+    </message>
+    <message>
         <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
         <translation>1815 personas sin enfermedad renal, por resonancia magnética; la desviación es la de los cuartiles</translation>
     </message>
     <message>
+        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
+        <translation>dispersión: doi 10.1111/j.1365-2982.2010.01660.x; media: «Simplifying the measurement of gastric accommodation using SPECT»</translation>
+    </message>
+    <message>
         <source>customary at the bedside</source>
         <translation>habitual en la clínica</translation>
+    </message>
+    <message>
+        <source>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower bound is customary</source>
+        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065: lo normal es por debajo de 120/80; el límite inferior es el habitual</translation>
     </message>
     <message>
         <source>mass of the muscle</source>
@@ -7890,16 +7914,32 @@
         <translation>excursión del anillo mitral (MAPSE)</translation>
     </message>
     <message>
+        <source>magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound finds less, 12 to 15 mm</source>
+        <translation>resonancia magnética: 16,4 mm (Carlsson y otros 2007, doi 10.1152/ajpheart.01376.2006); la ecografía da menos, de 12 a 15 mm</translation>
+    </message>
+    <message>
         <source>excursion of the tricuspid annulus (TAPSE)</source>
         <translation>excursión del anillo tricúspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)</source>
+        <translation>resonancia magnética: 23,4 mm (Carlsson y otros 2007, doi 10.1152/ajpheart.01376.2006); en ecografía, menos de 17 mm es anormal (Lang y otros 2015, doi 10.1016/j.echo.2014.10.003)</translation>
     </message>
     <message>
         <source>twist of the apex against the base</source>
         <translation>torsión del ápex respecto a la base</translation>
     </message>
     <message>
+        <source>magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi 10.1186/1532-429X-14-49)</source>
+        <translation>resonancia magnética: ápex unos 10 grados, base unos 3 en sentido contrario (Young y Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
+    </message>
+    <message>
         <source>thickening of the free wall</source>
         <translation>engrosamiento de la pared libre</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi 10.1186/1532-429X-11-S1-P61)</source>
+        <translation>resonancia magnética: 4,4 ± 1,4 mm en los cortes medios (Ubachs y otros 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
     </message>
     <message>
         <source>healthy adults at rest</source>
@@ -7938,6 +7978,22 @@
         <translation>fracción de regurgitación</translation>
     </message>
     <message>
+        <source>Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations</source>
+        <translation>Kovacs 2009, doi 10.1183/09031936.00145608: media ± 2 desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</source>
+        <translation>entre el acoplamiento más eficiente (0,5) y el más potente (1): Burkhoff y Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
+    </message>
+    <message>
+        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
+        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: incluso una estenosis leve se queda por debajo de 20 mmHg</translation>
+    </message>
+    <message>
+        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
+        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: leve significa menos del 30 %</translation>
+    </message>
+    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>mujer y hombre de referencia; no se indica la dispersión</translation>
     </message>
@@ -7968,6 +8024,10 @@
     <message>
         <source>adults, by electrogastrography</source>
         <translation>adultos, por electrogastrografía</translation>
+    </message>
+    <message>
+        <source>Yin and Chen 2013, doi 10.5056/jnm.2013.19.1.5</source>
+        <translation>Yin y Chen 2013, doi 10.5056/jnm.2013.19.1.5</translation>
     </message>
     <message>
         <source>speed of the waves</source>

@@ -6982,6 +6982,18 @@
         <translation>de la paroi libre du ventricule gauche en systole</translation>
     </message>
     <message>
+        <source>effective areas of normal valves: doi 10.1016/j.echo.2017.02.009</source>
+        <translation>surfaces effectives de valves normales : doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>une régurgitation légère est inférieure à 0,1 cm² : doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
+        <source>mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007</source>
+        <translation>une régurgitation légère est inférieure à 0,2 cm² : doi 10.1016/j.echo.2017.01.007</translation>
+    </message>
+    <message>
         <source>20 % around the healthy adult at rest</source>
         <translation>20 % autour de l’adulte sain au repos</translation>
     </message>
@@ -7862,12 +7874,24 @@
         <translation>800 personnes saines de 45 à 74 ans, par résonance magnétique, muscles papillaires comptés dans la cavité</translation>
     </message>
     <message>
+        <source>ICRP publication 89, doi 10.1016/S0146-6453(03)00002-2</source>
+        <translation>CIPR, publication 89, doi 10.1016/S0146-6453(03)00002-2</translation>
+    </message>
+    <message>
         <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
         <translation>1815 personnes sans maladie rénale, par résonance magnétique ; l’écart est celui des quartiles</translation>
     </message>
     <message>
+        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
+        <translation>dispersion : doi 10.1111/j.1365-2982.2010.01660.x ; moyenne : « Simplifying the measurement of gastric accommodation using SPECT »</translation>
+    </message>
+    <message>
         <source>customary at the bedside</source>
         <translation>usuel en clinique</translation>
+    </message>
+    <message>
+        <source>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower bound is customary</source>
+        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065 : la normale est inférieure à 120/80 ; la limite inférieure est celle d’usage</translation>
     </message>
     <message>
         <source>mass of the muscle</source>
@@ -7890,16 +7914,32 @@
         <translation>excursion de l’anneau mitral (MAPSE)</translation>
     </message>
     <message>
+        <source>magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound finds less, 12 to 15 mm</source>
+        <translation>résonance magnétique : 16,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006) ; l’échographie donne moins, de 12 à 15 mm</translation>
+    </message>
+    <message>
         <source>excursion of the tricuspid annulus (TAPSE)</source>
         <translation>excursion de l’anneau tricuspide (TAPSE)</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)</source>
+        <translation>résonance magnétique : 23,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006) ; en échographie, moins de 17 mm est anormal (Lang et autres 2015, doi 10.1016/j.echo.2014.10.003)</translation>
     </message>
     <message>
         <source>twist of the apex against the base</source>
         <translation>torsion de l’apex par rapport à la base</translation>
     </message>
     <message>
+        <source>magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi 10.1186/1532-429X-14-49)</source>
+        <translation>résonance magnétique : apex environ 10 degrés, base environ 3 en sens inverse (Young et Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
+    </message>
+    <message>
         <source>thickening of the free wall</source>
         <translation>épaississement de la paroi libre</translation>
+    </message>
+    <message>
+        <source>magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi 10.1186/1532-429X-11-S1-P61)</source>
+        <translation>résonance magnétique : 4,4 ± 1,4 mm dans les coupes moyennes (Ubachs et autres 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
     </message>
     <message>
         <source>healthy adults at rest</source>
@@ -7938,6 +7978,22 @@
         <translation>fraction de régurgitation</translation>
     </message>
     <message>
+        <source>Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations</source>
+        <translation>Kovacs 2009, doi 10.1183/09031936.00145608 : moyenne ± 2 écarts types</translation>
+    </message>
+    <message>
+        <source>between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</source>
+        <translation>entre le couplage le plus efficient (0,5) et le plus puissant (1) : Burkhoff et Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
+    </message>
+    <message>
+        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
+        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009 : même une sténose légère reste au-dessous de 20 mmHg</translation>
+    </message>
+    <message>
+        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
+        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007 : une régurgitation légère est inférieure à 30 %</translation>
+    </message>
+    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>femme et homme de référence ; la dispersion n’est pas donnée</translation>
     </message>
@@ -7968,6 +8024,10 @@
     <message>
         <source>adults, by electrogastrography</source>
         <translation>adultes, par électrogastrographie</translation>
+    </message>
+    <message>
+        <source>Yin and Chen 2013, doi 10.5056/jnm.2013.19.1.5</source>
+        <translation>Yin et Chen 2013, doi 10.5056/jnm.2013.19.1.5</translation>
     </message>
     <message>
         <source>speed of the waves</source>

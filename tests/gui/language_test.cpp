@@ -25,6 +25,7 @@
 #include "viscera/live/stress_quantity.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/norms/norms.h"
 #include "viscera/plugin/registry.h"
 #include "viscera/sequences/keyframes.h"
 #include "window/language.h"
@@ -199,6 +200,33 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
       expect(role.help);
     }
   }
+}
+
+/// Authors with a year and identifiers of publications stay as they are; a source that says more needs words.
+TEST_P(Translations, HaveTheSourcesOfNormalValues) {
+  static const QRegularExpression publication(QStringLiteral("doi [\\w./()-]+"));
+  static const QRegularExpression author(QStringLiteral("\\b[A-Z][\\w-]* \\d{4}( \\([^)]*\\))?"));
+  static const QRegularExpression letter(QStringLiteral("[A-Za-z]")), point(QStringLiteral("\\d\\.\\d"));
+  QTranslator translator;
+  ASSERT_TRUE(
+      translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
+  std::set<std::string> sources;
+  for (const norms::Norm& norm : norms::table())
+    sources.insert(norm.source);
+  for (const auto& parameter : circulation::parameterInfos())
+    if (parameter.normal)
+      sources.insert(parameter.normal->source);
+  int sentences = 0;
+  for (const std::string& source : sources) {
+    if (!QString::fromStdString(source).remove(publication).remove(author).contains(letter))
+      continue;
+    ++sentences;
+    QString translation = translator.translate("viscera::presentation", source.c_str());
+    EXPECT_FALSE(translation.isEmpty())
+        << source << " has no translation; write it into names_" << GetParam() << ".ts";
+    EXPECT_FALSE(translation.remove(publication).contains(point)) << source;
+  }
+  EXPECT_GT(sentences, 15);
 }
 
 TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {
