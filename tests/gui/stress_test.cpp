@@ -165,6 +165,23 @@ TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
   }
 }
 
+TEST_F(StressModeTest, TheMaximumIsTheSameNumberEverywhereAndOfNoFoldedPoint) {
+  enter();
+  fold();
+  const double degrees = 180 / std::numbers::pi * model().live().statistics().max;
+  EXPECT_NEAR(model().shown().summary().max, degrees, 1e-9) << "the chart's number is the page's";
+  EXPECT_NEAR(model().shown().summary().mean, 180 / std::numbers::pi * model().live().statistics().mean,
+              1e-9);
+  window().actions()["stress.maximum"]->trigger();
+  waitForNumbers();
+  ASSERT_GE(model().probe(), 0);
+  EXPECT_GT(model().live().map().volumeRatio[model().probe()], 0);
+  EXPECT_EQ(label("probe_rotational-stress"), label("stressMax"));
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
+  window().actions()["stress.maximum"]->trigger();
+  EXPECT_LE(model().live().map().volumeRatio[model().probe()], 0) << "what that map is about";
+}
+
 TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   enter();
   find<QSpinBox>("stressWitnesses")->setValue(1500);

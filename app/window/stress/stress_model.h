@@ -84,8 +84,8 @@ public:
   }
 
   /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
-  /// what the quantity is about), and moves the cut to where the pose has brought it; what is folded goes
-  /// before all. Nothing happens while there is no map.
+  /// what the quantity is about), and moves the cut to where the pose has brought it. It is the point of the
+  /// page's number: what is folded is left out. Nothing happens while there is no map.
   void goToMaximum();
 
 Q_SIGNALS:
