@@ -182,6 +182,22 @@ TEST_F(StressModeTest, TheMaximumIsTheSameNumberEverywhereAndOfNoFoldedPoint) {
   EXPECT_LE(model().live().map().volumeRatio[model().probe()], 0) << "what that map is about";
 }
 
+TEST_F(StressModeTest, WhatNeedsAMapOrAnOrganIsGreyWithoutOne) {
+  const QAction* maximum = window().actions()["stress.maximum"];
+  const QAction* compare = window().actions()["play.comparePose"];
+  enter();
+  EXPECT_TRUE(maximum->isEnabled());
+  EXPECT_TRUE(compare->isEnabled());
+  window().actions()["organ.remove"]->trigger();
+  settle();
+  ASSERT_TRUE(document().organs().empty());
+  EXPECT_FALSE(maximum->isEnabled());
+  EXPECT_FALSE(compare->isEnabled());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return maximum->isEnabled(); }));
+  EXPECT_TRUE(compare->isEnabled());
+}
+
 TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   enter();
   find<QSpinBox>("stressWitnesses")->setValue(1500);

@@ -182,14 +182,16 @@ void StressModel::goToPeak() {
   playback_.seek(fraction);
 }
 
-void StressModel::goToMaximum() {
-  const deformation::StressMap& map = shownMap();
+bool StressModel::hasMap() const {
   const auto mesh = live_.mesh();
-  const auto organ = workspace_.document().organ(live_.organ());
-  if (!active() || !mesh || !organ || map.volumeRatio.size() < mesh->witnesses ||
-      live_.points().rows() < mesh->witnesses)
+  return active() && mesh && workspace_.document().organ(live_.organ()) &&
+         shownMap().volumeRatio.size() >= mesh->witnesses && live_.points().rows() >= mesh->witnesses;
+}
+
+void StressModel::goToMaximum() {
+  if (!hasMap())
     return;
-  const int most = extremeOf(map, look().quantity, mesh->witnesses);
+  const int most = extremeOf(shownMap(), look().quantity, live_.mesh()->witnesses);
   if (most < 0)
     return;
   const presentation::Presenter& drawn = picture_.presenter();

@@ -58,6 +58,8 @@ public:
   const live::StressSample* peakInstant() const;
   /// Shows the sequence at that instant instead of the peak over it.
   void goToPeak();
+  /// Whether there is a map of the current organ in its pose.
+  bool hasMap() const;
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? *cycle()->peak : live_.map(); }
 
