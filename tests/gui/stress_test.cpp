@@ -13,8 +13,12 @@
 #include <numbers>
 
 #include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkActor2DCollection.h>
 #include <vtkMapper.h>
+#include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
+#include <vtkTextActor.h>
 
 #include "temporary_folder.h"
 #include "viscera/live/stress_mark_files.h"
@@ -180,6 +184,29 @@ TEST_F(StressModeTest, TheMaximumIsTheSameNumberEverywhereAndOfNoFoldedPoint) {
   look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
   window().actions()["stress.maximum"]->trigger();
   EXPECT_LE(model().live().map().volumeRatio[model().probe()], 0) << "what that map is about";
+}
+
+TEST_F(StressModeTest, TheLegendHasASwatchOnlyWhereFoldedTissueHasAColourOfItsOwn) {
+  const auto marked = [this] {
+    vtkActor2DCollection* actors = view().view().renderer()->GetActors2D();
+    vtkCollectionSimpleIterator each;
+    actors->InitTraversal(each);
+    while (vtkActor2D* actor = actors->GetNextActor2D(each))
+      if (auto* label = vtkTextActor::SafeDownCast(actor);
+          label && label->GetVisibility() && label->GetInput() && QString(label->GetInput()) == "folded")
+        return true;
+    return false;
+  };
+  enter();
+  EXPECT_FALSE(marked()) << "nothing is folded at rest";
+  fold();
+  EXPECT_TRUE(marked());
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
+  settle();
+  EXPECT_FALSE(marked()) << "it has a value, and that value's colour";
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::volumeRatio; });
+  settle();
+  EXPECT_TRUE(marked());
 }
 
 TEST_F(StressModeTest, WhatNeedsAMapOrAnOrganIsGreyWithoutOne) {
