@@ -7,6 +7,7 @@
 #include <QTranslator>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "window/phrase_translator.h"
@@ -82,11 +83,15 @@ InstalledLanguage::~InstalledLanguage() {
 }
 
 QString formatNumber(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
+  const QString text = QLocale().toString(value, 'f', decimals);
+  const bool zero =
+      value <= 0 && std::isfinite(value) &&
+      std::all_of(text.begin(), text.end(), [](QChar letter) { return letter.digitValue() <= 0; });
+  return zero ? QLocale().toString(0.0, 'f', decimals) : text;
 }
 
 QString formatDigits(double value, int digits) {
-  return QLocale().toString(value, 'g', digits);
+  return QLocale().toString(value == 0 ? 0.0 : value, 'g', digits); // Minus zero is zero, too.
 }
 
 char decimalMark() {

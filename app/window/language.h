@@ -66,7 +66,7 @@ QString inWords(const std::string& name);
 inline constexpr double kPercent = 100, kMsPerSecond = 1000;
 
 /// Formats a number as the language of the window writes it: "12,5" in German. With so many decimals, and
-/// with so many significant digits.
+/// with so many significant digits. What is written as zero has no sign: never "-0.000".
 QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
 /// What the language of the window writes before decimals, for texts that are drawn: ',' in German.

@@ -5490,8 +5490,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Plegats</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
-        <translation>Punts testimoni on el teixit està girat del revés; en magenta a tots els mapes</translation>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
+        <translation>Punts testimoni on el teixit està girat del revés; en magenta a tots els mapes llevat del seu</translation>
     </message>
     <message>
         <source>Export</source>

@@ -5490,8 +5490,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Gefaltet</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
-        <translation>Messpunkte, an denen das Gewebe umgestülpt ist; auf jeder Karte in Magenta</translation>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
+        <translation>Messpunkte, an denen das Gewebe umgestülpt ist; auf jeder Karte außer der eigenen in Magenta</translation>
     </message>
     <message>
         <source>Export</source>

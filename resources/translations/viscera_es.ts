@@ -5490,8 +5490,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Plegado</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
-        <translation>Puntos testigo en los que el tejido está vuelto del revés; en magenta en todos los mapas</translation>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
+        <translation>Puntos testigo en los que el tejido está vuelto del revés; en magenta en todos los mapas salvo el suyo</translation>
     </message>
     <message>
         <source>Export</source>

@@ -5490,8 +5490,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Replié</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
-        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta sur chaque carte</translation>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
+        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta sur chaque carte sauf la sienne</translation>
     </message>
     <message>
         <source>Export</source>

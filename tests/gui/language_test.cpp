@@ -290,6 +290,21 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   EXPECT_EQ(voxels(1), QStringLiteral("The pose folds the tissue at 1 voxel: their values are estimates."));
 }
 
+TEST(WindowNumbers, AreNeverANegativeZero) {
+  {
+    const InstalledLanguage english(QStringLiteral("en"));
+    EXPECT_EQ(app::formatNumber(-0.0004, 3), QStringLiteral("0.000"));
+    EXPECT_EQ(app::formatNumber(-0.0, 1), QStringLiteral("0.0"));
+    EXPECT_EQ(app::formatNumber(-0.4, 0), QStringLiteral("0"));
+    EXPECT_EQ(app::formatNumber(-0.0006, 3), QStringLiteral("-0.001"));
+    EXPECT_EQ(app::formatNumber(-10, 0), QStringLiteral("-10"));
+    EXPECT_EQ(app::formatDigits(-0.0, 3), QStringLiteral("0"));
+    EXPECT_EQ(app::formatDigits(-0.0004, 3), QStringLiteral("-0.0004"));
+  }
+  const InstalledLanguage german(QStringLiteral("de"));
+  EXPECT_EQ(app::formatNumber(-0.0004, 3), QStringLiteral("0,000"));
+}
+
 TEST(PhasesOfAKeySequence, AreNamedInTheLanguageOfTheWindow) {
   sequences::KeyframedSequence::Track track;
   track.restHandles = Points::Zero(2, 3);

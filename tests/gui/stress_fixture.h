@@ -10,6 +10,7 @@
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 
+#include "viscera/document/rig_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/modes/stress_mode.h"
 #include "window_test.h"
@@ -77,6 +78,20 @@ protected:
     const QPoint from = freeHandle();
     ASSERT_FALSE(from.isNull());
     drag(from, from + QPoint(70, -30));
+    waitForNumbers();
+  }
+  /// Pushes a handle towards the middle of the others until some of the tissue is folded, not all of it.
+  void fold() {
+    const Points rest = document().rig().restPositions();
+    const Eigen::RowVector3d inward = (rest.colwise().mean() - rest.row(0)).normalized();
+    for (double mm = 40; mm < 4000 && model().live().statistics().folded == 0; mm *= 1.3) {
+      Points pose = rest;
+      pose.row(0) += mm * inward;
+      ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+      settle();
+    }
+    ASSERT_GT(model().live().statistics().folded, 0);
+    ASSERT_LT(model().live().statistics().folded, model().live().mesh()->witnesses);
     waitForNumbers();
   }
   /// Numbers to be read come ten times a second.

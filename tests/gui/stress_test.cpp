@@ -13,8 +13,12 @@
 #include <numbers>
 
 #include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkActor2DCollection.h>
 #include <vtkMapper.h>
+#include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
+#include <vtkTextActor.h>
 
 #include "temporary_folder.h"
 #include "viscera/live/stress_mark_files.h"
@@ -163,6 +167,62 @@ TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
     EXPECT_GE(model().shown().summary().percentile5, range.low);
     key(Qt::Key_M);
   }
+}
+
+TEST_F(StressModeTest, TheMaximumIsTheSameNumberEverywhereAndOfNoFoldedPoint) {
+  enter();
+  fold();
+  const double degrees = 180 / std::numbers::pi * model().live().statistics().max;
+  EXPECT_NEAR(model().shown().summary().max, degrees, 1e-9) << "the chart's number is the page's";
+  EXPECT_NEAR(model().shown().summary().mean, 180 / std::numbers::pi * model().live().statistics().mean,
+              1e-9);
+  window().actions()["stress.maximum"]->trigger();
+  waitForNumbers();
+  ASSERT_GE(model().probe(), 0);
+  EXPECT_GT(model().live().map().volumeRatio[model().probe()], 0);
+  EXPECT_EQ(label("probe_rotational-stress"), label("stressMax"));
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
+  window().actions()["stress.maximum"]->trigger();
+  EXPECT_LE(model().live().map().volumeRatio[model().probe()], 0) << "what that map is about";
+}
+
+TEST_F(StressModeTest, TheLegendHasASwatchOnlyWhereFoldedTissueHasAColourOfItsOwn) {
+  const auto marked = [this] {
+    vtkActor2DCollection* actors = view().view().renderer()->GetActors2D();
+    vtkCollectionSimpleIterator each;
+    actors->InitTraversal(each);
+    while (vtkActor2D* actor = actors->GetNextActor2D(each))
+      if (auto* label = vtkTextActor::SafeDownCast(actor);
+          label && label->GetVisibility() && label->GetInput() && QString(label->GetInput()) == "folded")
+        return true;
+    return false;
+  };
+  enter();
+  EXPECT_FALSE(marked()) << "nothing is folded at rest";
+  fold();
+  EXPECT_TRUE(marked());
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
+  settle();
+  EXPECT_FALSE(marked()) << "it has a value, and that value's colour";
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::volumeRatio; });
+  settle();
+  EXPECT_TRUE(marked());
+}
+
+TEST_F(StressModeTest, WhatNeedsAMapOrAnOrganIsGreyWithoutOne) {
+  const QAction* maximum = window().actions()["stress.maximum"];
+  const QAction* compare = window().actions()["play.comparePose"];
+  enter();
+  EXPECT_TRUE(maximum->isEnabled());
+  EXPECT_TRUE(compare->isEnabled());
+  window().actions()["organ.remove"]->trigger();
+  settle();
+  ASSERT_TRUE(document().organs().empty());
+  EXPECT_FALSE(maximum->isEnabled());
+  EXPECT_FALSE(compare->isEnabled());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return maximum->isEnabled(); }));
+  EXPECT_TRUE(compare->isEnabled());
 }
 
 TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {

@@ -202,7 +202,7 @@ void PlayMode::makeComparisonActions(Actions& actions) {
                {},
                tr("Show the sample heart with its textbook beat beside these organs, at their rate")},
               [this] { comparison_->showSample(QStringLiteral("heart")); });
-  actions.enableWhile({"play.compareTextbook"},
+  actions.enableWhile({"play.comparePose", "play.compareTextbook"},
                       [this] { return !parts_.workspace.document().organs().empty(); });
   QAction* single =
       actions.add("play.single", {tr("&One view"), nullptr, {tr("Ctrl+1")}, tr("Close the second view")},

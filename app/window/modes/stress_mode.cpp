@@ -32,6 +32,10 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::probeChanged, this, &StressMode::syncActions);
+  connect(&model_, &StressModel::updated, this, [this] { // A map may come with a pose alone.
+    if (actions_["stress.maximum"]->isEnabled() != model_.hasMap())
+      syncActions();
+  });
   connect(&playback, &Playback::stateChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &Mode::shownChanged);
   connect(&playback, &Playback::advanced, this, [this] {
@@ -157,6 +161,7 @@ void StressMode::syncActions() {
   check("stress.peak", look.peak);
   for (const char* id : kActionIds)
     actions_[id]->setEnabled(model_.active());
+  actions_["stress.maximum"]->setEnabled(model_.hasMap());
   actions_["stress.peakTime"]->setEnabled(model_.active() && model_.peakInstant() &&
                                           parts_.playback.sequence());
   actions_["stress.pinProbe"]->setEnabled(model_.active() && model_.probe() >= 0);

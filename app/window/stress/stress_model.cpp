@@ -11,9 +11,26 @@ namespace viscera::app {
 namespace {
 
 constexpr int kStressUpdateMilliseconds = 100;
-/// Before every value that a quantity can have.
-constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
+
+/// The witness with the largest value of a quantity (the smallest, of the smallest stretch) among those with
+/// a value, as the page's numbers are: what is folded has none but on the map of folded tissue. -1: all are
+/// folded.
+int extremeOf(const deformation::StressMap& map, live::StressQuantity quantity, Eigen::Index witnesses) {
+  const double sign = quantity == live::StressQuantity::stretchMin ? -1 : 1;
+  int most = -1;
+  double value = 0;
+  for (int point = 0; point < static_cast<int>(witnesses); ++point) {
+    if (map.volumeRatio[point] <= 0 && quantity != live::StressQuantity::folded)
+      continue;
+    const double here = sign * live::quantityAt(map, quantity, point);
+    if (most < 0 || here > value) {
+      most = point;
+      value = here;
+    }
+  }
+  return most;
+}
 
 /// The unit vector across `direction` that is nearest to `wish`; both are unit vectors.
 Vec3 perpendicularTo(const Vec3& direction, const Vec3& wish) {
@@ -165,25 +182,18 @@ void StressModel::goToPeak() {
   playback_.seek(fraction);
 }
 
-void StressModel::goToMaximum() {
-  const deformation::StressMap& map = shownMap();
+bool StressModel::hasMap() const {
   const auto mesh = live_.mesh();
-  const auto organ = workspace_.document().organ(live_.organ());
-  if (!active() || !mesh || !organ || map.volumeRatio.size() < mesh->witnesses ||
-      live_.points().rows() < mesh->witnesses)
+  return active() && mesh && workspace_.document().organ(live_.organ()) &&
+         shownMap().volumeRatio.size() >= mesh->witnesses && live_.points().rows() >= mesh->witnesses;
+}
+
+void StressModel::goToMaximum() {
+  if (!hasMap())
     return;
-  const bool smallest = look().quantity == live::StressQuantity::stretchMin;
-  int most = -1;
-  double value = 0;
-  for (int point = 0; point < static_cast<int>(mesh->witnesses); ++point) {
-    const double folded = map.volumeRatio[point] <= 0 ? kFoldedFirst : 0;
-    const double here = live::quantityAt(map, look().quantity, point);
-    const double rank = folded + (smallest ? -here : here);
-    if (most < 0 || rank > value) {
-      most = point;
-      value = rank;
-    }
-  }
+  const int most = extremeOf(shownMap(), look().quantity, live_.mesh()->witnesses);
+  if (most < 0)
+    return;
   const presentation::Presenter& drawn = picture_.presenter();
   // The tissue is drawn, and cut, in its pose.
   const Vec3 from = Vec3(live_.points().row(most).transpose()) - drawn.stressMiddle();

@@ -58,6 +58,8 @@ public:
   const live::StressSample* peakInstant() const;
   /// Shows the sequence at that instant instead of the peak over it.
   void goToPeak();
+  /// Whether there is a map of the current organ in its pose.
+  bool hasMap() const;
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? *cycle()->peak : live_.map(); }
 
@@ -84,8 +86,8 @@ public:
   }
 
   /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
-  /// what the quantity is about), and moves the cut to where the pose has brought it; what is folded goes
-  /// before all. Nothing happens while there is no map.
+  /// what the quantity is about), and moves the cut to where the pose has brought it. It is the point of the
+  /// page's number: what is folded is left out. Nothing happens while there is no map.
   void goToMaximum();
 
 Q_SIGNALS:

@@ -181,7 +181,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   peakTime_->setObjectName(QStringLiteral("stressPeakTime"));
   mean_->setObjectName(QStringLiteral("stressMean"));
   max_->setObjectName(QStringLiteral("stressMax"));
-  folded_->setToolTip(tr("Witness points at which the tissue is turned inside out; in magenta on every map"));
+  folded_->setToolTip(
+      tr("Witness points at which the tissue is turned inside out; in magenta on every map but its own"));
   histogram_ = new Histogram(this);
   add(histogram_);
   addButton(actions["stress.maximum"]);

@@ -24,16 +24,22 @@ constexpr Eigen::Index kWitnessPortion = 8192;
 StressStatistics statisticsOf(const StressMap& map, Eigen::Index count) {
   assert(count >= 0 && count <= map.rotationalStress.size());
   StressStatistics statistics;
-  if (count == 0)
+  Values angles(count);
+  Eigen::Index found = 0;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (map.volumeRatio[i] <= 0)
+      ++statistics.folded;
+    else
+      angles[found++] = map.rotationalStress[i];
+  if (found == 0)
     return statistics;
-  Values sorted = map.rotationalStress.head(count);
-  statistics.folded = static_cast<int>((map.volumeRatio.head(count).array() <= 0).count());
-  statistics.min = sorted.minCoeff();
-  statistics.mean = sorted.mean();
-  statistics.max = sorted.maxCoeff();
-  const auto rank = static_cast<Eigen::Index>(std::ceil(0.95 * static_cast<double>(count))) - 1;
-  std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
-  statistics.percentile95 = sorted[rank];
+  auto unfolded = angles.head(found);
+  statistics.min = unfolded.minCoeff();
+  statistics.mean = unfolded.mean();
+  statistics.max = unfolded.maxCoeff();
+  const auto rank = static_cast<Eigen::Index>(std::ceil(0.95 * static_cast<double>(found))) - 1;
+  std::nth_element(unfolded.data(), unfolded.data() + rank, unfolded.data() + found);
+  statistics.percentile95 = angles[rank];
   return statistics;
 }
 

@@ -157,10 +157,11 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
+  // On the map of folded tissue that has a value, and its colour.
+  const bool marked = values.folded() > 0 && quantity.quantity != live::StressQuantity::folded;
   return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()),
                     quantity.unit.empty() ? std::string() : translate(quantity.unit.c_str()),
-                    values.folded() > 0 ? translate("folded") : std::string(), values.colors(),
-                    values.range()};
+                    marked ? translate("folded") : std::string(), values.colors(), values.range()};
 }
 
 void Presenter::Parts::updateLegend(std::optional<LegendText> wanted) {

@@ -84,7 +84,8 @@ void addStress(py::module_& module) {
       .def_property_readonly("stretch_max", &column<&StressMap::stretchMax>, "The largest stretch.")
       .def_property_readonly("stretch_min", &column<&StressMap::stretchMin>, "The smallest stretch.")
       .def_readonly("folded", &StressMap::folded, "Points with a volume ratio of at most 0.")
-      .def_property_readonly("statistics", &statistics, "min, mean, p95, max (rad) and folded.");
+      .def_property_readonly("statistics", &statistics,
+                             "min, mean, p95, max (rad), of points that are not folded, and folded.");
   py::class_<StressPoints, std::shared_ptr<StressPoints>>(
       module, "StressPoints",
       "Points inside an organ at which distortion is measured, ready for any number of poses.")

@@ -165,6 +165,23 @@ TEST_F(WitnessGradientsTest, StatisticsAreThoseOfTheSortedValues) {
   EXPECT_DOUBLE_EQ(statistics.max, 1);
 }
 
+TEST_F(WitnessGradientsTest, StatisticsLeaveTheAnglesOfFoldedPointsOut) {
+  StressMap map;
+  map.rotationalStress = Values::LinSpaced(101, 0, 1);
+  map.volumeRatio = Values::Ones(101);
+  map.volumeRatio.tail(50).setConstant(-1);
+  const auto statistics = statisticsOf(map, map.rotationalStress.size());
+  EXPECT_EQ(statistics.folded, 50);
+  EXPECT_DOUBLE_EQ(statistics.min, 0);
+  EXPECT_NEAR(statistics.mean, 0.25, 1e-12);
+  EXPECT_NEAR(statistics.percentile95, 0.48, 1e-12);
+  EXPECT_NEAR(statistics.max, 0.5, 1e-12);
+  map.volumeRatio.setZero();
+  const auto none = statisticsOf(map, map.rotationalStress.size());
+  EXPECT_EQ(none.folded, 101);
+  EXPECT_EQ(none.max, 0) << "there is no angle";
+}
+
 TEST_F(WitnessGradientsTest, RefusesAPoseOfAnotherSize) {
   StressMap map;
   EXPECT_THROW(witnesses().evaluate(Points::Zero(3, 3), map), DataError);

@@ -19,14 +19,14 @@ struct StressMap {
   int folded = 0; ///< Witnesses with det M <= 0.
 };
 
-/// Summary statistics of a stress map: mean, largest and others. Folded witnesses count, as the right angle
-/// that they nearly always are.
+/// Summary statistics of a stress map: mean, largest and others. Folded witnesses are left out of the angles
+/// and counted apart; the angles are zeros when there are no others.
 struct StressStatistics {
   double min = 0;          ///< rad.
   double mean = 0;         ///< rad.
   double percentile95 = 0; ///< rad.
   double max = 0;          ///< rad.
-  int folded = 0;
+  int folded = 0;          ///< Witnesses with det M <= 0.
 };
 
 /// Of the first `count` points of the map only: a `WitnessMesh` has its witness points first.
