@@ -34,6 +34,7 @@
 #include "window/sample_loader.h"
 #include "window/table/handle_table.h"
 #include "window/timeline/phase_scrubber.h"
+#include "window/view/picture.h"
 
 namespace viscera::tests {
 namespace {
@@ -300,6 +301,14 @@ TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("Herz"));
   EXPECT_EQ(document().organs().front()->name, "Heart");
+}
+
+TEST_F(GermanWindow, WritesNamesBesideTheOrgansAsTheListHasThem) {
+  key(Qt::Key_N);
+  const auto labels = window().picture().presenter().labels().drawn();
+  ASSERT_EQ(labels.size(), 5u);
+  EXPECT_EQ(labels[0].text, "Herz");
+  EXPECT_EQ(labels[1].text, "LV-Höhle");
 }
 
 TEST_F(GermanWindow, NamesTheHandlesOfASequence) {
