@@ -6106,7 +6106,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normal %1</translation>
+        <translation>normal: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

@@ -6106,7 +6106,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normal %1</translation>
+        <translation>normal: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

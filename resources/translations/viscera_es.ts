@@ -6106,7 +6106,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normal %1</translation>
+        <translation>normal: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

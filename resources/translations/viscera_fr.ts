@@ -6106,7 +6106,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normale %1</translation>
+        <translation>normale&#x202f;: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

@@ -23,6 +23,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/organ_system.h"
 #include "viscera/live/stress_quantity.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/plugin/registry.h"
@@ -199,6 +200,18 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
       expect(role.name);
       expect(role.help);
     }
+  }
+}
+
+TEST_P(Translations, HaveTheNamesOfSampleOrgansAndTheirNormalRanges) {
+  QTranslator translator;
+  ASSERT_TRUE(
+      translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
+  for (const char* organ : {"Digestive system", "Heart", "Kidney left", "Kidney right", "Liver", "Stomach",
+                            "Stomach and bowel"}) {
+    EXPECT_FALSE(translator.translate("viscera::presentation", organ).isEmpty()) << organ;
+    for (const motion::NormalRange& range : motion::normalRanges(organ))
+      EXPECT_FALSE(translator.translate("viscera::presentation", range.name.c_str()).isEmpty()) << range.name;
   }
 }
 
