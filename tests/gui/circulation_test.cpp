@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTableWidget>
 
 #include <limits>
@@ -64,6 +65,9 @@ TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTe
   choose("exercise");
   EXPECT_TRUE(window().playback().player().playing());
   EXPECT_NEAR(window().playback().player().ratePerMinute(), 150, 1e-9);
+  const auto& rate = find<QSpinBox>("rate");
+  EXPECT_FALSE(rate.isEnabled());
+  EXPECT_TRUE(rate.toolTip().contains(QStringLiteral("circulation"))) << rate.toolTip().toStdString();
   window().playback().pause();
   for (const double fraction : {0.1, 0.35, 0.8})
     EXPECT_LT(off(fraction), 1) << fraction;
@@ -71,6 +75,7 @@ TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTe
   window().workspace().undo().undo();
   EXPECT_TRUE(waitUntil([&] { return window().playback().sequence() == textbook; }));
   EXPECT_EQ(model().present(), nullptr);
+  EXPECT_TRUE(rate.isEnabled());
   window().workspace().undo().redo();
   EXPECT_TRUE(settled());
 }
