@@ -2,11 +2,15 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
+#include <QImage>
+#include <QPixmap>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableWidget>
 
 #include <limits>
+#include <vector>
 
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
@@ -14,6 +18,7 @@
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
+#include "window/language.h"
 #include "window/session/session_files.h"
 #include "window/timeline/volume_panel.h"
 
@@ -115,6 +120,24 @@ TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhen
   ASSERT_TRUE(settled());
   EXPECT_NE(course(), atOnce);
   EXPECT_LT(off(0.3), 1);
+}
+
+TEST(NumbersOfTheCirculation, OfOneVesselHaveDifferentNamesInLittleRoom) {
+  const app::InstalledLanguage french(QStringLiteral("fr"));
+  app::NumbersTable table;
+  table.resize(400, 800);
+  table.show();
+  QApplication::processEvents();
+  const int room = table.fontMetrics().horizontalAdvance(QStringLiteral("Aorte (mmHg)"));
+  table.resize(table.width() - (table.columnWidth(0) - room), table.height());
+  QApplication::processEvents();
+  std::vector<QImage> drawn;
+  for (const QTableWidgetItem* item : table.findItems(QStringLiteral("Aorte, "), Qt::MatchStartsWith))
+    drawn.push_back(table.viewport()->grab(table.visualItemRect(item)).toImage());
+  ASSERT_EQ(drawn.size(), 3u);
+  EXPECT_NE(drawn[0], drawn[1]);
+  EXPECT_NE(drawn[1], drawn[2]);
+  EXPECT_NE(drawn[2], drawn[0]);
 }
 
 TEST_F(PlayedCirculation, WhatWasKeptStandsBesideWhatFollows) {
