@@ -199,18 +199,22 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
   }
 }
 
-/// When no file is there, a word that looks like a mistyped command is refused as such, and so is what a
-/// picture of the window should show. Otherwise the terminal names the files, and so does the window, in
-/// which others can be opened.
+/// The terminal names the files that are not there, and so does the window, in which others can be opened.
+/// When none is there, a word that looks like a mistyped command is refused as such, and so is what a picture
+/// of the window should show.
 void requireFiles(const WindowOptions& window, std::ostream& err) {
-  const auto isThere = [](const std::string& file) { return std::filesystem::exists(file); };
-  if (std::any_of(window.files.begin(), window.files.end(), isThere))
-    return;
+  const auto isThere = [](const std::string& file) {
+    std::error_code unreachable;
+    return std::filesystem::exists(file, unreachable);
+  };
+  const bool some = std::any_of(window.files.begin(), window.files.end(), isThere);
   for (const std::string& file : window.files) {
-    if (!std::filesystem::path(file).has_extension() && file.find('/') == std::string::npos)
+    if (isThere(file))
+      continue;
+    if (!some && !std::filesystem::path(file).has_extension() && file.find('/') == std::string::npos)
       throw UsageError("It is neither a command nor a file", file, "viscera --help lists the commands");
     const NoInputError missing("there is no such file", file, "check the path");
-    if (!window.screenshot.empty())
+    if (!some && !window.screenshot.empty())
       throw missing;
     complain(err, 0, missing.what());
   }

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "viscera/document/session_file.h"
@@ -46,6 +47,14 @@ bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
     return false;
   const auto series = medical_io::listScans(place, progress);
   return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
+}
+
+/// Those of the files that are there; all of them where none is.
+QStringList thoseThere(const QStringList& files) {
+  QStringList there;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(there),
+               [](const QString& file) { return QFileInfo::exists(file); });
+  return there.isEmpty() ? files : there;
 }
 
 } // namespace
@@ -127,11 +136,13 @@ void FileActions::chooseAndOpenFolder() {
 void FileActions::open(const QStringList& files, bool check) {
   if (openSession_ && files.size() == 1 && document::isSessionFile(files.front().toStdString()))
     return openSession_(files.front());
+  named_ = files;
+  const QStringList there = thoseThere(files);
   std::vector<std::filesystem::path> paths;
-  for (const QString& file : files)
+  for (const QString& file : there)
     paths.emplace_back(file.toStdString());
-  const QString name = files.size() == 1 ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
-                                         : tr("Opening %n files", nullptr, static_cast<int>(files.size()));
+  const QString name = there.size() == 1 ? tr("Opening %1").arg(QFileInfo(there.front()).fileName())
+                                         : tr("Opening %n files", nullptr, static_cast<int>(there.size()));
   const ArrivingSurfaces::Ticket arriving = arriving_ ? arriving_->begin(replacesPresent()) : nullptr;
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
@@ -159,38 +170,51 @@ void FileActions::open(const QStringList& files, bool check) {
       });
 }
 
-/// What was thrown is of the first file alone: those that are not there are all named.
-void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
+QStringList FileActions::missingAmong(const QStringList& files) {
   QStringList lines;
   for (const QString& file : files)
     if (!QFileInfo::exists(file))
       lines.push_back(tr("%1 is not there.").arg(file));
-  if (lines.isEmpty())
+  return lines;
+}
+
+QString FileActions::missingBeside(const std::filesystem::path& file) const {
+  return named_.contains(text(file.string())) ? missingAmong(named_).join(QLatin1Char('\n')) : QString();
+}
+
+/// What was thrown is of the first file alone: those that are not there are all named.
+void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
+  const QStringList missing = missingAmong(files);
+  if (missing.isEmpty())
     return workspace_.report(error);
-  if (QFileInfo::exists(QString::fromStdString(error.where())))
-    lines.push_back(sentenceOf(error));
-  workspace_.say({Message::Severity::error,
-                  lines.join(QLatin1Char('\n')),
-                  {{tr("Look for files..."), [this, check] { chooseAndOpen(check); }}},
-                  0});
+  const bool there = QFileInfo::exists(QString::fromStdString(error.where()));
+  sayProblems(missing, there ? QStringList(sentenceOf(error)) : QStringList(), check);
+}
+
+void FileActions::sayProblems(const QStringList& missing, const QStringList& failures, bool check) {
+  Message message{Message::Severity::error, (missing + failures).join(QLatin1Char('\n')), {}, 0};
+  if (!missing.isEmpty())
+    message.offers.push_back({tr("Look for files..."), [this, check] { chooseAndOpen(check); }});
+  workspace_.say(message);
 }
 
 void FileActions::takeRead(Read read, const QStringList& files, bool check) {
-  if (read.several)
-    return Q_EMIT scansFound(files.front());
+  const QStringList missing = missingAmong(files);
+  QStringList opened = thoseThere(files); // They may be opened again: they become the recent files.
   const bool others = !read.draft.organs.empty() || read.draft.files.rig;
   QStringList failures;
   for (const Error& failure : read.draft.files.failures)
     failures.push_back(sentenceOf(failure));
-  QStringList opened = files; // What was opened may be opened again: it becomes the recent files.
   for (const std::filesystem::path& file : read.draft.files.leftOut)
     opened.removeAll(QString::fromStdString(file.string()));
+  if (read.several)
+    Q_EMIT scansFound(opened.front());
   if (read.scan)
     takeScan(*read.scan, opened, !others);
-  if (others || !read.scan)
+  if (others || !(read.scan || read.several))
     reviewOrImport(std::move(read.draft), opened, check);
-  if (!failures.isEmpty()) // Last: a message takes the place of the one before it.
-    workspace_.say({Message::Severity::error, failures.join(QLatin1Char('\n')), {}, 0});
+  if (!missing.isEmpty() || !failures.isEmpty()) // Last: a message takes the place of the one before it.
+    sayProblems(missing, failures, check);
 }
 
 bool FileActions::replacesPresent() const {

@@ -65,6 +65,10 @@ public:
   void chooseAndExportOrgan();
   void exportOrgan(const QString& file);
 
+  /// What is said of files that are not there and were to be opened together with this one, last; empty when
+  /// all were there.
+  QString missingBeside(const std::filesystem::path& file) const;
+
 Q_SIGNALS:
   void filesOpened();
   /// One of the files was a scan; it is in the document.
@@ -84,7 +88,11 @@ private:
   };
 
   QString folder() const;
+  /// A line for each that is not there.
+  static QStringList missingAmong(const QStringList& files);
   void sayNothingOpened(const Error& error, const QStringList& files, bool check);
+  /// Offers to look for what is missing.
+  void sayProblems(const QStringList& missing, const QStringList& failures, bool check);
   void takeRead(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
@@ -100,6 +108,7 @@ private:
   QWidget* window_;
   Checker checker_;
   ArrivingSurfaces* arriving_ = nullptr;
+  QStringList named_; ///< The files that were to be opened last.
   std::function<void(const QString&)> openSession_;
 };
 

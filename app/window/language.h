@@ -58,8 +58,8 @@ private:
 
 /// Translates a name of the numerical modules into the language of the window: a name (a phase, a parameter,
 /// a part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h).
-/// A name with a number behind it, such as a handle's of a sequence, keeps the number. As it is when it has
-/// no translation.
+/// A name with a number behind it, such as a handle's of a sequence, keeps the number; of one with another
+/// behind a colon ("Heartbeat: Rest") both are translated. As it is when it has no translation.
 QString inWords(const std::string& name);
 
 /// Parts and seconds in the units that texts are in.

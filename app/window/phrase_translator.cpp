@@ -145,6 +145,17 @@ QString PhraseTranslator::numbered(const std::string& text) const {
   return name.isEmpty() ? QString() : name + QString::fromStdString(text.substr(end));
 }
 
+QString PhraseTranslator::ofTwoNames(const QString& text) const {
+  static const QLatin1String between(": ");
+  const int end = text.indexOf(between);
+  if (end < 0)
+    return {};
+  const QString pattern = exactly((text.left(end) + QStringLiteral(": %1")).toUtf8().constData());
+  const QString second = text.mid(end + between.size());
+  const QString translated = exactly(second.toUtf8().constData());
+  return pattern.isEmpty() ? QString() : pattern.arg(translated.isEmpty() ? second : translated);
+}
+
 QString PhraseTranslator::translateWhole(const QString& text) const {
   // An error begins with a capital letter, whoever says it (viscera/core/error.h).
   QString small = text;
@@ -181,8 +192,10 @@ QString PhraseTranslator::inWords(const QString& text) const {
 QString PhraseTranslator::translate(const char* context, const char* source, const char* disambiguation,
                                     int n) const {
   if (context && source && qstrcmp(context, kContext) == 0) {
-    const QString name = exactly(source, n);
-    return name.isEmpty() ? numbered(source) : name;
+    QString name = exactly(source, n);
+    if (name.isEmpty())
+      name = numbered(source);
+    return name.isEmpty() ? ofTwoNames(QString::fromUtf8(source)) : name;
   }
   const QString exact = QTranslator::translate(context, source, disambiguation, n);
   if (!exact.isEmpty() || !context || !source || qstrcmp(context, kMessages) != 0)

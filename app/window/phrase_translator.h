@@ -55,6 +55,9 @@ private:
   /// Of a name with a number behind it, as sequences give to handles ("LV endocardium 3"): the name's
   /// translation with the number; null when there is none.
   QString numbered(const std::string& text) const;
+  /// Of a name that another follows, as a circulation's beat has it ("Heartbeat: Rest"), where the pattern
+  /// of the first ("Heartbeat: %1") has a translation; else null.
+  QString ofTwoNames(const QString& text) const;
   /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
   /// and what stands in quotes as it is, with the marks of the language.
   QString inWords(const QString& text) const;

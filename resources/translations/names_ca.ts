@@ -1868,6 +1868,14 @@
         <translation>Ronyó</translation>
     </message>
     <message>
+        <source>Kidney left</source>
+        <translation>Ronyó esquerre</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Ronyó dret</translation>
+    </message>
+    <message>
         <source>LA cavity</source>
         <translation>Cav. AE</translation>
     </message>
@@ -6486,6 +6494,10 @@
     <message>
         <source>vertex %1 has a coordinate that is not a finite number</source>
         <translation>el vèrtex %1 té una coordenada que no és un nombre finit</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volum</translation>
     </message>
     <message>
         <source>volume after a meal</source>

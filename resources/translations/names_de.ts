@@ -1868,6 +1868,14 @@
         <translation>Niere</translation>
     </message>
     <message>
+        <source>Kidney left</source>
+        <translation>Linke Niere</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Rechte Niere</translation>
+    </message>
+    <message>
         <source>LA cavity</source>
         <translation>LA-Höhle</translation>
     </message>
@@ -6486,6 +6494,10 @@
     <message>
         <source>vertex %1 has a coordinate that is not a finite number</source>
         <translation>Eckpunkt %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>volume after a meal</source>

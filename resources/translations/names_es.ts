@@ -1868,6 +1868,14 @@
         <translation>Riñón</translation>
     </message>
     <message>
+        <source>Kidney left</source>
+        <translation>Riñón izquierdo</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Riñón derecho</translation>
+    </message>
+    <message>
         <source>LA cavity</source>
         <translation>Cav. AI</translation>
     </message>
@@ -6486,6 +6494,10 @@
     <message>
         <source>vertex %1 has a coordinate that is not a finite number</source>
         <translation>el vértice %1 tiene una coordenada que no es un número finito</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volumen</translation>
     </message>
     <message>
         <source>volume after a meal</source>

@@ -1868,6 +1868,14 @@
         <translation>Rein</translation>
     </message>
     <message>
+        <source>Kidney left</source>
+        <translation>Rein gauche</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Rein droit</translation>
+    </message>
+    <message>
         <source>LA cavity</source>
         <translation>Cavité AG</translation>
     </message>
@@ -6486,6 +6494,10 @@
     <message>
         <source>vertex %1 has a coordinate that is not a finite number</source>
         <translation>le sommet %1 a une coordonnée qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
     </message>
     <message>
         <source>volume after a meal</source>

@@ -5898,6 +5898,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>/ min</translation>
     </message>
     <message>
+        <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
+        <translation>%1: %2 %3. La fixa la freqüència cardíaca de la circulació.</translation>
+    </message>
+    <message>
         <source>%1: %2 to %3 %4</source>
         <translation>%1: de %2 a %3 %4</translation>
     </message>
@@ -6106,7 +6110,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normal %1</translation>
+        <translation>normal: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

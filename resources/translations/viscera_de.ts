@@ -5898,6 +5898,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>/ min</translation>
     </message>
     <message>
+        <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
+        <translation>%1: %2 %3. Die Herzfrequenz des Kreislaufs gibt sie vor.</translation>
+    </message>
+    <message>
         <source>%1: %2 to %3 %4</source>
         <translation>%1: %2 bis %3 %4</translation>
     </message>
@@ -6106,7 +6110,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normal %1</translation>
+        <translation>normal: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

@@ -5898,6 +5898,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>/ min</translation>
     </message>
     <message>
+        <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
+        <translation>%1&#x202f;: %2 %3. La fréquence cardiaque de la circulation la fixe.</translation>
+    </message>
+    <message>
         <source>%1: %2 to %3 %4</source>
         <translation>%1&#x202f;: %2 à %3 %4</translation>
     </message>
@@ -6106,7 +6110,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normale %1</translation>
+        <translation>normale&#x202f;: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>

@@ -2,10 +2,15 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
+#include <QImage>
+#include <QPixmap>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTableWidget>
 
 #include <limits>
+#include <vector>
 
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
@@ -13,6 +18,7 @@
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
+#include "window/language.h"
 #include "window/session/session_files.h"
 #include "window/timeline/volume_panel.h"
 
@@ -64,6 +70,9 @@ TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTe
   choose("exercise");
   EXPECT_TRUE(window().playback().player().playing());
   EXPECT_NEAR(window().playback().player().ratePerMinute(), 150, 1e-9);
+  const auto& rate = find<QSpinBox>("rate");
+  EXPECT_FALSE(rate.isEnabled());
+  EXPECT_TRUE(rate.toolTip().contains(QStringLiteral("circulation"))) << rate.toolTip().toStdString();
   window().playback().pause();
   for (const double fraction : {0.1, 0.35, 0.8})
     EXPECT_LT(off(fraction), 1) << fraction;
@@ -71,6 +80,7 @@ TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTe
   window().workspace().undo().undo();
   EXPECT_TRUE(waitUntil([&] { return window().playback().sequence() == textbook; }));
   EXPECT_EQ(model().present(), nullptr);
+  EXPECT_TRUE(rate.isEnabled());
   window().workspace().undo().redo();
   EXPECT_TRUE(settled());
 }
@@ -110,6 +120,24 @@ TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhen
   ASSERT_TRUE(settled());
   EXPECT_NE(course(), atOnce);
   EXPECT_LT(off(0.3), 1);
+}
+
+TEST(NumbersOfTheCirculation, OfOneVesselHaveDifferentNamesInLittleRoom) {
+  const app::InstalledLanguage french(QStringLiteral("fr"));
+  app::NumbersTable table;
+  table.resize(400, 800);
+  table.show();
+  QApplication::processEvents();
+  const int room = table.fontMetrics().horizontalAdvance(QStringLiteral("Aorte (mmHg)"));
+  table.resize(table.width() - (table.columnWidth(0) - room), table.height());
+  QApplication::processEvents();
+  std::vector<QImage> drawn;
+  for (const QTableWidgetItem* item : table.findItems(QStringLiteral("Aorte, "), Qt::MatchStartsWith))
+    drawn.push_back(table.viewport()->grab(table.visualItemRect(item)).toImage());
+  ASSERT_EQ(drawn.size(), 3u);
+  EXPECT_NE(drawn[0], drawn[1]);
+  EXPECT_NE(drawn[1], drawn[2]);
+  EXPECT_NE(drawn[2], drawn[0]);
 }
 
 TEST_F(PlayedCirculation, WhatWasKeptStandsBesideWhatFollows) {

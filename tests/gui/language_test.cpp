@@ -23,6 +23,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/organ_system.h"
 #include "viscera/live/stress_quantity.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/norms/norms.h"
@@ -35,6 +36,7 @@
 #include "window/sample_loader.h"
 #include "window/table/handle_table.h"
 #include "window/timeline/phase_scrubber.h"
+#include "window/view/picture.h"
 
 namespace viscera::tests {
 namespace {
@@ -229,6 +231,18 @@ TEST_P(Translations, HaveTheSourcesOfNormalValues) {
   EXPECT_GT(sentences, 15);
 }
 
+TEST_P(Translations, HaveTheNamesOfSampleOrgansAndTheirNormalRanges) {
+  QTranslator translator;
+  ASSERT_TRUE(
+      translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
+  for (const char* organ : {"Digestive system", "Heart", "Kidney left", "Kidney right", "Liver", "Stomach",
+                            "Stomach and bowel"}) {
+    EXPECT_FALSE(translator.translate("viscera::presentation", organ).isEmpty()) << organ;
+    for (const motion::NormalRange& range : motion::normalRanges(organ))
+      EXPECT_FALSE(translator.translate("viscera::presentation", range.name.c_str()).isEmpty()) << range.name;
+  }
+}
+
 TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {
   const QTemporaryDir folder;
   QFile texts(folder.filePath(QStringLiteral("least_squares_de.ts")));
@@ -343,6 +357,14 @@ TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("Herz"));
   EXPECT_EQ(document().organs().front()->name, "Heart");
+}
+
+TEST_F(GermanWindow, WritesNamesBesideTheOrgansAsTheListHasThem) {
+  key(Qt::Key_N);
+  const auto labels = window().picture().presenter().labels().drawn();
+  ASSERT_EQ(labels.size(), 5u);
+  EXPECT_EQ(labels[0].text, "Herz");
+  EXPECT_EQ(labels[1].text, "LV-Höhle");
 }
 
 TEST_F(GermanWindow, NamesTheHandlesOfASequence) {

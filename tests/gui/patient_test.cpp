@@ -185,6 +185,15 @@ TEST_F(PatientTest, ALabelMapOffersTheScanBesideItAndTheScanItsOrgans) {
   EXPECT_EQ(document().organs().front()->name, "phantom");
 }
 
+TEST_F(PatientTest, AScanOpensBesideAFileThatIsNotThereWhichIsNamedWithTheOffer) {
+  const QString scan = scanFile(), missing = labelFile() + QStringLiteral("/liver");
+  window().files().open({scan, missing});
+  ASSERT_TRUE(waitUntil([this] { return document().state().scan != nullptr; })) << message().toStdString();
+  settle();
+  EXPECT_TRUE(message().contains(missing)) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("the label map ball_seg.nrrd"))) << message().toStdString();
+}
+
 TEST_F(PatientTest, NothingIsOfferedOfWhatIsBeingImported) {
   const QString labels = labelFile(), scan = scanFile();
   window().files().open({labels, scan}, true); // With check.

@@ -240,6 +240,16 @@ TEST(PhraseTranslator, LeavesEnglishAndWhatNobodyTranslatedAsItIs) {
   EXPECT_EQ(app::inWords("Open heart"), QStringLiteral("Open heart")) << "a name and no step";
 }
 
+TEST(Phrases, NameTheBeatOfACirculationInTheLanguage) {
+  const auto namesIn = [](const char* code) {
+    const InstalledLanguage language(QString::fromLatin1(code));
+    return QStringList(
+        {app::inWords("Heartbeat: Rest"), app::inWords("Heartbeat: mine"), app::inWords("Patient: Rest")});
+  };
+  EXPECT_EQ(namesIn("de"), QStringList({"Herzschlag: Ruhe", "Herzschlag: mine", "Patient: Rest"}));
+  EXPECT_EQ(namesIn("fr").front(), QStringLiteral("Battement du cœur : Repos"));
+}
+
 class GermanSteps : public PlayMode {
   InstalledLanguage german_{QStringLiteral("de")};
 };

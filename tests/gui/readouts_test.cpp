@@ -255,6 +255,7 @@ TEST(RateOfTheTimeline, IsTheOnlyOneThereIsAlsoWhereThatHasAFraction) {
     app::showRate(box, OneRate(rate), rate);
     EXPECT_EQ(box.value(), std::lround(rate));
     EXPECT_EQ(box.minimum(), box.maximum());
+    EXPECT_FALSE(box.isEnabled()) << "there is nothing to choose";
   }
 }
 

@@ -1,7 +1,11 @@
 #include "window/circulation/numbers_table.h"
 
+#include <QFontMetrics>
 #include <QHeaderView>
+#include <QStyle>
+#include <QStyledItemDelegate>
 
+#include <algorithm>
 #include <cmath>
 
 #include "window/language.h"
@@ -17,6 +21,41 @@ constexpr int kNumbersRowHeight = 20;
 const circulation::Reading& readingOf(int row) {
   return circulation::readings()[static_cast<std::size_t>(row)];
 }
+
+/// Names of one vessel differ behind their comma ("Aorta, systolic"), and two vessels before it: what there
+/// is no room for goes from both, after the unit.
+QString readingName(const QString& name, const QString& unit, const QFontMetrics& metrics, int room) {
+  constexpr int kLeastShare = 3; // Of the room, for what is before the comma.
+  for (const QString& whole : {name + unit, name})
+    if (metrics.horizontalAdvance(whole) <= room)
+      return whole;
+  const int comma = name.lastIndexOf(QLatin1String(", "));
+  if (comma < 0)
+    return metrics.elidedText(name, Qt::ElideMiddle, room);
+  const QString end = name.mid(comma);
+  const int before = std::max(room - metrics.horizontalAdvance(end), room / kLeastShare);
+  const QString vessel = metrics.elidedText(name.left(comma), Qt::ElideRight, before);
+  return vessel + metrics.elidedText(end, Qt::ElideRight, room - metrics.horizontalAdvance(vessel));
+}
+
+/// Draws names of readings, whose units are with them as `Qt::UserRole`.
+class ReadingNames final : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (!option->widget || option->rect.isEmpty())
+      return;
+    const QStyle* style = option->widget->style();
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
+    const QRect place = style->subElementRect(QStyle::SE_ItemViewItemText, option, option->widget);
+    const QString unit = index.data(Qt::UserRole).toString();
+    const QString name = option->text.left(option->text.size() - unit.size());
+    option->text = readingName(name, unit, option->fontMetrics, place.width() - 2 * margin - 1);
+  }
+};
 
 } // namespace
 
@@ -56,11 +95,12 @@ NumbersTable::NumbersTable(QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWordWrap(false);
-  setTextElideMode(Qt::ElideMiddle); // Names differ at their ends.
+  setItemDelegateForColumn(kNumbersName, new ReadingNames(this));
   for (int row = 0; row < rowCount(); ++row) {
     const circulation::Reading& reading = readingOf(row);
     const QString unit = reading.unit.empty() ? QString() : QStringLiteral(" (%1)").arg(text(reading.unit));
     auto* name = new QTableWidgetItem(inWords(reading.title) + unit);
+    name->setData(Qt::UserRole, unit);
     name->setToolTip(name->text());
     setItem(row, kNumbersName, name);
     for (const int column : {kNumbersNow, kNumbersBefore, kNumbersNormal}) {

@@ -484,7 +484,7 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
   if (const sequences::Sequence* sequence = playback.sequence())
     return inWords(sequence->name());
   const auto& organs = workspace.document().organs();
-  return organs.empty() ? tr("No organ yet") : text(organs.front()->name);
+  return organs.empty() ? tr("No organ yet") : inWords(organs.front()->name);
 }
 
 void Comparison::syncHeaders() {

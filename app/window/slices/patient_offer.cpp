@@ -73,8 +73,10 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
   const QString said = scan
                            ? tr("Beside %1 lies the scan %2.").arg(fileNameOf(image), fileNameOf(found))
                            : tr("Beside %1 lies the label map %2.").arg(fileNameOf(image), fileNameOf(found));
-  workspace_.say({Message::Severity::info,
-                  said,
+  // It takes the place of a message that names missing files.
+  const QString missing = files_.missingBeside(image);
+  workspace_.say({missing.isEmpty() ? Message::Severity::info : Message::Severity::error,
+                  missing.isEmpty() ? said : missing + QLatin1Char('\n') + said,
                   {{scan ? tr("Open the scan") : tr("Open its organs"),
                     [this, scan, place] {
                       if (scan)
@@ -82,7 +84,7 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
                       else
                         files_.open({place});
                     }}},
-                  kOfferSeconds});
+                  missing.isEmpty() ? kOfferSeconds : 0});
 }
 
 } // namespace viscera::app

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/sequences/course_heartbeat.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -26,6 +27,19 @@ void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePer
   box.setRange(std::min(shown, static_cast<int>(std::ceil(sequence.lowestRatePerMinute()))),
                std::max(shown, static_cast<int>(std::floor(sequence.highestRatePerMinute()))));
   box.setValue(shown);
+  box.setEnabled(box.minimum() < box.maximum());
+  const QString unit = TimelineBar::tr("/ min");
+  if (dynamic_cast<const sequences::CourseHeartbeat*>(&sequence))
+    box.setToolTip(TimelineBar::tr("%1: %2 %3. The heart rate of the circulation sets it.")
+                       .arg(inWords(sequence.name()))
+                       .arg(shown)
+                       .arg(unit));
+  else
+    box.setToolTip(TimelineBar::tr("%1: %2 to %3 %4")
+                       .arg(inWords(sequence.name()))
+                       .arg(box.minimum())
+                       .arg(box.maximum())
+                       .arg(unit));
 }
 
 TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
@@ -141,15 +155,10 @@ void TimelineBar::sync() {
 void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   const motion::Player& player = playback_.player();
   const QSignalBlocker quietSlider(rateSlider_);
-  const QString unit = tr("/ min");
-  rate_->setSuffix(QLatin1Char(' ') + unit);
+  rate_->setSuffix(QLatin1Char(' ') + tr("/ min"));
   showRate(*rate_, sequence, player.ratePerMinute());
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
-  rate_->setToolTip(tr("%1: %2 to %3 %4")
-                        .arg(inWords(sequence.name()))
-                        .arg(rate_->minimum())
-                        .arg(rate_->maximum())
-                        .arg(unit));
+  rateSlider_->setEnabled(rate_->minimum() < rate_->maximum());
   if (const std::string remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
     rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + inWords(remark));
   rateSlider_->setToolTip(rate_->toolTip());

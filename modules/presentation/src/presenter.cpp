@@ -370,7 +370,7 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
     return say("LA cavity");
   if (organ.name == "RA")
     return say("RA cavity");
-  return organ.name;
+  return say(organ.name.c_str());
 }
 
 std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit,

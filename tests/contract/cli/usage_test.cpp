@@ -46,6 +46,9 @@ TEST_F(CliUsage, FilesThatAreNotThereAreAllNamedBesideTheWindow) {
   EXPECT_EQ(result.exitCode, kNoDisplay);
   EXPECT_NE(result.err.find("none.stl"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("lost.vtp"), std::string::npos) << result.err;
+  const test::ProcessResult partly = run({put("cube.off", cubeOff(4)), path("cube.off") + "/lost"});
+  EXPECT_EQ(partly.exitCode, kNoDisplay);
+  EXPECT_NE(partly.err.find("cube.off/lost"), std::string::npos) << "beside one that is: " << partly.err;
   const test::ProcessResult picture = run({path("none.stl"), "--screenshot", path("p.png")});
   EXPECT_EQ(picture.exitCode, kNoInput);
   EXPECT_NE(picture.err.find("none.stl"), std::string::npos) << picture.err;

@@ -140,7 +140,8 @@ Camera cameraOf(const scene::OrganView& view);
 /// Sets the camera of a view. A camera that looks nowhere (position and focus are one place) changes nothing.
 void lookFrom(const Camera& camera, scene::OrganView& view);
 
-/// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name.
+/// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name; either as the
+/// reader's language says it.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label
