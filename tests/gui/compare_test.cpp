@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <optional>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -40,6 +41,15 @@ protected:
   app::Workspace& second() { return parts().comparison().workspace(); }
   Vec3 sight(app::ViewWidget& view) {
     return Vec3(view.view().renderer()->GetActiveCamera()->GetDirectionOfProjection());
+  }
+};
+
+/// With views that have all the room of the window.
+class TwoFullViews : public TwoViews {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+  static Vec3 eye(app::ViewWidget& view) {
+    return Vec3(view.view().renderer()->GetActiveCamera()->GetPosition());
   }
 };
 
@@ -244,6 +254,24 @@ TEST_F(TwoViews, ShareTheInstantTheCamerasAndTheDocument) {
   key(Qt::Key_X);
   EXPECT_EQ(second().document().organs().front()->look.opacity, document().organs().front()->look.opacity);
   EXPECT_EQ(second().undo().names().size(), 0u) << "only the first document has steps";
+}
+
+TEST_F(TwoFullViews, OpenWithTheCameraThatIsThereWhichComesBackWhenOneCloses) {
+  for (const double zoom : {1.0, 3.0}) {
+    key(Qt::Key_F);
+    view().view().renderer()->GetActiveCamera()->Dolly(zoom);
+    view().scheduleRender();
+    settle();
+    const Vec3 before = eye(view());
+    compareRates();
+    if (zoom > 1) {
+      EXPECT_LT((eye(view()) - before).norm(), 1e-9) << "a part of the organ was looked at";
+    }
+    EXPECT_LT((eye(view()) - eye(parts().comparison().view())).norm(), 1e-9);
+    key(Qt::Key_1, Qt::ControlModifier);
+    ASSERT_FALSE(parts().comparison().on());
+    EXPECT_LT((eye(view()) - before).norm(), 1e-9) << zoom;
+  }
 }
 
 TEST_F(TwoViews, AKeptPoseStaysWhileTheFirstViewGoesOn) {

@@ -90,7 +90,6 @@ Q_SIGNALS:
 private:
   struct Second;
 
-  void begin();
   void open();
   void showPose(const Points& pose);
   void setSecondRate(double perMinute);
