@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QFile>
 #include <QLabel>
+#include <QSet>
 #include <QSpinBox>
 #include <QTest>
 
@@ -201,6 +202,41 @@ TEST_F(TwoViews, AHeaderWithoutRoomCutsItsVolumesFirst) {
     if (label->objectName() != QStringLiteral("sideVolumes")) {
       EXPECT_EQ(label->text(), label->fullText()) << label->fullText().toStdString();
     }
+  }
+}
+
+TEST_F(TwoViews, HeadersHaveOneShareForEveryPhaseSoThatTitlesStandStill) {
+  compareRates();
+  for (const app::SideHeader* header : window().findChildren<app::SideHeader*>()) {
+    const auto* phase = header->findChild<app::ElidedLabel*>(QStringLiteral("muted"));
+    ASSERT_NE(phase, nullptr);
+    window().playback().seek(0.95);
+    settle();
+    const QRect share = phase->geometry();
+    QSet<QString> seen;
+    for (const double part : {0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7}) {
+      window().playback().seek(part);
+      handleEvents();
+      seen.insert(phase->fullText());
+      EXPECT_EQ(phase->geometry(), share) << phase->fullText().toStdString();
+    }
+    EXPECT_GT(seen.size(), 1);
+  }
+}
+
+TEST_F(TwoViews, ATitleKeepsItsRoomBesideLongNamesOfPhases) {
+  app::SideHeader header(1, nullptr);
+  header.setTitle(QStringLiteral("Heartbeat  75 / min"));
+  header.setPhases({QStringLiteral("rest"), QStringLiteral("a very long name of a phase").repeated(4)});
+  header.resize(320, header.height());
+  header.show();
+  for (const char* phase : {"rest", "a very long name of a phase"}) {
+    header.setState(QLatin1String(phase), QStringLiteral("LV cavity 112.4 ml"));
+    QTest::qWait(20);
+    for (const auto* label : header.findChildren<app::ElidedLabel*>())
+      if (label->fullText().startsWith(QStringLiteral("Heartbeat"))) {
+        EXPECT_EQ(label->text(), label->fullText()) << phase;
+      }
   }
 }
 

@@ -475,6 +475,15 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
   return organs.empty() ? tr("No organ yet") : text(organs.front()->name);
 }
 
+/// As long as the header names the present one.
+QStringList Comparison::phasesOf(const Playback& playback) {
+  QStringList names;
+  if (playback.sequence() && playback.showing())
+    for (const sequences::Phase& phase : playback.sequence()->phases(playback.player().ratePerMinute()))
+      names.push_back(messageInWords(phase.name));
+  return names;
+}
+
 void Comparison::syncHeaders() {
   if (!on() || !firstHeader_ || !secondHeader_)
     return;
@@ -486,9 +495,11 @@ void Comparison::syncHeaders() {
   if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
+  firstHeader_->setPhases(phasesOf(first_.playback));
   firstHeader_->setState(first_.playback.showing() ? messageInWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
+  secondHeader_->setPhases(phasesOf(second));
   secondHeader_->setState(second.showing() ? messageInWords(second.player().phase()) : QString(),
                           volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);

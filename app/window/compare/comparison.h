@@ -105,6 +105,7 @@ private:
   void syncHeaders();
   void syncMotion();
   QString volumesOf(int side) const;
+  static QStringList phasesOf(const Playback& playback);
   QString titleOf(const Workspace& workspace, const Playback& playback) const;
 
   First first_;
