@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,8 @@ constexpr int kWindowHeight = 900;
 constexpr int kLeftWidth = 304;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
+/// A narrower window leaves the panels less than these widths.
+constexpr int kWidthForPanels = 1200;
 constexpr int kDockedChartHeight = 200;
 constexpr int kHandlesHeight = 300;
 /// What a window manager draws around the window, at most.
@@ -86,6 +89,8 @@ void WindowLayout::place(const Panels& panels) {
   window_.resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
   window_.resizeDocks({chart}, {kDockedChartHeight}, Qt::Vertical);
   heights_ = {{chart, kDockedChartHeight}, {handles, kHandlesHeight}};
+  widths_ = {{organs, {kLeftWidth, kWidthForPanels}}, {properties_, {kRightWidth, kWidthForPanels}}};
+  window_.installEventFilter(this);
   auto* slides = addDock(tr("Slides"), "slides", Qt::LeftDockWidgetArea, panels.slides, false);
   slides->hide();
   imports_ = new PanelDock(tr("Import"), "import", &window_);
@@ -135,7 +140,9 @@ void WindowLayout::arrange() {
 /// The timeline has the height of its rows, of which a sequence has more than another. Qt takes them from the
 /// chart and gives them to the view. Qt has not laid the window out anew yet when this hears of it.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::LayoutRequest && timeline_->isVisible()) {
+  if (watched == &window_) {
+    watchWindow(*event);
+  } else if (event->type() == QEvent::LayoutRequest && timeline_->isVisible()) {
     const int height = timeline_->widget()->sizeHint().height();
     if (std::exchange(timelineHeight_, height) != height) {
       learnHeights();
@@ -143,6 +150,39 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     }
   }
   return QObject::eventFilter(watched, event);
+}
+
+/// Qt makes panels narrower in a narrow window and leaves them so. The lines between panels are the window's:
+/// what changes while the mouse is pressed there is the user's wish.
+void WindowLayout::watchWindow(const QEvent& event) {
+  if (event.type() == QEvent::Resize) {
+    if (window_.width() > std::exchange(windowWidth_, window_.width()))
+      QTimer::singleShot(0, this, &WindowLayout::widenPanels); // Qt lays the panels out first.
+  } else if (event.type() == QEvent::MouseButtonPress) {
+    for (auto known = widths_.constBegin(); known != widths_.constEnd(); ++known)
+      pressed_[known.key()] = known.key()->width();
+  } else if (event.type() == QEvent::MouseButtonRelease) {
+    for (auto known = widths_.begin(); known != widths_.end(); ++known)
+      if (known.key()->width() != pressed_.value(known.key(), known.key()->width()))
+        known.value() = {known.key()->width(), window_.width()};
+    pressed_.clear();
+  }
+}
+
+/// In a window that is narrower than the one of the wish they get their part of it.
+void WindowLayout::widenPanels() {
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  for (auto known = widths_.constBegin(); known != widths_.constEnd(); ++known) {
+    const Width& wish = known.value();
+    const int wide = std::min(wish.panel, wish.panel * window_.width() / wish.window);
+    if (known.key()->isVisible() && !known.key()->isFloating() && known.key()->width() < wide) {
+      docks.push_back(known.key());
+      widths.push_back(wide);
+    }
+  }
+  if (!docks.isEmpty())
+    window_.resizeDocks(docks, widths, Qt::Horizontal);
 }
 
 /// What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
@@ -228,6 +268,8 @@ void WindowLayout::fitCharts(std::optional<int> height) {
 
 void WindowLayout::bringBack() {
   chosen_.clear();
+  for (auto known = widths_.begin(); known != widths_.end(); ++known)
+    known.value() = {known.key() == properties_ ? kRightWidth : kLeftWidth, kWidthForPanels};
   window_.restoreState(standard_);
   arrange();
   if (importing_)
@@ -243,6 +285,10 @@ void WindowLayout::restore(const Settings& settings) {
   if (!window_.isMaximized() && !window_.isFullScreen())
     window_.resize(window_.size().boundedTo(room));
   chosen_ = settings.value("window/panels").toMap();
+  const QVariantMap widths = settings.value("window/panelWidths").toMap();
+  for (auto known = widths_.begin(); known != widths_.end(); ++known)
+    if (const QSize wish = widths.value(known.key()->objectName()).toSize(); !wish.isEmpty())
+      known.value() = {wish.width(), wish.height()};
   arrange();
 }
 
@@ -250,6 +296,10 @@ void WindowLayout::save(Settings& settings) const {
   settings.setValue("window/geometry", window_.saveGeometry());
   settings.setValue("window/layout", window_.saveState());
   settings.setValue("window/panels", chosen_);
+  QVariantMap widths; // Each with that of the window.
+  for (auto known = widths_.constBegin(); known != widths_.constEnd(); ++known)
+    widths[known.key()->objectName()] = QSize(known.value().panel, known.value().window);
+  settings.setValue("window/panelWidths", widths);
 }
 
 } // namespace viscera::app

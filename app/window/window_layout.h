@@ -74,6 +74,14 @@ private:
   void giveHeights();
   int heightOf(const QDockWidget& dock) const;
   void setFullScreen(bool full);
+  void watchWindow(const QEvent& event);
+  void widenPanels();
+
+  /// How wide a panel is by the user's wish, in a window of that width.
+  struct Width {
+    int panel;
+    int window;
+  };
 
   QMainWindow& window_;
   std::vector<PanelDock*> docks_;
@@ -92,6 +100,9 @@ private:
   QVariantMap chosen_;
   QHash<QDockWidget*, int> heights_; ///< Of panels that come and go with the modes, as the user left them.
   QHash<QDockWidget*, int> settled_; ///< What they were once these had been given.
+  QHash<QDockWidget*, Width> widths_;
+  QHash<QDockWidget*, int> pressed_; ///< Their widths when the mouse was pressed, maybe between two panels.
+  int windowWidth_ = 0;              ///< When its size changed last.
   int timelineHeight_ = 0;           ///< What its rows took when it last had its layout.
   bool resizing_ = false;            ///< Heights are to be given once more: what they are now says nothing.
   std::vector<QWidget*> putAway_;    ///< While it is bare.

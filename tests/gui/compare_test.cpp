@@ -3,10 +3,12 @@
 #include <QAbstractButton>
 #include <QFile>
 #include <QLabel>
+#include <QSet>
 #include <QSpinBox>
 #include <QTest>
 
 #include <cmath>
+#include <optional>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -40,6 +42,15 @@ protected:
   app::Workspace& second() { return parts().comparison().workspace(); }
   Vec3 sight(app::ViewWidget& view) {
     return Vec3(view.view().renderer()->GetActiveCamera()->GetDirectionOfProjection());
+  }
+};
+
+/// With views that have all the room of the window.
+class TwoFullViews : public TwoViews {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+  static Vec3 eye(app::ViewWidget& view) {
+    return Vec3(view.view().renderer()->GetActiveCamera()->GetPosition());
   }
 };
 
@@ -194,6 +205,41 @@ TEST_F(TwoViews, AHeaderWithoutRoomCutsItsVolumesFirst) {
   }
 }
 
+TEST_F(TwoViews, HeadersHaveOneShareForEveryPhaseSoThatTitlesStandStill) {
+  compareRates();
+  for (const app::SideHeader* header : window().findChildren<app::SideHeader*>()) {
+    const auto* phase = header->findChild<app::ElidedLabel*>(QStringLiteral("muted"));
+    ASSERT_NE(phase, nullptr);
+    window().playback().seek(0.95);
+    settle();
+    const QRect share = phase->geometry();
+    QSet<QString> seen;
+    for (const double part : {0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7}) {
+      window().playback().seek(part);
+      handleEvents();
+      seen.insert(phase->fullText());
+      EXPECT_EQ(phase->geometry(), share) << phase->fullText().toStdString();
+    }
+    EXPECT_GT(seen.size(), 1);
+  }
+}
+
+TEST_F(TwoViews, ATitleKeepsItsRoomBesideLongNamesOfPhases) {
+  app::SideHeader header(1, nullptr);
+  header.setTitle(QStringLiteral("Heartbeat  75 / min"));
+  header.setPhases({QStringLiteral("rest"), QStringLiteral("a very long name of a phase").repeated(4)});
+  header.resize(320, header.height());
+  header.show();
+  for (const char* phase : {"rest", "a very long name of a phase"}) {
+    header.setState(QLatin1String(phase), QStringLiteral("LV cavity 112.4 ml"));
+    QTest::qWait(20);
+    for (const auto* label : header.findChildren<app::ElidedLabel*>())
+      if (label->fullText().startsWith(QStringLiteral("Heartbeat"))) {
+        EXPECT_EQ(label->text(), label->fullText()) << phase;
+      }
+  }
+}
+
 TEST_F(TwoViews, ShowTheInstantThatTheirReadoutsNameAlsoAfterAPauseAnUndoAndAnotherMode) {
   compareRates();
   const auto* heart = dynamic_cast<const sequences::CavityHeartbeat*>(window().playback().sequence());
@@ -244,6 +290,24 @@ TEST_F(TwoViews, ShareTheInstantTheCamerasAndTheDocument) {
   key(Qt::Key_X);
   EXPECT_EQ(second().document().organs().front()->look.opacity, document().organs().front()->look.opacity);
   EXPECT_EQ(second().undo().names().size(), 0u) << "only the first document has steps";
+}
+
+TEST_F(TwoFullViews, OpenWithTheCameraThatIsThereWhichComesBackWhenOneCloses) {
+  for (const double zoom : {1.0, 3.0}) {
+    key(Qt::Key_F);
+    view().view().renderer()->GetActiveCamera()->Dolly(zoom);
+    view().scheduleRender();
+    settle();
+    const Vec3 before = eye(view());
+    compareRates();
+    if (zoom > 1) {
+      EXPECT_LT((eye(view()) - before).norm(), 1e-9) << "a part of the organ was looked at";
+    }
+    EXPECT_LT((eye(view()) - eye(parts().comparison().view())).norm(), 1e-9);
+    key(Qt::Key_1, Qt::ControlModifier);
+    ASSERT_FALSE(parts().comparison().on());
+    EXPECT_LT((eye(view()) - before).norm(), 1e-9) << zoom;
+  }
 }
 
 TEST_F(TwoViews, AKeptPoseStaysWhileTheFirstViewGoesOn) {

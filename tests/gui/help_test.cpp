@@ -41,6 +41,21 @@ protected:
   }
 };
 
+TEST_F(WindowTest, TheWelcomeLeavesMostOfASmallViewFree) {
+  window().resize(window().minimumSizeHint().width(), 600);
+  window().showWelcome(true);
+  settle();
+  const auto& card = *window().findChild<app::WelcomeCard*>();
+  const auto buttons = card.findChildren<QPushButton*>();
+  ASSERT_EQ(buttons.size(), 3);
+  EXPECT_LE(card.height(), window().viewArea().height() / 3);
+  EXPECT_TRUE(buttons[1]->isVisible()) << "the samples";
+  window().resize(1280, 800);
+  settle();
+  for (const QPushButton* button : buttons)
+    EXPECT_TRUE(button->isVisible()) << button->text().toStdString();
+}
+
 TEST_F(Tour, FramesWhatEachStepSpeaksOfAndCoversNothingOfIt) {
   for (const app::TourStep& step : card().steps()) {
     const std::string title = step.title.toStdString();

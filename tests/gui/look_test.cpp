@@ -150,6 +150,24 @@ TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   EXPECT_LE(window().minimumSizeHint().height(), 500);
 }
 
+TEST_F(WindowTest, PanelsThatANarrowWindowMadeNarrowAreAsBeforeInAWideOneAndTheNextTime) {
+  const auto widths = [this] {
+    return QList<int>{find<QDockWidget>("organs").width(), find<QDockWidget>("properties").width()};
+  };
+  const QList<int> before = widths();
+  const auto makeNarrow = [this] {
+    window().resize(window().minimumSizeHint().width(), 800);
+    settle();
+  };
+  makeNarrow();
+  window().resize(1280, 800);
+  settle();
+  EXPECT_EQ(widths(), before);
+  makeNarrow();
+  reopenWindow();
+  EXPECT_EQ(widths(), before);
+}
+
 TEST_F(WindowTest, ViewsWriteInTheFontOfThePanels) {
   const int font = QFontDatabase::addApplicationFont(QString::fromStdString(scene::textFontFile()));
   ASSERT_GE(font, 0) << scene::textFontFile();

@@ -253,6 +253,21 @@ TEST_F(ViewTest, AnOrganIsRenamedInTheListAndAnEmptyNameIsRefused) {
   EXPECT_NE(message(), QString());
 }
 
+TEST_F(ViewTest, ANarrowListLeavesTheVolumeOutAndKeepsTheName) {
+  constexpr int kNames = 1, kVolumes = 2, kSquare = 24, kNarrow = 150, kLetters = 4;
+  ASSERT_TRUE(window().workspace().perform(
+      document::renameOrgan(document().organs().front()->id, "inferior mesenteric artery")));
+  settle();
+  EXPECT_FALSE(list().isColumnHidden(kVolumes));
+  list().setMaximumWidth(kNarrow);
+  settle();
+  EXPECT_TRUE(list().isColumnHidden(kVolumes));
+  EXPECT_GE(list().columnWidth(kNames), kSquare + kLetters * list().fontMetrics().averageCharWidth());
+  list().setMaximumWidth(QWIDGETSIZE_MAX);
+  settle();
+  EXPECT_FALSE(list().isColumnHidden(kVolumes));
+}
+
 TEST_F(ViewTest, TheCutOpensTheOrganAndItsFaceFollowsThePose) {
   key(Qt::Key_1, Qt::KeypadModifier);
   const auto nearestAt = [this](const QPoint& place) {

@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSpinBox>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidgetAction>
@@ -100,18 +99,7 @@ const Picture& Comparison::picture() const {
   return *second_->picture;
 }
 
-void Comparison::begin() {
-  if (on())
-    return;
-  open();
-  // Half as wide now, the view would cut the organ off; it knows its new size only later.
-  QTimer::singleShot(0, this, [this] {
-    first_.area.view()->view().frame();
-    first_.area.view()->scheduleRender();
-  });
-}
-
-/// The first view's camera stays as it is.
+/// The first view's camera stays as it is: a view that becomes narrower backs off by itself, and comes back.
 void Comparison::open() {
   if (on())
     return;
@@ -188,7 +176,7 @@ ComparedSystem* Comparison::comparedSystem() const {
 }
 
 void Comparison::showOtherCoordinates() {
-  begin();
+  open();
   what_ = presentation::Compared::What::coordinates;
   if (second_->system)
     return;
@@ -251,7 +239,7 @@ void Comparison::dropSystem() {
 }
 
 void Comparison::showSameOrgan() {
-  begin();
+  open();
   dropSystem();
   same_ = true;
   second_->picture->setOfSameOrgans(true);
@@ -274,7 +262,7 @@ void Comparison::showKeptPose() {
 }
 
 void Comparison::showPose(const Points& pose) {
-  begin();
+  open();
   dropSystem();
   same_ = false;
   what_ = presentation::Compared::What::pose;
@@ -295,7 +283,7 @@ void Comparison::setBeside(std::shared_ptr<const sequences::Sequence> sequence) 
 }
 
 void Comparison::showSample(const QString& name) {
-  begin();
+  open();
   dropSystem();
   same_ = false;
   what_ = presentation::Compared::What::sample;
@@ -306,7 +294,7 @@ void Comparison::showSample(const QString& name) {
 }
 
 void Comparison::showFiles(const QStringList& files) {
-  begin();
+  open();
   dropSystem();
   what_.reset();
   second_->picture->setOfSameOrgans(false);
@@ -487,6 +475,15 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
   return organs.empty() ? tr("No organ yet") : inWords(organs.front()->name);
 }
 
+/// As long as the header names the present one.
+QStringList Comparison::phasesOf(const Playback& playback) {
+  QStringList names;
+  if (playback.sequence() && playback.showing())
+    for (const sequences::Phase& phase : playback.sequence()->phases(playback.player().ratePerMinute()))
+      names.push_back(messageInWords(phase.name));
+  return names;
+}
+
 void Comparison::syncHeaders() {
   if (!on() || !firstHeader_ || !secondHeader_)
     return;
@@ -498,9 +495,11 @@ void Comparison::syncHeaders() {
   if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
+  firstHeader_->setPhases(phasesOf(first_.playback));
   firstHeader_->setState(first_.playback.showing() ? messageInWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
+  secondHeader_->setPhases(phasesOf(second));
   secondHeader_->setState(second.showing() ? messageInWords(second.player().phase()) : QString(),
                           volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);

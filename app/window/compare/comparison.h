@@ -90,7 +90,6 @@ Q_SIGNALS:
 private:
   struct Second;
 
-  void begin();
   void open();
   void showPose(const Points& pose);
   void setSecondRate(double perMinute);
@@ -106,6 +105,7 @@ private:
   void syncHeaders();
   void syncMotion();
   QString volumesOf(int side) const;
+  static QStringList phasesOf(const Playback& playback);
   QString titleOf(const Workspace& workspace, const Playback& playback) const;
 
   First first_;

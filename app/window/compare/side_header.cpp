@@ -2,6 +2,8 @@
 
 #include <QEvent>
 
+#include <algorithm>
+
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -10,6 +12,8 @@ constexpr int kHeaderHeight = 36, kSecondRowHeight = 32;
 constexpr int kHeaderSpacing = 8;
 /// Two of them leave the panels beside the views their width in a small window.
 constexpr int kNarrowestHeader = 160;
+/// Where title and phase do not fit, the phase has one in so many parts of the room of both.
+constexpr int kPartsWithTitle = 3;
 } // namespace
 
 SideHeader::SideHeader(int number, QWidget* parent)
@@ -44,6 +48,13 @@ SideHeader::SideHeader(int number, QWidget* parent)
   row_->addWidget(volumes_, 1);
 }
 
+void SideHeader::setPhases(const QStringList& phases) {
+  if (phases == phases_)
+    return;
+  phases_ = phases;
+  sharePhase();
+}
+
 void SideHeader::setState(const QString& phase, const QString& volumes) {
   phase_->setFullText(phase);
   if (volumes_->fullText() != volumes)
@@ -53,7 +64,7 @@ void SideHeader::setState(const QString& phase, const QString& volumes) {
 bool SideHeader::event(QEvent* event) {
   const bool done = QFrame::event(event);
   if (event->type() == QEvent::LayoutRequest)
-    arrange();
+    arrange(); // The title may be another one.
   return done;
 }
 
@@ -64,8 +75,12 @@ void SideHeader::resizeEvent(QResizeEvent* event) {
 
 void SideHeader::arrange() {
   const bool two = !controls_->layout()->isEmpty() && widthInOneRow() > width();
-  if (two == twoRows_)
-    return;
+  if (two != twoRows_)
+    arrangeIn(two);
+  sharePhase();
+}
+
+void SideHeader::arrangeIn(bool two) {
   twoRows_ = two;
   if (two) {
     row_->removeWidget(controls_);
@@ -76,6 +91,20 @@ void SideHeader::arrange() {
   }
   setFixedHeight(two ? kHeaderHeight + kSecondRowHeight : kHeaderHeight);
   Q_EMIT heightChanged(minimumHeight());
+}
+
+void SideHeader::sharePhase() {
+  int widest = 0;
+  for (const QString& phase : phases_)
+    widest = std::max(widest, phase_->widthFor(phase));
+  if (phases_.isEmpty()) {
+    phase_->setMinimumWidth(0);
+    phase_->setMaximumWidth(QWIDGETSIZE_MAX);
+  } else {
+    const int left = width() - widthInOneRow() + (twoRows_ ? controls_->sizeHint().width() : 0);
+    const int withTitle = std::max(0, left + title_->sizeHint().width());
+    phase_->setFixedWidth(std::min(widest, std::max(left, withTitle / kPartsWithTitle)));
+  }
 }
 
 /// The same wherever the controls are now, else they would go to and fro.

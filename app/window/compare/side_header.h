@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "window/widgets/elided_label.h"
@@ -17,6 +18,9 @@ public:
   explicit SideHeader(int number, QWidget* parent = nullptr);
 
   void setTitle(const QString& title) { title_->setFullText(title); }
+  /// The names of all phases that follow one another: the longest one's width is every phase's, as far as the
+  /// title leaves it, so that the title stands still. None: each phase has its own width.
+  void setPhases(const QStringList& phases);
   /// What changes with every frame.
   void setState(const QString& phase, const QString& volumes);
   QString volumes() const { return volumes_->fullText(); }
@@ -37,6 +41,8 @@ protected:
 private:
   /// Moves the controls to the row that has room for them.
   void arrange();
+  void arrangeIn(bool two);
+  void sharePhase();
   /// All but phase and volumes, which give way.
   int widthInOneRow() const;
 
@@ -46,6 +52,7 @@ private:
   ElidedLabel* title_;
   ElidedLabel* phase_;
   ElidedLabel* volumes_;
+  QStringList phases_;
   bool twoRows_ = false;
 };
 

@@ -87,6 +87,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   auto* inset = makeLayout<QVBoxLayout>(nullptr, -1, {12, 0, 12, 0});
   inset->addWidget(opacity_);
   column->addLayout(inset);
+  list_->viewport()->installEventFilter(this);
   connect(list_, &QTreeWidget::itemClicked, this, &OrganPanel::onClicked);
   connect(list_, &QTreeWidget::itemChanged, this, &OrganPanel::onChanged);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int clicked) {
@@ -288,29 +289,48 @@ void OrganPanel::rebuild() {
   giveNamesRoom();
 }
 
-/// Among many organs the numbers give way where names would be cut: a wider panel has room for both, and tips
-/// and the status bar tell them, too.
+/// Numbers give way where names would be cut: a wider panel has room for both, and tips and the status bar
+/// tell them, too.
 void OrganPanel::giveNamesRoom() {
-  constexpr int kPadding = 12; // Around a name and its square.
-  const QFontMetrics metrics(list_->font());
-  int widest = 0;
-  int numbers = 0;
-  for (const auto& [id, item] : items_) {
-    const int steps = item->parent() && item->parent()->parent() ? 3 : item->parent() ? 2 : 1;
-    widest =
-        std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kOrganName)));
-    numbers = std::max(numbers, metrics.horizontalAdvance(item->text(kOrganVolume)));
-  }
-  const int room =
-      list_->viewport()->width() - list_->columnWidth(kOrganEye) - list_->columnWidth(kOrganLock);
-  const bool cut = !systems_.empty() && widest + kSwatchWidth + 2 * kPadding + numbers > room;
-  list_->setColumnHidden(kOrganVolume, cut);
+  widestVolume_ = widestChange_ = 0;
+  leaveNumbersOut();
 }
 
-void OrganPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  QMetaObject::invokeMethod(this, &OrganPanel::giveNamesRoom,
-                            Qt::QueuedConnection); // The list has its size then.
+/// Among many organs names are whole; among few they have some letters at least. The widest numbers count
+/// that were there, so that the columns do not come and go with a beat.
+void OrganPanel::leaveNumbersOut() {
+  constexpr int kPadding = 12; // Around a name and its square.
+  constexpr int kLetters = 8, kLettersBesideChange = 4;
+  const QFontMetrics metrics(list_->font());
+  int widest = 0;
+  int indented = 0;
+  for (const auto& [id, item] : items_) {
+    const int steps = item->parent() && item->parent()->parent() ? 3 : item->parent() ? 2 : 1;
+    indented = std::max(indented, (steps - 1) * list_->indentation());
+    widest =
+        std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kOrganName)));
+    widestVolume_ = std::max(widestVolume_, metrics.horizontalAdvance(item->text(kOrganVolume)));
+    const QString change = item->text(kOrganChange);
+    if (!change.isEmpty())
+      widestChange_ =
+          std::max(widestChange_, kPadding + QFontMetrics(item->font(kOrganChange)).size(0, change).width());
+  }
+  const bool many = !systems_.empty();
+  const auto name = [&](int letters) {
+    return many ? widest : std::min(widest, indented + letters * metrics.averageCharWidth());
+  };
+  const int room = list_->viewport()->width() - list_->columnWidth(kOrganEye) -
+                   list_->columnWidth(kOrganLock) - kSwatchWidth - 2 * kPadding - widestVolume_;
+  list_->setColumnHidden(kOrganVolume, name(kLetters) > room);
+  list_->setColumnHidden(kOrganChange,
+                         many || name(kLettersBesideChange) + widestChange_ > room + 2 * kPadding);
+}
+
+/// Also where a list that was hidden gets its place, or a scroll bar.
+bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize)
+    QMetaObject::invokeMethod(this, &OrganPanel::giveNamesRoom, Qt::QueuedConnection);
+  return QWidget::eventFilter(watched, event);
 }
 
 /// A system's row has the number of its organs, and an eye for all of them.
@@ -399,6 +419,8 @@ void OrganPanel::updateVolumes() {
     item->setToolTip(kOrganVolume, tip);
     item->setToolTip(kOrganChange, tip);
   }
+  if (systems_.empty())
+    leaveNumbersOut();
 }
 
 void OrganPanel::syncSelection() {

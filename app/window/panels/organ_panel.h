@@ -43,7 +43,7 @@ public:
 
 protected:
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
@@ -61,6 +61,7 @@ private:
   void syncSelection();
   void syncOpacity();
   void giveNamesRoom();
+  void leaveNumbersOut();
   void remove(const std::vector<document::OrganId>& organs);
   void onClicked(QTreeWidgetItem* item, int column);
   void onChanged(QTreeWidgetItem* item, int column);
@@ -79,6 +80,8 @@ private:
   std::map<std::string, QTreeWidgetItem*> systems_; ///< Empty while the organs are few.
   OrganMenu* menu_;                                 ///< What can be done to the chosen organs.
   bool updating_ = false;
+  int widestVolume_ = 0; ///< Of the numbers since the panel or its rows were others last, in pixels.
+  int widestChange_ = 0;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -18,10 +18,13 @@ void ElidedLabel::setFullText(const QString& text) {
   elide();
 }
 
-QSize ElidedLabel::sizeHint() const {
+int ElidedLabel::widthFor(const QString& text) const {
   // The advance is rounded: half a pixel less would cut the last letters off.
-  const int around = width() - contentsRect().width() + 1;
-  return {fontMetrics().horizontalAdvance(full_) + around, QLabel::sizeHint().height()};
+  return fontMetrics().horizontalAdvance(text) + width() - contentsRect().width() + 1;
+}
+
+QSize ElidedLabel::sizeHint() const {
+  return {widthFor(full_), QLabel::sizeHint().height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event) {

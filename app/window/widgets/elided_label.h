@@ -13,6 +13,8 @@ public:
 
   void setFullText(const QString& text);
   QString fullText() const { return full_; }
+  /// How wide the label has to be to show all of a text.
+  int widthFor(const QString& text) const;
   /// Of the whole text, for layouts that are told to look at it; by itself the label takes what is left.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }

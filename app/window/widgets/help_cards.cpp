@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShowEvent>
 #include <QToolButton>
 
 #include <utility>
@@ -19,6 +20,11 @@
 
 namespace viscera::app {
 namespace {
+
+/// The card of the welcome takes one in so many parts of the view's height at most,
+constexpr int kPartsOfView = 3;
+/// and leaves so much of its width free at the sides.
+constexpr int kBesideCard = 24;
 
 /// Rows of keys and meanings, in two columns.
 QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget* parent) {
@@ -86,12 +92,34 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
+  lesser_ = {title, tour, open};
+  parent->installEventFilter(this);
   connect(open, &QPushButton::clicked, this, &WelcomeCard::openRequested);
   connect(tour, &QPushButton::clicked, this, &WelcomeCard::tourRequested);
   connect(closeButton, &QToolButton::clicked, this, [this] {
     hide();
     Q_EMIT closed();
   });
+}
+
+bool WelcomeCard::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && isVisible())
+    fit();
+  return QFrame::eventFilter(watched, event);
+}
+
+void WelcomeCard::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  fit();
+}
+
+void WelcomeCard::fit() {
+  const QSize room = parentWidget()->size();
+  for (QWidget* part : lesser_)
+    part->show();
+  for (QWidget* part : lesser_)
+    if (layout()->totalHeightForWidth(room.width() - kBesideCard) > room.height() / kPartsOfView)
+      part->hide();
 }
 
 TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)

@@ -17,18 +17,28 @@ namespace viscera::app {
 
 class PointingFrame;
 
-/// The card of the first start, which offers to open a file, to load a sample organ, or to begin the tour.
+/// The card of the first start, which offers to open a file, to load a sample organ, or to begin the tour. In
+/// a small view it leaves out what the menus have, too, so that an organ can be seen below it.
 class WelcomeCard final : public QFrame {
   Q_OBJECT
 
 public:
-  /// `samples` opens at "Sample organs"; it stays the caller's.
-  explicit WelcomeCard(QMenu* samples, QWidget* parent = nullptr);
+  /// `samples` opens at "Sample organs"; it stays the caller's. `parent` is what the card lies over.
+  WelcomeCard(QMenu* samples, QWidget* parent);
 
 Q_SIGNALS:
   void openRequested();
   void tourRequested();
   void closed();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void fit();
+
+  std::vector<QWidget*> lesser_; ///< What goes where there is little room, the first one first.
 };
 
 /// One stop of the tour.
