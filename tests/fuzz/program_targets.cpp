@@ -9,7 +9,8 @@ namespace viscera::fuzz {
 namespace {
 
 /// Arguments are split at line breaks. `--help` comes last, so that what is asked for is parsed and checked,
-/// but not done. One option would take it for the folder into which it writes, and has no turn.
+/// but not done. One option would take it for the folder into which it writes, and has no turn; behind "--"
+/// it would be a file.
 void parseArguments(Bytes bytes) {
   std::vector<std::string> words = {"viscera"};
   std::istringstream lines(textOf(bytes));
@@ -17,6 +18,8 @@ void parseArguments(Bytes bytes) {
     line.erase(std::find(line.begin(), line.end(), '\0'), line.end());
     if (line.starts_with("--write-manual"))
       return;
+    if (line == "--")
+      continue;
     words.push_back(line);
   }
   words.emplace_back("--help");
