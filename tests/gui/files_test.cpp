@@ -152,7 +152,10 @@ TEST_F(WindowTest, TheGoodOfSeveralFilesAreOpenedAndAllBadOnesAreSaid) {
 }
 
 TEST_F(WindowTest, AFileBesideASessionIsOpenedAndTheSessionIsSaid) {
-  window().files().open({path(QStringLiteral("case.viscera")), sphereFile()});
+  QFile session(path(QStringLiteral("case.viscera")));
+  ASSERT_TRUE(session.open(QIODevice::WriteOnly));
+  session.close();
+  window().files().open({session.fileName(), sphereFile()});
   settle();
   ASSERT_EQ(document().organs().size(), 1u);
   EXPECT_TRUE(message().contains(QStringLiteral("case.viscera"))) << message().toStdString();
