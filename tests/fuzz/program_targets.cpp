@@ -22,7 +22,7 @@ void parseArguments(Bytes bytes) {
       continue;
     words.push_back(line);
   }
-  words.emplace_back("--help");
+  words.insert(words.end(), 3, "--help"); // An option before takes one or two for its values.
   std::vector<const char*> arguments;
   for (const std::string& word : words)
     arguments.push_back(word.c_str());
