@@ -134,6 +134,11 @@ QString styleSheetOf(const Theme& theme) {
 }
 
 void applyTheme(QApplication& application, const Theme& theme) {
+  constexpr const char* kApplied = "visceraTheme";
+  const QString name = nameOf(theme.kind);
+  if (application.property(kApplied).toString() == name)
+    return; // Each change lets every widget look up its rules again.
+  application.setProperty(kApplied, name);
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(paletteOf(theme));
   application.setStyleSheet(styleSheetOf(theme));

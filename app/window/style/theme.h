@@ -45,7 +45,7 @@ QPalette paletteOf(const Theme& theme);
 /// The program's style sheet in the theme's colours.
 QString styleSheetOf(const Theme& theme);
 
-/// Fusion, palette and style sheet for the whole program.
+/// Sets Fusion, palette and style sheet for the whole program; does nothing where this theme is set already.
 void applyTheme(QApplication& application, const Theme& theme);
 
 } // namespace viscera::app
