@@ -38,7 +38,8 @@ constexpr double kLevelBarHeight = 8;
 constexpr double kLevelSide = 24; ///< On either side of the bar: half a number.
 constexpr double kLevelGap = 2;
 constexpr double kLevelSwatch = 10;
-constexpr double kDigit = 7.5; ///< A character of a number is no wider.
+constexpr double kBesideBar = 8; ///< Between an organ and an upright bar.
+constexpr double kDigit = 7.5;   ///< A character of a number is no wider.
 constexpr int kLegendFontSize = 12;
 constexpr int kTitleFontSize = 13;
 constexpr double kLeastTitleSize = 8;
@@ -375,6 +376,16 @@ void Legend::setMark(const std::string& label, const Vec3& color) {
 
 bool Legend::visible() const {
   return parts_->shown;
+}
+
+LegendRoom Legend::room() const {
+  auto* renderer = parts_->beforeRender.renderer();
+  if (!parts_->shown || !renderer)
+    return {};
+  const double ratio = parts_->theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
+  if (!isNarrow(renderer, parts_->theme.typeScale))
+    return {0, ratio * (kRight + kBesideBar)};
+  return {ratio * kLevelLegend, 0};
 }
 
 } // namespace viscera::scene

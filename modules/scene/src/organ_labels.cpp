@@ -305,9 +305,10 @@ LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   room.between *= ratio;
   const double corner = orientationCorner(view.renderer(), theme.typeScale);
   room.reserved = {{0, 0, room.width, kLabelsBottom * ratio}, {0, 0, corner, corner}};
-  if (view.legend().visible() && isNarrow(view.renderer(), theme.typeScale))
-    room.reserved.push_back({0, room.height - kLevelLegend * ratio, room.width, room.height});
-  else if (view.legend().visible())
+  const LegendRoom legend = view.legend().room();
+  if (legend.above > 0)
+    room.reserved.push_back({0, room.height - legend.above, room.width, room.height});
+  else if (legend.beside > 0)
     room.reserved.push_back({room.width - kLegend * ratio, 0, room.width, room.height});
   return room;
 }

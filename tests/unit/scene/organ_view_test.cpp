@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/core/error.h"
+#include "viscera/scene/label_layout.h"
 #include "viscera/scene/picture.h"
 
 #include "shapes.h"
@@ -147,6 +149,43 @@ TEST(OrganView, AnOrganLiesBesideTheLegendOfANarrowViewAndIsAsLargeAsBeforeWitho
     window.render();
     EXPECT_EQ(Vec3(camera->GetPosition()) == eye, !framed);
   }
+}
+
+/// Where the corners of a box from the origin lie in the view: device pixels.
+ScreenBox cornersOf(ViewInWindow& window, const Vec3& size) {
+  ScreenBox seen{1e9, 1e9, -1e9, -1e9};
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at =
+        window.display(Vec3(corner & 1 ? size.x() : 0, corner & 2 ? size.y() : 0, corner & 4 ? size.z() : 0));
+    seen = {std::min(seen.left, at[0]), std::min(seen.bottom, at[1]), std::max(seen.right, at[0]),
+            std::max(seen.top, at[1])};
+  }
+  return seen;
+}
+
+TEST(OrganView, AnOrganLiesBesideTheUprightLegendWhetherItIsFramedBeforeOrAfter) {
+  constexpr double kBar = 76; // From its left edge to the view's right one.
+  for (const double ratio : {1.0, 2.0})
+    for (const bool rendered : {false, true})
+      for (const bool framed : {false, true}) {
+        ViewInWindow window(static_cast<int>(500 * ratio), static_cast<int>(400 * ratio), ratio);
+        window.addOrgan(tests::box(160, 60, 60));
+        auto* camera = window.view.renderer()->GetActiveCamera();
+        window.view.lookFrom(StandardView::anterior);
+        const Vec3 eye(camera->GetPosition());
+        if (rendered)
+          window.render();
+        window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+        if (framed)
+          window.view.frame();
+        window.render();
+        const ScreenBox seen = cornersOf(window, {160, 60, 60});
+        EXPECT_LT(seen.right, ratio * (500 - kBar)) << ratio << rendered << framed;
+        EXPECT_GT(seen.width(), 0.5 * ratio * 500) << "as large as there is room";
+        window.view.legend().hide();
+        window.render();
+        EXPECT_EQ(Vec3(camera->GetPosition()) == eye, !framed);
+      }
 }
 
 TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
