@@ -173,6 +173,7 @@ struct Legend::Parts {
   FlatShape lines;
   FlatShape mark;
   bool marked = false;
+  bool wasMarked = false; ///< Since it is shown.
   const vtkSmartPointer<vtkTextActor> markLabel = newText(kLegendFontSize);
   const vtkSmartPointer<vtkTextActor> title = newText(kTitleFontSize);
   std::vector<double> ticks;
@@ -362,13 +363,14 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
 }
 
 void Legend::hide() {
-  parts_->marked = false;
+  parts_->marked = parts_->wasMarked = false;
   parts_->setShown(false);
 }
 
 void Legend::setMark(const std::string& label, const Vec3& color) {
   auto& p = *parts_;
   p.marked = !label.empty();
+  p.wasMarked = p.shown && (p.wasMarked || p.marked);
   p.markLabel->SetInput(label.c_str());
   p.mark.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   p.setShown(p.shown);
@@ -385,7 +387,7 @@ LegendRoom Legend::room() const {
   const double ratio = parts_->theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
   if (!isNarrow(renderer, parts_->theme.typeScale))
     return {0, ratio * (kRight + kBesideBar)};
-  return {ratio * kLevelLegend, 0};
+  return {ratio * (parts_->wasMarked ? kLevelMarkedLegend : kLevelLegend), 0};
 }
 
 } // namespace viscera::scene

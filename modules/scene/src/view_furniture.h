@@ -16,6 +16,8 @@ bool isNarrow(vtkRenderer* renderer, double typeScale);
 
 /// What the legend of a narrow view takes from its upper edge on: logical pixels, times the type scale.
 inline constexpr double kLevelLegend = 62;
+/// The same of one that has or had a mark below its numbers.
+inline constexpr double kLevelMarkedLegend = 84;
 
 /// The side of the corner at the lower left that the orientation cube has for itself, device pixels.
 double orientationCorner(vtkRenderer* renderer, double typeScale);

@@ -188,6 +188,31 @@ TEST(OrganView, AnOrganLiesBesideTheUprightLegendWhetherItIsFramedBeforeOrAfter)
       }
 }
 
+TEST(OrganView, TheMarkOfALegendThatComesLaterLiesBesideTheOrganToo) {
+  for (const double ratio : {1.0, 2.0}) {
+    ViewInWindow window(static_cast<int>(270 * ratio), static_cast<int>(400 * ratio), ratio);
+    window.addOrgan(tests::box(120, 60, 160));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    window.view.frame();
+    window.render();
+    const Vec3 before(camera->GetPosition());
+    window.view.legend().setMark("folded", {1, 0, 1});
+    window.render();
+    EXPECT_LT(cornersOf(window, {120, 60, 160}).top, ratio * (400 - kLevelMarkedLegend)) << ratio;
+    const Vec3 marked(camera->GetPosition());
+    EXPECT_NE(marked, before);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 2});
+    window.view.legend().setMark("", {1, 0, 1});
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), marked) << "what folds in a part of a cycle moves nothing in it";
+    window.view.legend().hide();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), before);
+  }
+}
+
 TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
   ViewInWindow window(400, 200);
   window.addOrgan(tests::box(120, 60, 90));

@@ -38,7 +38,8 @@ public:
   void show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range);
   void hide();
   bool visible() const;
-  /// What organs are to leave it; nothing while it is hidden.
+  /// What organs are to leave it; nothing while it is hidden. Once it has had a mark the room for it is kept
+  /// until `hide`: tissue that folds in a part of a cycle must not move what is seen in each.
   LegendRoom room() const;
 
   /// A swatch below the bar for what has a colour of its own: "folded". Until `hide` or an empty label.
