@@ -62,6 +62,13 @@ ScreenBox grown(const ScreenBox& box, double by) {
   return {box.left - by, box.bottom - by, box.right + by, box.top + by};
 }
 
+/// Whether the line of a label that is in the box `from` runs through another name, or all but touches it:
+/// the organs move a little.
+bool lineCrosses(const LabelRequest& label, const ScreenBox& from, const ScreenBox& name, double gap) {
+  const ScreenPlace end = leaderEnd(label, from);
+  return runsThrough(leaderStart(from, end, gap), end, grown(name, gap / 2));
+}
+
 /// Looks for places of labels one after the other.
 class Placer {
 public:
@@ -81,6 +88,7 @@ public:
     for (std::size_t i = 0; i < labels_.size(); ++i)
       boxes_[i] = best(i);
     clearNames();
+    leaveOut();
     return boxes_;
   }
 
@@ -93,7 +101,7 @@ private:
   bool onLeft(std::size_t label) const { return labels_[label].x < middle_; }
 
   /// Labels whose lines run through names, or on which lines of others run, move to the best place where
-  /// neither is so; where there is none they stay.
+  /// neither is so; where there is none they stay for now.
   void clearNames() {
     clear_ = true;
     bool moved = true;
@@ -110,17 +118,29 @@ private:
     }
   }
 
-  /// Whether a label, which has no place yet, can be there so that no line runs through a name.
-  bool linesAreClear(std::size_t label, const ScreenBox& box) const {
-    const double room = space_.between / 2; // Also while the organs move a little.
-    const auto crosses = [&](std::size_t named, const ScreenBox& from, const ScreenBox& other) {
-      const ScreenPlace end{labels_[named].x, labels_[named].y};
-      return runsThrough(leaderStart(from, end, space_.between), end, grown(other, room));
-    };
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (boxes_[i] && (crosses(label, box, *boxes_[i]) || crosses(i, *boxes_[i], box)))
+  /// Of two labels that cannot both be there the later one is left out, and has a place where leaving out
+  /// others made room.
+  void leaveOut() {
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (const auto box = std::exchange(boxes_[i], std::nullopt); box && linesAreClear(i, *box, i))
+        boxes_[i] = box;
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (!boxes_[i])
+        boxes_[i] = best(i);
+  }
+
+  /// Whether a label, which has no place yet, can be there so that no line runs through a name, as far as the
+  /// first `count` labels are concerned.
+  bool linesAreClear(std::size_t label, const ScreenBox& box, std::size_t count) const {
+    const double gap = space_.between;
+    for (std::size_t i = 0; i < count; ++i)
+      if (boxes_[i] && (lineCrosses(labels_[label], box, *boxes_[i], gap) ||
+                        lineCrosses(labels_[i], *boxes_[i], box, gap)))
         return false;
     return true;
+  }
+  bool linesAreClear(std::size_t label, const ScreenBox& box) const {
+    return linesAreClear(label, box, boxes_.size());
   }
 
   /// The place from which the way to what is named is shortest.
@@ -292,6 +312,14 @@ ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double g
   if (named.x < box.left)
     return {box.left - gap, middle};
   return {named.x, named.y < middle ? box.bottom - gap : box.top + gap};
+}
+
+ScreenPlace leaderEnd(const LabelRequest& label, const ScreenBox& box) {
+  const auto level = label.edge ? label.edge->between(box.bottom, box.top) : std::nullopt;
+  if (!level)
+    return {label.x, label.y};
+  return {box.left < label.x ? level->left + label.inside : level->right - label.inside,
+          (box.bottom + box.top) / 2};
 }
 
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,

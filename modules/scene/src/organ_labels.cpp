@@ -246,7 +246,8 @@ struct OrganLabels::Parts {
   LabelSpace space(const ViewGeometry& geometry) const;
   bool stillFits(const ViewGeometry& geometry, const Footprint& all,
                  const std::vector<std::optional<Sighting>>& sightings) const;
-  LabelRequest request(std::size_t row, double x, double y);
+  LabelRequest named(std::size_t row, const Sighting& organ, double ratio) const;
+  void measure(std::size_t row, LabelRequest& wanted);
   void layOut(const ViewGeometry& geometry, const Footprint& all,
               const std::vector<std::optional<Sighting>>& sightings);
   void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
@@ -323,15 +324,25 @@ bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint
   return true;
 }
 
+/// What the label of a row names, without its size.
+LabelRequest OrganLabels::Parts::named(std::size_t row, const Sighting& organ, double ratio) const {
+  LabelRequest label{organ.x, organ.y};
+  if (items[row].atEdge) {
+    label.y = organ.bottom + kEdgeHeight * (organ.top - organ.bottom);
+    label.edge = &organ.covered;
+    label.inside = (kVertexReach + kInside) * ratio;
+  }
+  return label;
+}
+
 /// What the label of a row takes in one line, as which it is left, and in two.
-LabelRequest OrganLabels::Parts::request(std::size_t row, double x, double y) {
+void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   const auto sizeOf = [&](const std::string& text) {
     std::array<double, 2> size{0, 0};
     texts[row]->SetInput(text.c_str());
     texts[row]->GetSize(view.renderer(), size.data());
     return size;
   };
-  LabelRequest wanted{x, y};
   if (const std::string two = broken(items[row].text); two != items[row].text) {
     const auto size = sizeOf(two);
     wanted.brokenWidth = size[0];
@@ -340,19 +351,18 @@ LabelRequest OrganLabels::Parts::request(std::size_t row, double x, double y) {
   const auto size = sizeOf(items[row].text);
   wanted.width = size[0];
   wanted.height = size[1];
-  return wanted;
 }
 
 void OrganLabels::Parts::layOut(const ViewGeometry& geometry, const Footprint& all,
                                 const std::vector<std::optional<Sighting>>& sightings) {
+  const double ratio = theme.typeScale * geometry.pixelRatio;
   std::vector<LabelRequest> requests;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!sightings[i])
       continue;
-    const Sighting& organ = *sightings[i];
-    const double y = items[i].atEdge ? organ.bottom + kEdgeHeight * (organ.top - organ.bottom) : organ.y;
-    requests.push_back(request(i, organ.x, y));
+    requests.push_back(named(i, *sightings[i], ratio));
+    measure(i, requests.back());
     rows.push_back(i);
   }
   const auto placed = placeLabels(requests, all, space(geometry));
@@ -382,18 +392,10 @@ void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sigh
     if (!boxes[i])
       continue;
     const ScreenBox& box = *boxes[i];
-    const Sighting& organ = *sightings[i];
-    double x = organ.x;
-    double y = organ.y;
-    const auto edge = organ.covered.between(box.bottom, box.top);
-    if (items[i].atEdge && edge) {
-      y = (box.bottom + box.top) / 2;
-      x = box.left < organ.x ? edge->left + (kVertexReach + kInside) * ratio
-                             : edge->right - (kVertexReach + kInside) * ratio;
-    }
+    const ScreenPlace end = leaderEnd(named(i, *sightings[i], ratio), box);
     texts[i]->SetPosition(box.left, box.bottom);
-    drawLine(box, x, y, ratio, segments, dots);
-    drawn.push_back({items[i].text, box, x, y});
+    drawLine(box, end.x, end.y, ratio, segments, dots);
+    drawn.push_back({items[i].text, box, end.x, end.y});
   }
   lines.data->SetLines(segments);
   lines.data->SetPolys(dots);
