@@ -62,11 +62,19 @@ ScreenBox grown(const ScreenBox& box, double by) {
   return {box.left - by, box.bottom - by, box.right + by, box.top + by};
 }
 
-/// Whether the line of a label that is in the box `from` runs through another name, or all but touches it:
-/// the organs move a little.
+/// Whether the line of a label that is in the box `from` runs through another name, or all but touches it,
+/// wherever what it names moves.
 bool lineCrosses(const LabelRequest& label, const ScreenBox& from, const ScreenBox& name, double gap) {
-  const ScreenPlace end = leaderEnd(label, from);
-  return runsThrough(leaderStart(from, end, gap), end, grown(name, gap / 2));
+  const auto runs = [&](const ScreenPlace& end) {
+    return runsThrough(leaderStart(from, end, gap), end, grown(name, gap / 2));
+  };
+  if (runs(leaderEnd(label, from)))
+    return true;
+  if (!label.reach)
+    return false;
+  const ScreenBox& reach = *label.reach;
+  return runs({reach.left, reach.bottom}) || runs({reach.left, reach.top}) ||
+         runs({reach.right, reach.bottom}) || runs({reach.right, reach.top});
 }
 
 /// Looks for places of labels one after the other.
@@ -85,8 +93,10 @@ public:
           side.push_back(i);
       wishes(side);
     }
+    keepPlaces();
     for (std::size_t i = 0; i < labels_.size(); ++i)
-      boxes_[i] = best(i);
+      if (!boxes_[i])
+        boxes_[i] = best(i);
     clearNames();
     leaveOut();
     return boxes_;
@@ -100,6 +110,20 @@ private:
 
   bool onLeft(std::size_t label) const { return labels_[label].x < middle_; }
 
+  /// Labels stay where they are as far as they are still free there; they are the last that move.
+  void keepPlaces() {
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      const auto& kept = labels_[i].kept;
+      if (kept && isInView(*kept) && isFree(*kept, space_.between / 2))
+        boxes_[i] = kept;
+      else
+        order_.push_back(i);
+    }
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (boxes_[i])
+        order_.push_back(i);
+  }
+
   /// Labels whose lines run through names, or on which lines of others run, move to the best place where
   /// neither is so; where there is none they stay for now.
   void clearNames() {
@@ -107,7 +131,7 @@ private:
     bool moved = true;
     for (int round = 0; moved && round < kRoundsForLines; ++round) {
       moved = false;
-      for (std::size_t i = 0; i < labels_.size(); ++i) {
+      for (const std::size_t i : order_) {
         const auto before = std::exchange(boxes_[i], std::nullopt);
         if (before && !linesAreClear(i, *before))
           boxes_[i] = best(i);
@@ -204,7 +228,7 @@ private:
     const LabelRequest& wanted = labels_[label];
     const double bottom = y - size.height / 2;
     const double top = y + size.height / 2;
-    if (bottom < space_.margin || top > space_.height - space_.margin)
+    if (!isInView({0, bottom, 0, top}))
       return std::nullopt;
     // Level with all of what is covered where there is room, so that labels stand in a column.
     for (const auto& extent : {covered_.all(), covered_.between(bottom, top)}) {
@@ -214,16 +238,20 @@ private:
       else // Above or below everything: as far inside as it has to be.
         x = std::max(space_.margin, std::min(x, space_.width - space_.margin - size.width));
       const ScreenBox box{x, bottom, x + size.width, top};
-      if (isFree(box) && (!clear_ || linesAreClear(label, box)))
+      if (isFree(box, space_.between) && (!clear_ || linesAreClear(label, box)))
         return box;
     }
     return std::nullopt;
   }
 
-  bool isFree(const ScreenBox& box) const {
+  bool isInView(const ScreenBox& box) const {
+    return box.bottom >= space_.margin && box.top <= space_.height - space_.margin;
+  }
+
+  bool isFree(const ScreenBox& box, double between) const {
     if (box.left < space_.margin || box.right > space_.width - space_.margin || covered_.touches(box))
       return false;
-    const ScreenBox wide = grown(box, space_.between);
+    const ScreenBox wide = grown(box, between);
     const auto meets = [&](const ScreenBox& other) { return wide.overlaps(other); };
     return std::none_of(space_.reserved.begin(), space_.reserved.end(), meets) &&
            std::none_of(boxes_.begin(), boxes_.end(),
@@ -237,6 +265,7 @@ private:
   bool clear_ = false; ///< Only places count where no line runs through a name.
   std::vector<double> heights_;
   std::vector<std::optional<ScreenBox>> boxes_;
+  std::vector<std::size_t> order_; ///< In which labels move because of lines.
 };
 
 } // namespace
@@ -289,6 +318,13 @@ void Footprint::cover(double x, double y, double reach) {
   }
 }
 
+void Footprint::cover(const Footprint& other) {
+  for (std::size_t row = 0; row < std::min(rows_.size(), other.rows_.size()); ++row) {
+    rows_[row].left = std::min(rows_[row].left, other.rows_[row].left);
+    rows_[row].right = std::max(rows_[row].right, other.rows_[row].right);
+  }
+}
+
 std::optional<Footprint::Extent> Footprint::between(double bottom, double top) const {
   Extent extent{kInfinity, -kInfinity};
   for (std::size_t row = rowOf(bottom); row <= rowOf(top); ++row) {
@@ -325,6 +361,15 @@ ScreenPlace leaderEnd(const LabelRequest& label, const ScreenBox& box) {
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space) {
   return Placer(labels, covered, space).place();
+}
+
+bool linesAreClear(const std::vector<LabelRequest>& labels,
+                   const std::vector<std::optional<ScreenBox>>& boxes, const LabelSpace& space) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < labels.size(); ++j)
+      if (i != j && boxes[i] && boxes[j] && lineCrosses(labels[i], *boxes[i], *boxes[j], space.between))
+        return false;
+  return true;
 }
 
 } // namespace viscera::scene

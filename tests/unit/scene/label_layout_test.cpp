@@ -224,6 +224,35 @@ TEST(LabelLayout, LeavesOutTheLaterOfTwoLabelsWhereItsLineWouldRunThroughANameAn
   }
 }
 
+TEST(LabelLayout, KeepsLabelsWhereTheyAreAndMovesOnlyThoseThatNoLongerFit) {
+  std::vector<LabelRequest> labels = {{250, 240, 80, 16}, {350, 180, 80, 16}};
+  const auto before = placeLabels(labels, disc(300, 200, 100), view());
+  ASSERT_TRUE(before[0] && before[1]);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    labels[i].kept = before[i];
+  const auto same = [](const ScreenBox& a, const ScreenBox& b) {
+    return a.left == b.left && a.bottom == b.bottom && a.right == b.right && a.top == b.top;
+  };
+  Footprint larger = disc(300, 200, 80);
+  const auto smaller = placeLabels(labels, larger, view());
+  ASSERT_TRUE(smaller[0] && smaller[1]);
+  EXPECT_TRUE(same(*smaller[0], *before[0]) && same(*smaller[1], *before[1]));
+  larger.cover(420, 180, 10);
+  const auto moved = placeLabels(labels, larger, view());
+  ASSERT_TRUE(moved[0] && moved[1]);
+  EXPECT_TRUE(same(*moved[0], *before[0]));
+  EXPECT_GT(moved[1]->left, 430) << "it was covered";
+}
+
+TEST(LabelLayout, LinesRunThroughNoNameWhereverWhatTheyNameMoves) {
+  const std::vector<std::optional<ScreenBox>> boxes = {ScreenBox{20, 192, 100, 208},
+                                                       ScreenBox{120, 242, 200, 258}};
+  std::vector<LabelRequest> labels = {{300, 200, 80, 16}, {300, 250, 80, 16}};
+  EXPECT_TRUE(linesAreClear(labels, boxes, view()));
+  labels[0].reach = ScreenBox{300, 190, 310, 320};
+  EXPECT_FALSE(linesAreClear(labels, boxes, view())) << "there its line runs through the other name";
+}
+
 TEST(LabelLayout, ALineToAnEdgeEndsInsideItLevelWithItsLabel) {
   const Footprint covered = disc(300, 200, 60);
   LabelRequest label{300, 230, 80, 16};

@@ -38,6 +38,8 @@ public:
 
   /// Covers a square of half side `reach` about a place.
   void cover(double x, double y, double reach);
+  /// Covers what another one of the same view covers.
+  void cover(const Footprint& other);
 
   /// The leftmost and the rightmost covered place between two heights; empty when nothing is covered there.
   struct Extent {
@@ -69,6 +71,8 @@ struct LabelRequest {
   /// at (x, y).
   const Footprint* edge = nullptr;
   double inside = 0;
+  std::optional<ScreenBox> reach; ///< Of what it names, while that moves; nothing: it stays at (x, y).
+  std::optional<ScreenBox> kept;  ///< The label stays there where it can.
 };
 
 /// The space in a view that labels may take.
@@ -98,8 +102,12 @@ ScreenPlace leaderEnd(const LabelRequest& label, const ScreenBox& box);
 /// is room; in two lines (the box has that size), or on the other side, where that is much nearer to it, as
 /// it is in a narrow view. No two overlap, none touches what is covered or reserved, all lie inside the view,
 /// and no line runs through another name; one for which there is no such place is left out (empty). Earlier
-/// labels go first. O(labels^2 x height).
+/// labels go first, and those that are kept before all others. O(labels^2 x height).
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space);
+
+/// Whether no line of labels that are in these boxes runs through another name. O(labels^2).
+bool linesAreClear(const std::vector<LabelRequest>& labels,
+                   const std::vector<std::optional<ScreenBox>>& boxes, const LabelSpace& space);
 
 } // namespace viscera::scene
