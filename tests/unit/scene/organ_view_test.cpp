@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -426,6 +427,41 @@ TEST(ScaleBar, NumberHasAGroundSoThatHandlesBehindItDoNotHideIt) {
       EXPECT_EQ(Vec3(ground[0], ground[1], ground[2]), lightTheme().backgroundBottom);
     }
   EXPECT_EQ(numbers, 1);
+}
+
+/// The lowest and the highest row of pixels in which two pictures of one size differ.
+std::pair<int, int> rowsThatDiffer(vtkImageData* one, vtkImageData* other) {
+  const int* size = one->GetDimensions();
+  std::pair<int, int> rows{size[1], -1};
+  for (int y = 0; y < size[1]; ++y) {
+    const auto* a = static_cast<const unsigned char*>(one->GetScalarPointer(0, y, 0));
+    const auto* b = static_cast<const unsigned char*>(other->GetScalarPointer(0, y, 0));
+    if (!std::equal(a, a + 3 * size[0], b))
+      rows = {std::min(rows.first, y), y};
+  }
+  return rows;
+}
+
+TEST(ScaleBar, LiesBelowTheOrganThatFillsASmallView) {
+  for (const double ratio : {1.0, 2.0}) {
+    ViewInWindow window(static_cast<int>(300 * ratio), static_cast<int>(280 * ratio), ratio);
+    auto flat = tests::sphere(4, 50);
+    flat.points.col(1) *= 0.5;
+    const auto organ = window.addOrgan(flat);
+    window.view.setOrientationCubeShown(false);
+    window.view.lookFrom(StandardView::anterior);
+    const auto picture = [&](bool bar, bool shown) {
+      window.view.setScaleBarShown(bar);
+      organ->setVisible(shown);
+      window.render();
+      return grabPicture(window.surface.window());
+    };
+    const auto nothing = picture(false, false);
+    const auto bar = rowsThatDiffer(picture(true, false), nothing);
+    const auto seen = rowsThatDiffer(picture(false, true), nothing);
+    EXPECT_GT(bar.second, 0) << ratio;
+    EXPECT_LT(bar.second, seen.first) << ratio;
+  }
 }
 
 TEST(ScaleBar, LengthsAreRoundAndAsLongAsPossible) {
