@@ -236,6 +236,26 @@ TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
   EXPECT_TRUE(staysFrom(100, 400)) << "it was moved in the narrow view";
 }
 
+TEST(OrganView, TheCameraDependsOnTheShapeOfTheViewAndNotOnTheFramesThatWereDrawn) {
+  const auto eyeAfter = [](bool drawn) {
+    ViewInWindow window(400, 200);
+    window.addOrgan(tests::box(120, 60, 90));
+    window.view.lookFrom(StandardView::anterior);
+    const auto change = [&](const auto& something) {
+      something();
+      for (int frame = 0; drawn && frame < 2; ++frame)
+        window.render();
+    };
+    change([] {});
+    change([&] { window.surface.window()->SetSize(100, 200); });
+    change([&] { window.view.legend().show("Stress", "deg", viridis(), {0, 1}); });
+    change([&] { window.surface.window()->SetSize(150, 200); });
+    window.render();
+    return Vec3(window.view.renderer()->GetActiveCamera()->GetPosition());
+  };
+  EXPECT_EQ(eyeAfter(true), eyeAfter(false));
+}
+
 TEST(OrganView, FrameKeepsTheDirectionOfSight) {
   ViewInWindow window;
   window.addOrgan(tests::sphere(2, 40));
