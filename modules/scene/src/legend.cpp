@@ -381,8 +381,12 @@ bool Legend::visible() const {
 }
 
 LegendRoom Legend::room() const {
+  return parts_->shown ? roomWhenShown() : LegendRoom();
+}
+
+LegendRoom Legend::roomWhenShown() const {
   auto* renderer = parts_->beforeRender.renderer();
-  if (!parts_->shown || !renderer)
+  if (!renderer)
     return {};
   const double ratio = parts_->theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
   if (!isNarrow(renderer, parts_->theme.typeScale))

@@ -140,7 +140,7 @@ struct OrganView::Parts {
   unsigned long beforeWindowTag = 0;
 
   Bounds bounds() const;
-  SightKeeper::Shape room() const;
+  SightKeeper::Shape room(const LegendRoom& taken) const;
   void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
@@ -155,11 +155,10 @@ struct OrganView::Parts {
 
 /// What the legend leaves to organs. It is about the middle of the view, where an organ stays while it is
 /// turned.
-SightKeeper::Shape OrganView::Parts::room() const {
+SightKeeper::Shape OrganView::Parts::room(const LegendRoom& taken) const {
   const int* size = renderer->GetSize();
   if (size[0] <= 0 || size[1] <= 0)
     return {};
-  const LegendRoom taken = legend.room();
   const double width = std::max(kLeastFreeWidth, 1 - 2 * taken.beside / size[0]);
   return {width * size[0] / size[1], std::max(kLeastFreeHeight, 1 - 2 * taken.above / size[1])};
 }
@@ -168,7 +167,7 @@ SightKeeper::Shape OrganView::Parts::room() const {
 /// under the mouse: a handle that is pressed may bring a legend.
 void OrganView::Parts::prepareWindow() {
   if (!held)
-    sight.follow(renderer, room(), [this] { return bounds(); });
+    sight.follow(renderer, room(legend.room()), [this] { return bounds(); });
   smoothEdges();
 }
 
@@ -446,7 +445,7 @@ void OrganView::frame(const Bounds& bounds) {
   auto* renderer = parts_->renderer.Get();
   auto* camera = renderer->GetActiveCamera();
   const auto view = viewGeometry(renderer);
-  const SightKeeper::Shape room = parts_->room();
+  const SightKeeper::Shape room = parts_->room(parts_->legend.room());
   const double aspect = room.width > 0 ? room.width / room.height : 1;
   const double tangent = room.height * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);
@@ -460,6 +459,10 @@ void OrganView::frame(const Bounds& bounds) {
                            room.height);
   renderer->ResetCameraClippingRange();
   parts_->sight.put(renderer, room);
+}
+
+void OrganView::expectLegend() {
+  parts_->sight.put(parts_->renderer, parts_->room(parts_->legend.roomWhenShown()));
 }
 
 vtkVisceraHandleSetRepresentation* OrganView::handles() const {

@@ -189,6 +189,23 @@ TEST(OrganView, AnOrganLiesBesideTheUprightLegendWhetherItIsFramedBeforeOrAfter)
       }
 }
 
+TEST(OrganView, ACameraThatWasKeptWithALegendIsNotMovedWhenThatIsDrawn) {
+  for (const bool kept : {true, false}) {
+    ViewInWindow window(500, 400);
+    window.addOrgan(tests::box(160, 60, 60));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    const Vec3 eye(camera->GetPosition());
+    if (kept)
+      window.view.expectLegend();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), eye);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()) == eye, kept);
+  }
+}
+
 TEST(OrganView, TheMarkOfALegendThatComesLaterLiesBesideTheOrganToo) {
   for (const double ratio : {1.0, 2.0}) {
     ViewInWindow window(static_cast<int>(270 * ratio), static_cast<int>(400 * ratio), ratio);

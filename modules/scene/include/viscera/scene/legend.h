@@ -41,6 +41,8 @@ public:
   /// What organs are to leave it; nothing while it is hidden. Once it has had a mark the room for it is kept
   /// until `hide`: tissue that folds in a part of a cycle must not move what is seen in each.
   LegendRoom room() const;
+  /// The same of one that is or will be shown.
+  LegendRoom roomWhenShown() const;
 
   /// A swatch below the bar for what has a colour of its own: "folded". Until `hide` or an empty label.
   void setMark(const std::string& label, const Vec3& color);
