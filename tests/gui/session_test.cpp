@@ -104,6 +104,26 @@ TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera)
   EXPECT_EQ(window().workspace().live().shownPose(), document().pose());
 }
 
+/// Its legend comes when the stress is there, after the first frames.
+TEST_F(SessionTest, OpenedInStressHasTheCameraThatItHad) {
+  const auto hasLegend = [this] { return view().view().legend().visible(); };
+  open(sphereFile());
+  window().setMode("stress");
+  ASSERT_TRUE(waitUntil(hasLegend));
+  settle();
+  view().view().lookFrom(scene::StandardView::anterior);
+  camera()->Dolly(1.12); // The ball is in the view, and partly behind the legend.
+  view().scheduleRender();
+  settle();
+  const Vec3 eye(camera()->GetPosition());
+  save(path(QStringLiteral("stress.viscera")));
+  reopenWindow();
+  open(path(QStringLiteral("stress.viscera")));
+  ASSERT_TRUE(waitUntil(hasLegend));
+  settle();
+  EXPECT_EQ(Vec3(camera()->GetPosition()), eye);
+}
+
 TEST_F(SessionTest, SavedTwiceWithoutAChangeIsTheSameFile) {
   work();
   save(path(QStringLiteral("a.viscera")), true);

@@ -162,7 +162,7 @@ void Slides::show(int slide) {
     return;
   const presentation::Slide wanted = all()[static_cast<std::size_t>(slide)];
   showLook(wanted);
-  presentation::lookFrom(wanted.camera, widget_.view());
+  presentation::lookFrom(wanted.camera, view_.state(), widget_.view());
   widget_.scheduleRender();
   if (playback_.sequence()) {
     if (wanted.fraction)

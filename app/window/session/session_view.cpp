@@ -132,7 +132,7 @@ void SessionView::apply(const std::string& text) {
   window_.workspace.selection().setGroup(selection.group);
   window_.workspace.selection().setHandles(selection.handles);
   if (camera)
-    presentation::lookFrom(*camera, window_.picture.view());
+    presentation::lookFrom(*camera, window_.view.state(), window_.picture.view());
   else
     Q_EMIT framingWanted();
   makeMotions(wanted);

@@ -351,6 +351,12 @@ void lookFrom(const Camera& camera, scene::OrganView& view) {
   view.renderer()->ResetCameraClippingRange();
 }
 
+void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& view) {
+  lookFrom(camera, view);
+  if (state.shown.stress || state.influence)
+    view.expectLegend();
+}
+
 Vec3 shownColor(const Vec3& color) {
   constexpr double kMostVivid = 0.7; // Between the largest and the smallest part.
   const double vivid = color.maxCoeff() - color.minCoeff();

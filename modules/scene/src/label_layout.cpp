@@ -62,6 +62,21 @@ ScreenBox grown(const ScreenBox& box, double by) {
   return {box.left - by, box.bottom - by, box.right + by, box.top + by};
 }
 
+/// Whether the line of a label that is in the box `from` runs through another name, or all but touches it,
+/// wherever what it names moves.
+bool lineCrosses(const LabelRequest& label, const ScreenBox& from, const ScreenBox& name, double gap) {
+  const auto runs = [&](const ScreenPlace& end) {
+    return runsThrough(leaderStart(from, end, gap), end, grown(name, gap / 2));
+  };
+  if (runs(leaderEnd(label, from)))
+    return true;
+  if (!label.reach)
+    return false;
+  const ScreenBox& reach = *label.reach;
+  return runs({reach.left, reach.bottom}) || runs({reach.left, reach.top}) ||
+         runs({reach.right, reach.bottom}) || runs({reach.right, reach.top});
+}
+
 /// Looks for places of labels one after the other.
 class Placer {
 public:
@@ -78,9 +93,12 @@ public:
           side.push_back(i);
       wishes(side);
     }
+    keepPlaces();
     for (std::size_t i = 0; i < labels_.size(); ++i)
-      boxes_[i] = best(i);
+      if (!boxes_[i])
+        boxes_[i] = best(i);
     clearNames();
+    leaveOut();
     return boxes_;
   }
 
@@ -92,14 +110,28 @@ private:
 
   bool onLeft(std::size_t label) const { return labels_[label].x < middle_; }
 
+  /// Labels stay where they are as far as they are still free there; they are the last that move.
+  void keepPlaces() {
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      const auto& kept = labels_[i].kept;
+      if (kept && isInView(*kept) && isFree(*kept, space_.between / 2))
+        boxes_[i] = kept;
+      else
+        order_.push_back(i);
+    }
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (boxes_[i])
+        order_.push_back(i);
+  }
+
   /// Labels whose lines run through names, or on which lines of others run, move to the best place where
-  /// neither is so; where there is none they stay.
+  /// neither is so; where there is none they stay for now.
   void clearNames() {
     clear_ = true;
     bool moved = true;
     for (int round = 0; moved && round < kRoundsForLines; ++round) {
       moved = false;
-      for (std::size_t i = 0; i < labels_.size(); ++i) {
+      for (const std::size_t i : order_) {
         const auto before = std::exchange(boxes_[i], std::nullopt);
         if (before && !linesAreClear(i, *before))
           boxes_[i] = best(i);
@@ -110,17 +142,29 @@ private:
     }
   }
 
-  /// Whether a label, which has no place yet, can be there so that no line runs through a name.
-  bool linesAreClear(std::size_t label, const ScreenBox& box) const {
-    const double room = space_.between / 2; // Also while the organs move a little.
-    const auto crosses = [&](std::size_t named, const ScreenBox& from, const ScreenBox& other) {
-      const ScreenPlace end{labels_[named].x, labels_[named].y};
-      return runsThrough(leaderStart(from, end, space_.between), end, grown(other, room));
-    };
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (boxes_[i] && (crosses(label, box, *boxes_[i]) || crosses(i, *boxes_[i], box)))
+  /// Of two labels that cannot both be there the later one is left out, and has a place where leaving out
+  /// others made room.
+  void leaveOut() {
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (const auto box = std::exchange(boxes_[i], std::nullopt); box && linesAreClear(i, *box, i))
+        boxes_[i] = box;
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      if (!boxes_[i])
+        boxes_[i] = best(i);
+  }
+
+  /// Whether a label, which has no place yet, can be there so that no line runs through a name, as far as the
+  /// first `count` labels are concerned.
+  bool linesAreClear(std::size_t label, const ScreenBox& box, std::size_t count) const {
+    const double gap = space_.between;
+    for (std::size_t i = 0; i < count; ++i)
+      if (boxes_[i] && (lineCrosses(labels_[label], box, *boxes_[i], gap) ||
+                        lineCrosses(labels_[i], *boxes_[i], box, gap)))
         return false;
     return true;
+  }
+  bool linesAreClear(std::size_t label, const ScreenBox& box) const {
+    return linesAreClear(label, box, boxes_.size());
   }
 
   /// The place from which the way to what is named is shortest.
@@ -184,7 +228,7 @@ private:
     const LabelRequest& wanted = labels_[label];
     const double bottom = y - size.height / 2;
     const double top = y + size.height / 2;
-    if (bottom < space_.margin || top > space_.height - space_.margin)
+    if (!isInView({0, bottom, 0, top}))
       return std::nullopt;
     // Level with all of what is covered where there is room, so that labels stand in a column.
     for (const auto& extent : {covered_.all(), covered_.between(bottom, top)}) {
@@ -194,16 +238,20 @@ private:
       else // Above or below everything: as far inside as it has to be.
         x = std::max(space_.margin, std::min(x, space_.width - space_.margin - size.width));
       const ScreenBox box{x, bottom, x + size.width, top};
-      if (isFree(box) && (!clear_ || linesAreClear(label, box)))
+      if (isFree(box, space_.between) && (!clear_ || linesAreClear(label, box)))
         return box;
     }
     return std::nullopt;
   }
 
-  bool isFree(const ScreenBox& box) const {
+  bool isInView(const ScreenBox& box) const {
+    return box.bottom >= space_.margin && box.top <= space_.height - space_.margin;
+  }
+
+  bool isFree(const ScreenBox& box, double between) const {
     if (box.left < space_.margin || box.right > space_.width - space_.margin || covered_.touches(box))
       return false;
-    const ScreenBox wide = grown(box, space_.between);
+    const ScreenBox wide = grown(box, between);
     const auto meets = [&](const ScreenBox& other) { return wide.overlaps(other); };
     return std::none_of(space_.reserved.begin(), space_.reserved.end(), meets) &&
            std::none_of(boxes_.begin(), boxes_.end(),
@@ -217,6 +265,7 @@ private:
   bool clear_ = false; ///< Only places count where no line runs through a name.
   std::vector<double> heights_;
   std::vector<std::optional<ScreenBox>> boxes_;
+  std::vector<std::size_t> order_; ///< In which labels move because of lines.
 };
 
 } // namespace
@@ -269,6 +318,13 @@ void Footprint::cover(double x, double y, double reach) {
   }
 }
 
+void Footprint::cover(const Footprint& other) {
+  for (std::size_t row = 0; row < std::min(rows_.size(), other.rows_.size()); ++row) {
+    rows_[row].left = std::min(rows_[row].left, other.rows_[row].left);
+    rows_[row].right = std::max(rows_[row].right, other.rows_[row].right);
+  }
+}
+
 std::optional<Footprint::Extent> Footprint::between(double bottom, double top) const {
   Extent extent{kInfinity, -kInfinity};
   for (std::size_t row = rowOf(bottom); row <= rowOf(top); ++row) {
@@ -294,9 +350,26 @@ ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double g
   return {named.x, named.y < middle ? box.bottom - gap : box.top + gap};
 }
 
+ScreenPlace leaderEnd(const LabelRequest& label, const ScreenBox& box) {
+  const auto level = label.edge ? label.edge->between(box.bottom, box.top) : std::nullopt;
+  if (!level)
+    return {label.x, label.y};
+  return {box.left < label.x ? level->left + label.inside : level->right - label.inside,
+          (box.bottom + box.top) / 2};
+}
+
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space) {
   return Placer(labels, covered, space).place();
+}
+
+bool linesAreClear(const std::vector<LabelRequest>& labels,
+                   const std::vector<std::optional<ScreenBox>>& boxes, const LabelSpace& space) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < labels.size(); ++j)
+      if (i != j && boxes[i] && boxes[j] && lineCrosses(labels[i], *boxes[i], *boxes[j], space.between))
+        return false;
+  return true;
 }
 
 } // namespace viscera::scene

@@ -38,7 +38,8 @@ constexpr double kLevelBarHeight = 8;
 constexpr double kLevelSide = 24; ///< On either side of the bar: half a number.
 constexpr double kLevelGap = 2;
 constexpr double kLevelSwatch = 10;
-constexpr double kDigit = 7.5; ///< A character of a number is no wider.
+constexpr double kBesideBar = 8; ///< Between an organ and an upright bar.
+constexpr double kDigit = 7.5;   ///< A character of a number is no wider.
 constexpr int kLegendFontSize = 12;
 constexpr int kTitleFontSize = 13;
 constexpr double kLeastTitleSize = 8;
@@ -172,6 +173,7 @@ struct Legend::Parts {
   FlatShape lines;
   FlatShape mark;
   bool marked = false;
+  bool wasMarked = false; ///< Since it is shown.
   const vtkSmartPointer<vtkTextActor> markLabel = newText(kLegendFontSize);
   const vtkSmartPointer<vtkTextActor> title = newText(kTitleFontSize);
   std::vector<double> ticks;
@@ -361,13 +363,14 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
 }
 
 void Legend::hide() {
-  parts_->marked = false;
+  parts_->marked = parts_->wasMarked = false;
   parts_->setShown(false);
 }
 
 void Legend::setMark(const std::string& label, const Vec3& color) {
   auto& p = *parts_;
   p.marked = !label.empty();
+  p.wasMarked = p.shown && (p.wasMarked || p.marked);
   p.markLabel->SetInput(label.c_str());
   p.mark.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   p.setShown(p.shown);
@@ -375,6 +378,20 @@ void Legend::setMark(const std::string& label, const Vec3& color) {
 
 bool Legend::visible() const {
   return parts_->shown;
+}
+
+LegendRoom Legend::room() const {
+  return parts_->shown ? roomWhenShown() : LegendRoom();
+}
+
+LegendRoom Legend::roomWhenShown() const {
+  auto* renderer = parts_->beforeRender.renderer();
+  if (!renderer)
+    return {};
+  const double ratio = parts_->theme.typeScale * pixelRatioOf(renderer->GetRenderWindow());
+  if (!isNarrow(renderer, parts_->theme.typeScale))
+    return {0, ratio * (kRight + kBesideBar)};
+  return {ratio * (parts_->wasMarked ? kLevelMarkedLegend : kLevelLegend), 0};
 }
 
 } // namespace viscera::scene

@@ -76,6 +76,12 @@ public:
     return cell && fronts_[*cell].inside;
   }
 
+  /// Whether `owner` is the nearest thing in the place's cell.
+  bool isInFront(std::size_t owner, const ScreenPlace& place) const {
+    const auto cell = cellOf({place.x, place.y});
+    return cell && std::isfinite(fronts_[*cell].depth) && fronts_[*cell].owner == owner;
+  }
+
   /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
   std::optional<std::array<double, 2>> middleOf(std::size_t owner) const {
     std::vector<std::array<double, 2>> seen;
@@ -223,6 +229,28 @@ bool sameView(const ViewGeometry& a, const ViewGeometry& b) {
 
 } // namespace
 
+/// Where labels are. While something moves before a camera that stands still they stay as long as they fit:
+/// each moves for itself, and from all that was covered and named since, so that after a cycle of a motion
+/// none moves any more. At rest a picture depends on nothing but what is in it.
+struct OrganLabels::Layout {
+  ViewGeometry view;
+  Footprint swept;                                 ///< Covered since.
+  std::vector<std::optional<ScreenBox>> boxes;     ///< One an item; kept for one that is hidden for a moment.
+  std::vector<std::optional<ScreenPlace>> targets; ///< In the last frame in which it was seen.
+  std::vector<std::optional<ScreenBox>> reaches;   ///< Of all targets since.
+  std::vector<bool> leftOut;                       ///< It found no room since.
+
+  Layout(const ViewGeometry& viewIn, const Footprint& covered, std::size_t items)
+      : view(viewIn), swept(covered), boxes(items), targets(items), reaches(items), leftOut(items) {}
+
+  void see(std::size_t item, const ScreenPlace& at) {
+    const ScreenBox reach = reaches[item].value_or(ScreenBox{at.x, at.y, at.x, at.y});
+    reaches[item] = ScreenBox{std::min(reach.left, at.x), std::min(reach.bottom, at.y),
+                              std::max(reach.right, at.x), std::max(reach.top, at.y)};
+    targets[item] = at;
+  }
+};
+
 struct OrganLabels::Parts {
   explicit Parts(OrganView& viewIn) : view(viewIn) {}
 
@@ -233,22 +261,18 @@ struct OrganLabels::Parts {
   std::vector<Drawn> drawn;
   bool shown = false;
   Theme theme = darkTheme();
-  // While something moves the last layout is kept as long as it fits: labels stand still. At rest a picture
-  // depends on nothing but what is in it.
-  std::optional<ViewGeometry> laidOutFor;
-  std::vector<std::optional<ScreenBox>> boxes;
+  std::optional<Layout> layout;
   BeforeRender beforeRender{[this] { follow(); }};
 
   void follow();
   void hideAll();
-  void checkOrgans(const ViewGeometry& geometry, Footprint& all,
+  void checkOrgans(const ViewGeometry& geometry, bool going, Footprint& all,
                    std::vector<std::optional<Sighting>>& sightings) const;
   LabelSpace space(const ViewGeometry& geometry) const;
-  bool stillFits(const ViewGeometry& geometry, const Footprint& all,
-                 const std::vector<std::optional<Sighting>>& sightings) const;
-  LabelRequest request(std::size_t row, double x, double y);
-  void layOut(const ViewGeometry& geometry, const Footprint& all,
-              const std::vector<std::optional<Sighting>>& sightings);
+  bool stillFits(const ViewGeometry& geometry, const std::vector<std::optional<Sighting>>& sightings) const;
+  LabelRequest requestFor(std::size_t row, const Sighting& organ, double ratio) const;
+  void measure(std::size_t row, LabelRequest& wanted);
+  void layOut(const ViewGeometry& geometry, const std::vector<std::optional<Sighting>>& sightings);
   void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
   void drawLine(const ScreenBox& box, double x, double y, double ratio, vtkCellArray* segments,
                 vtkCellArray* dots);
@@ -262,7 +286,8 @@ void OrganLabels::Parts::hideAll() {
   drawn.clear();
 }
 
-void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, Footprint& all,
+/// `going`: the layout goes on, and lines end where they did while that is on their organ.
+void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, Footprint& all,
                                      std::vector<std::optional<Sighting>>& sightings) const {
   sightings.assign(items.size(), std::nullopt);
   Fronts fronts{FrontGrid(geometry), FrontGrid(geometry)};
@@ -288,7 +313,11 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, Footprint& al
       continue;
     }
     sightings[i] = organ->second;
-    if (const auto middle = fronts.opaque.middleOf(i)) {
+    const auto before = going ? layout->targets[i] : std::nullopt;
+    if (before && fronts.opaque.isInFront(i, *before)) {
+      sightings[i]->x = before->x;
+      sightings[i]->y = before->y;
+    } else if (const auto middle = fronts.opaque.middleOf(i)) {
       sightings[i]->x = (*middle)[0];
       sightings[i]->y = (*middle)[1];
     }
@@ -305,32 +334,52 @@ LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   room.between *= ratio;
   const double corner = orientationCorner(view.renderer(), theme.typeScale);
   room.reserved = {{0, 0, room.width, kLabelsBottom * ratio}, {0, 0, corner, corner}};
-  if (view.legend().visible() && isNarrow(view.renderer(), theme.typeScale))
-    room.reserved.push_back({0, room.height - kLevelLegend * ratio, room.width, room.height});
-  else if (view.legend().visible())
+  const LegendRoom legend = view.legend().room();
+  if (legend.above > 0)
+    room.reserved.push_back({0, room.height - legend.above, room.width, room.height});
+  else if (legend.beside > 0)
     room.reserved.push_back({room.width - kLegend * ratio, 0, room.width, room.height});
   return room;
 }
 
-bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint& all,
+bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry,
                                    const std::vector<std::optional<Sighting>>& sightings) const {
-  if (!view.moving() || !laidOutFor || !sameView(*laidOutFor, geometry) || boxes.size() != items.size())
-    return false;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (sightings[i].has_value() != boxes[i].has_value() || (boxes[i] && all.touches(*boxes[i])))
+  const double ratio = theme.typeScale * geometry.pixelRatio;
+  std::vector<LabelRequest> requests;
+  std::vector<std::optional<ScreenBox>> boxes;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto& box = layout->boxes[i];
+    if (!sightings[i] || layout->leftOut[i])
+      continue;
+    if (!box || layout->swept.touches(*box))
       return false;
-  return true;
+    requests.push_back(requestFor(i, *sightings[i], ratio));
+    boxes.push_back(box);
+  }
+  return linesAreClear(requests, boxes, space(geometry));
+}
+
+/// What the label of a row names, without its size.
+LabelRequest OrganLabels::Parts::requestFor(std::size_t row, const Sighting& organ, double ratio) const {
+  LabelRequest label{organ.x, organ.y};
+  if (items[row].atEdge) {
+    label.y = organ.bottom + kEdgeHeight * (organ.top - organ.bottom);
+    label.edge = &organ.covered;
+    label.inside = (kVertexReach + kInside) * ratio;
+  } else {
+    label.reach = layout->reaches[row];
+  }
+  return label;
 }
 
 /// What the label of a row takes in one line, as which it is left, and in two.
-LabelRequest OrganLabels::Parts::request(std::size_t row, double x, double y) {
+void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   const auto sizeOf = [&](const std::string& text) {
     std::array<double, 2> size{0, 0};
     texts[row]->SetInput(text.c_str());
     texts[row]->GetSize(view.renderer(), size.data());
     return size;
   };
-  LabelRequest wanted{x, y};
   if (const std::string two = broken(items[row].text); two != items[row].text) {
     const auto size = sizeOf(two);
     wanted.brokenWidth = size[0];
@@ -339,29 +388,32 @@ LabelRequest OrganLabels::Parts::request(std::size_t row, double x, double y) {
   const auto size = sizeOf(items[row].text);
   wanted.width = size[0];
   wanted.height = size[1];
-  return wanted;
 }
 
-void OrganLabels::Parts::layOut(const ViewGeometry& geometry, const Footprint& all,
+void OrganLabels::Parts::layOut(const ViewGeometry& geometry,
                                 const std::vector<std::optional<Sighting>>& sightings) {
+  const double ratio = theme.typeScale * geometry.pixelRatio;
   std::vector<LabelRequest> requests;
   std::vector<std::size_t> rows;
+  LabelSpace room = space(geometry);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!sightings[i])
+    const auto& box = layout->boxes[i];
+    if (!sightings[i] && box)
+      room.reserved.push_back(*box);
+    if (!sightings[i] || layout->leftOut[i])
       continue;
-    const Sighting& organ = *sightings[i];
-    const double y = items[i].atEdge ? organ.bottom + kEdgeHeight * (organ.top - organ.bottom) : organ.y;
-    requests.push_back(request(i, organ.x, y));
+    requests.push_back(requestFor(i, *sightings[i], ratio));
+    requests.back().kept = box;
+    measure(i, requests.back());
     rows.push_back(i);
   }
-  const auto placed = placeLabels(requests, all, space(geometry));
-  boxes.assign(items.size(), std::nullopt);
+  const auto placed = placeLabels(requests, layout->swept, room);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    boxes[rows[k]] = placed[k];
+    layout->boxes[rows[k]] = placed[k];
+    layout->leftOut[rows[k]] = !placed[k];
     if (placed[k] && placed[k]->height() > (requests[k].height + requests[k].brokenHeight) / 2)
       texts[rows[k]]->SetInput(broken(items[rows[k]].text).c_str());
   }
-  laidOutFor = geometry;
 }
 
 void OrganLabels::Parts::drawLine(const ScreenBox& box, double x, double y, double ratio,
@@ -377,22 +429,15 @@ void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sigh
   vtkNew<vtkCellArray> segments;
   vtkNew<vtkCellArray> dots;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    texts[i]->SetVisibility(boxes[i].has_value());
-    if (!boxes[i])
+    const bool seen = sightings[i] && layout->boxes[i];
+    texts[i]->SetVisibility(seen);
+    if (!seen)
       continue;
-    const ScreenBox& box = *boxes[i];
-    const Sighting& organ = *sightings[i];
-    double x = organ.x;
-    double y = organ.y;
-    const auto edge = organ.covered.between(box.bottom, box.top);
-    if (items[i].atEdge && edge) {
-      y = (box.bottom + box.top) / 2;
-      x = box.left < organ.x ? edge->left + (kVertexReach + kInside) * ratio
-                             : edge->right - (kVertexReach + kInside) * ratio;
-    }
+    const ScreenBox& box = *layout->boxes[i];
+    const ScreenPlace end = leaderEnd(requestFor(i, *sightings[i], ratio), box);
     texts[i]->SetPosition(box.left, box.bottom);
-    drawLine(box, x, y, ratio, segments, dots);
-    drawn.push_back({items[i].text, box, x, y});
+    drawLine(box, end.x, end.y, ratio, segments, dots);
+    drawn.push_back({items[i].text, box, end.x, end.y});
   }
   lines.data->SetLines(segments);
   lines.data->SetPolys(dots);
@@ -407,9 +452,17 @@ void OrganLabels::Parts::follow() {
   const ViewGeometry geometry = viewGeometry(view.renderer());
   Footprint all(geometry.pixelHeight);
   std::vector<std::optional<Sighting>> sightings;
-  checkOrgans(geometry, all, sightings);
-  if (!stillFits(geometry, all, sightings))
-    layOut(geometry, all, sightings);
+  const bool going = view.moving() && layout && sameView(layout->view, geometry);
+  checkOrgans(geometry, going, all, sightings);
+  if (going)
+    layout->swept.cover(all);
+  else
+    layout.emplace(geometry, all, items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (sightings[i])
+      layout->see(i, {sightings[i]->x, sightings[i]->y});
+  if (!going || !stillFits(geometry, sightings))
+    layOut(geometry, sightings);
   draw(theme.typeScale * geometry.pixelRatio, sightings);
 }
 
@@ -449,14 +502,14 @@ void OrganLabels::setItems(std::vector<Item> items) {
     p.view.renderer()->AddActor2D(text);
     p.texts.push_back(std::move(text));
   }
-  p.laidOutFor.reset();
+  p.layout.reset();
   p.hideAll();
   p.applyTheme();
 }
 
 void OrganLabels::setTheme(const Theme& theme) {
   if (theme.typeScale != parts_->theme.typeScale)
-    parts_->laidOutFor.reset();
+    parts_->layout.reset();
   parts_->theme = theme;
   parts_->applyTheme();
 }

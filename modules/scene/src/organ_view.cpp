@@ -49,8 +49,8 @@ constexpr Eigen::Index kAllDrawnInMotion = 50000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
-/// The part of a view's height that a legend leaves to organs, at least.
-constexpr double kLeastFree = 0.4;
+/// The part of a view's height, and of its width, that a legend leaves to organs, at least.
+constexpr double kLeastFreeHeight = 0.4, kLeastFreeWidth = 0.5;
 
 /// Factor of one turn of the wheel.
 constexpr double kZoomPerStep = 1.15;
@@ -140,7 +140,7 @@ struct OrganView::Parts {
   unsigned long beforeWindowTag = 0;
 
   Bounds bounds() const;
-  double freeHeight() const;
+  SightKeeper::Shape room(const LegendRoom& taken) const;
   void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
@@ -153,19 +153,21 @@ struct OrganView::Parts {
   void putHandlesIntoRenderer();
 };
 
-/// The part of the view's height, about its middle, that a legend along the upper edge leaves to organs.
-double OrganView::Parts::freeHeight() const {
-  if (!legend.visible() || !isNarrow(renderer, theme.typeScale))
-    return 1;
-  const double taken = theme.typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kLevelLegend;
-  return std::max(kLeastFree, 1 - 2 * taken / renderer->GetSize()[1]);
+/// What the legend leaves to organs. It is about the middle of the view, where an organ stays while it is
+/// turned.
+SightKeeper::Shape OrganView::Parts::room(const LegendRoom& taken) const {
+  const int* size = renderer->GetSize();
+  if (size[0] <= 0 || size[1] <= 0)
+    return {};
+  const double width = std::max(kLeastFreeWidth, 1 - 2 * taken.beside / size[0]);
+  return {width * size[0] / size[1], std::max(kLeastFreeHeight, 1 - 2 * taken.above / size[1])};
 }
 
 /// What follows the camera does so when a renderer begins: the camera is at its place before. It stands still
 /// under the mouse: a handle that is pressed may bring a legend.
 void OrganView::Parts::prepareWindow() {
   if (!held)
-    sight.follow(renderer, freeHeight(), [this] { return bounds(); });
+    sight.follow(renderer, room(legend.room()), [this] { return bounds(); });
   smoothEdges();
 }
 
@@ -443,10 +445,9 @@ void OrganView::frame(const Bounds& bounds) {
   auto* renderer = parts_->renderer.Get();
   auto* camera = renderer->GetActiveCamera();
   const auto view = viewGeometry(renderer);
-  const int* size = renderer->GetSize();
-  const double freeHeight = parts_->freeHeight();
-  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] / freeHeight : 1;
-  const double tangent = freeHeight * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
+  const SightKeeper::Shape room = parts_->room(parts_->legend.room());
+  const double aspect = room.width > 0 ? room.width / room.height : 1;
+  const double tangent = room.height * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);
   if (!(distance > 0))
     distance = kEmptyHalfSize;
@@ -455,8 +456,13 @@ void OrganView::frame(const Bounds& bounds) {
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
   camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kFramingMargin) /
-                           freeHeight);
+                           room.height);
   renderer->ResetCameraClippingRange();
+  parts_->sight.put(renderer, room);
+}
+
+void OrganView::expectLegend() {
+  parts_->sight.put(parts_->renderer, parts_->room(parts_->legend.roomWhenShown()));
 }
 
 vtkVisceraHandleSetRepresentation* OrganView::handles() const {

@@ -22,8 +22,8 @@ double shortOf(const Bounds& box, const ViewGeometry& camera, const SightKeeper:
     const Vec3 point(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
                      corner & 4 ? box.high.z() : box.low.z());
     const Vec3 seen = point - camera.eye;
-    const double half = kRoomAround * std::max(std::abs(seen.dot(camera.up)) / shape.freeHeight,
-                                               std::abs(seen.dot(camera.right)) / shape.aspect);
+    const double half = kRoomAround * std::max(std::abs(seen.dot(camera.up)) / shape.height,
+                                               std::abs(seen.dot(camera.right)) / shape.width);
     most = std::max(most, camera.parallel ? half - camera.halfHeight
                                           : half / camera.halfHeight - seen.dot(camera.forward));
   }
@@ -37,16 +37,16 @@ bool sameCamera(const ViewGeometry& a, const ViewGeometry& b) {
 
 } // namespace
 
-void SightKeeper::follow(vtkRenderer* renderer, double freeHeight, const std::function<Bounds()>& bounds) {
-  const int* size = renderer->GetSize();
-  if (size[0] <= 0 || size[1] <= 0)
+void SightKeeper::put(vtkRenderer* renderer, const Shape& shape) {
+  wished_ = left_ = viewGeometry(renderer);
+  wishedShape_ = shape_ = shape;
+}
+
+void SightKeeper::follow(vtkRenderer* renderer, const Shape& shape, const std::function<Bounds()>& bounds) {
+  if (shape.width <= 0)
     return;
-  const Shape shape{static_cast<double>(size[0]) / size[1], freeHeight};
-  const ViewGeometry now = viewGeometry(renderer);
-  if (shape_.aspect == 0 || !sameCamera(now, left_)) {
-    wished_ = left_ = now;
-    wishedShape_ = shape_ = shape;
-  }
+  if (shape_.width <= 0 || !sameCamera(viewGeometry(renderer), left_))
+    put(renderer, shape);
   if (std::exchange(shape_, shape) == shape)
     return;
   const Bounds box = bounds();

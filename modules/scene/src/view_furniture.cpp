@@ -25,16 +25,22 @@ constexpr double kScaleBarBottom = 20;
 constexpr double kScaleBarTick = 5;
 constexpr double kCornerGap = 4;
 constexpr double kTextGap = 6;
+/// In a small view: of the line and of the number, and what the number takes to the right of the line.
+constexpr double kLowBottom = 6, kLowTextBottom = 3, kNumberRoom = 64;
 constexpr double kScaleBarWidth = 1.5;
 constexpr int kScaleBarFontSize = 13;
 constexpr double kGroundOfNumber = 0.7; ///< Opacity.
 constexpr double kSmallCube = 0.65;     ///< Of the usual size.
 
+bool isSmall(vtkRenderer* renderer, double typeScale) {
+  return renderer->GetSize()[0] < typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kNarrowWidth;
+}
+
 } // namespace
 
 bool isNarrow(vtkRenderer* renderer, double typeScale) {
   const int* size = renderer->GetSize();
-  return size[0] < size[1] && size[0] < typeScale * pixelRatioOf(renderer->GetRenderWindow()) * kNarrowWidth;
+  return size[0] < size[1] && isSmall(renderer, typeScale);
 }
 
 double orientationCorner(vtkRenderer* renderer, double typeScale) {
@@ -92,21 +98,34 @@ void ScaleBar::follow() {
   // In the middle, but not over the orientation cube of a narrow view.
   const double width = renderer->GetSize()[0];
   const double corner = orientationCorner(renderer, typeScale_) + ratio * kCornerGap;
-  const double most = std::min(ratio * kLongest, std::max(0.25 * width, width - corner - ratio * kCornerGap));
+  const double shortest = 0.25 * width;
+  const double rest = width - corner - ratio * kCornerGap;
+  const bool low = isSmall(renderer, typeScale_) && rest >= shortest + ratio * kNumberRoom;
+  const double beside = low ? ratio * kNumberRoom : 0;
+  const double most = std::min(ratio * kLongest, std::max(shortest, rest - beside));
   const double length = roundLength(pixel * most);
   const double half = 0.5 * length / pixel;
-  const double middle = std::min(std::max(0.5 * width, corner + half), width - half - ratio * kCornerGap);
-  const double y = ratio * kScaleBarBottom;
-  line_.points->SetPoint(0, middle - half, y + ratio * kScaleBarTick, 0);
-  line_.points->SetPoint(1, middle - half, y, 0);
-  line_.points->SetPoint(2, middle + half, y, 0);
-  line_.points->SetPoint(3, middle + half, y + ratio * kScaleBarTick, 0);
-  line_.points->Modified();
-  line_.actor->GetProperty()->SetLineWidth(static_cast<float>(kScaleBarWidth * ratio));
+  const double middle =
+      std::min(std::max(0.5 * (width - beside), corner + half), width - beside - half - ratio * kCornerGap);
   char label[32];
   std::snprintf(label, sizeof label, "%g mm", length);
   text_->SetInput(withDecimalMark(label, decimalMark_).c_str());
-  text_->SetPosition(middle, y + ratio * kTextGap);
+  text_->GetTextProperty()->SetJustification(low ? VTK_TEXT_LEFT : VTK_TEXT_CENTERED);
+  if (low)
+    text_->SetPosition(middle + half + ratio * kTextGap, ratio * kLowTextBottom);
+  else
+    text_->SetPosition(middle, ratio * (kScaleBarBottom + kTextGap));
+  place(middle - half, middle + half, ratio * (low ? kLowBottom : kScaleBarBottom), ratio);
+}
+
+void ScaleBar::place(double left, double right, double bottom, double ratio) {
+  const double top = bottom + ratio * kScaleBarTick;
+  line_.points->SetPoint(0, left, top, 0);
+  line_.points->SetPoint(1, left, bottom, 0);
+  line_.points->SetPoint(2, right, bottom, 0);
+  line_.points->SetPoint(3, right, top, 0);
+  line_.points->Modified();
+  line_.actor->GetProperty()->SetLineWidth(static_cast<float>(kScaleBarWidth * ratio));
 }
 
 } // namespace viscera::scene

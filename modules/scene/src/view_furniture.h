@@ -16,12 +16,15 @@ bool isNarrow(vtkRenderer* renderer, double typeScale);
 
 /// What the legend of a narrow view takes from its upper edge on: logical pixels, times the type scale.
 inline constexpr double kLevelLegend = 62;
+/// The same of one that has or had a mark below its numbers.
+inline constexpr double kLevelMarkedLegend = 84;
 
 /// The side of the corner at the lower left that the orientation cube has for itself, device pixels.
 double orientationCorner(vtkRenderer* renderer, double typeScale);
 
-/// A line of a round number of millimetres at the bottom of a view. With a perspective camera it is right in
-/// the plane of the camera's focal point.
+/// A line of a round number of millimetres at the bottom of a view, with the number above it; in a small
+/// view, which organs fill, it lies at the lower edge and the number beside it. With a perspective camera it
+/// is right in the plane of the camera's focal point.
 class ScaleBar {
 public:
   explicit ScaleBar(vtkRenderer* renderer);
@@ -34,6 +37,7 @@ public:
 
 private:
   void follow();
+  void place(double left, double right, double bottom, double ratio);
 
   char decimalMark_ = '.';
   double typeScale_ = 1; ///< The bar grows with its type.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -167,24 +169,106 @@ TEST(LabelLayout, BreaksALongNameInANarrowViewSoThatItStandsNearby) {
   EXPECT_DOUBLE_EQ(wide[0]->height(), 16) << "in one line where there is room";
 }
 
+/// Which lines run through which names.
+std::vector<std::pair<std::size_t, std::size_t>>
+crossings(const std::vector<LabelRequest>& labels, const std::vector<std::optional<ScreenBox>>& boxes) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < labels.size(); ++j) {
+      if (i == j || !boxes[i] || !boxes[j])
+        continue;
+      const ScreenPlace end = leaderEnd(labels[i], *boxes[i]);
+      const ScreenPlace start = leaderStart(*boxes[i], end, 4);
+      bool through = false;
+      for (double part = 0; part <= 1; part += 0.005) {
+        const double x = start.x + part * (end.x - start.x);
+        const double y = start.y + part * (end.y - start.y);
+        through = through || ScreenBox{x, y, x, y}.overlaps(*boxes[j]);
+      }
+      if (through)
+        found.emplace_back(i, j);
+    }
+  return found;
+}
+
 TEST(LabelLayout, MovesALabelWhoseLineWouldRunThroughAnothersName) {
   const Footprint covered = disc(180, 200, 90);
   const std::vector<LabelRequest> labels = {{155, 210, 100, 16}, {220, 220, 120, 16}, {230, 225, 120, 16}};
   const auto boxes = placeLabels(labels, covered, view(360));
   expectApart(boxes, covered, view(360));
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    ASSERT_TRUE(boxes[i]) << i;
-    const ScreenPlace start = leaderStart(*boxes[i], {labels[i].x, labels[i].y}, 4);
-    for (std::size_t j = 0; j < labels.size(); ++j) {
-      bool through = false;
-      for (double part = 0; i != j && part <= 1; part += 0.005) {
-        const double x = start.x + part * (labels[i].x - start.x);
-        const double y = start.y + part * (labels[i].y - start.y);
-        through = through || ScreenBox{x, y, x, y}.overlaps(*boxes[j]);
-      }
-      EXPECT_FALSE(through) << "the line of " << i << " runs through name " << j;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    EXPECT_TRUE(boxes[i]) << i;
+  for (const auto& [line, name] : crossings(labels, boxes))
+    ADD_FAILURE() << "the line of " << line << " runs through name " << name;
+}
+
+TEST(LabelLayout, LeavesOutTheLaterOfTwoLabelsWhereItsLineWouldRunThroughANameAnywhere) {
+  const Footprint covered = disc(180, 200, 95);
+  LabelSpace space = view(360);
+  space.reserved = {{0, 0, 360, 44}};
+  for (unsigned crowd = 100; crowd < 140; ++crowd) {
+    std::mt19937 random(crowd);
+    std::uniform_real_distribution<double> part(0, 1);
+    std::vector<LabelRequest> labels;
+    for (int i = 0; i < 9; ++i) {
+      const double away = 90 * std::sqrt(part(random));
+      const double angle = 2 * M_PI * part(random);
+      labels.push_back({180 + away * std::cos(angle), 200 + away * std::sin(angle), 110, 16});
     }
+    const auto boxes = placeLabels(labels, covered, space);
+    expectApart(boxes, covered, space);
+    for (const auto& [line, name] : crossings(labels, boxes))
+      ADD_FAILURE() << "crowd " << crowd << ": the line of " << line << " runs through name " << name;
+    EXPECT_TRUE(boxes[0]) << "the first is the most important one";
+    EXPECT_GE(std::count_if(boxes.begin(), boxes.end(), [](const auto& box) { return !!box; }), 6);
   }
+}
+
+TEST(LabelLayout, KeepsLabelsWhereTheyAreAndMovesOnlyThoseThatNoLongerFit) {
+  std::vector<LabelRequest> labels = {{250, 240, 80, 16}, {350, 180, 80, 16}};
+  const auto before = placeLabels(labels, disc(300, 200, 100), view());
+  ASSERT_TRUE(before[0] && before[1]);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    labels[i].kept = before[i];
+  const auto same = [](const ScreenBox& a, const ScreenBox& b) {
+    return a.left == b.left && a.bottom == b.bottom && a.right == b.right && a.top == b.top;
+  };
+  Footprint larger = disc(300, 200, 80);
+  const auto smaller = placeLabels(labels, larger, view());
+  ASSERT_TRUE(smaller[0] && smaller[1]);
+  EXPECT_TRUE(same(*smaller[0], *before[0]) && same(*smaller[1], *before[1]));
+  larger.cover(420, 180, 10);
+  const auto moved = placeLabels(labels, larger, view());
+  ASSERT_TRUE(moved[0] && moved[1]);
+  EXPECT_TRUE(same(*moved[0], *before[0]));
+  EXPECT_GT(moved[1]->left, 430) << "it was covered";
+}
+
+TEST(LabelLayout, LinesRunThroughNoNameWhereverWhatTheyNameMoves) {
+  const std::vector<std::optional<ScreenBox>> boxes = {ScreenBox{20, 192, 100, 208},
+                                                       ScreenBox{120, 242, 200, 258}};
+  std::vector<LabelRequest> labels = {{300, 200, 80, 16}, {300, 250, 80, 16}};
+  EXPECT_TRUE(linesAreClear(labels, boxes, view()));
+  labels[0].reach = ScreenBox{300, 190, 310, 320};
+  EXPECT_FALSE(linesAreClear(labels, boxes, view())) << "there its line runs through the other name";
+}
+
+TEST(LabelLayout, ALineToAnEdgeEndsInsideItLevelWithItsLabel) {
+  const Footprint covered = disc(300, 200, 60);
+  LabelRequest label{300, 230, 80, 16};
+  const auto end = [&](const ScreenBox& box) {
+    const ScreenPlace place = leaderEnd(label, box);
+    return std::vector<double>{place.x, place.y};
+  };
+  const ScreenBox left{100, 192, 180, 208}, right{420, 192, 500, 208}, above{260, 300, 340, 316};
+  EXPECT_EQ(end(left), (std::vector<double>{300, 230})) << "it names a place";
+  label.edge = &covered;
+  label.inside = 10;
+  const auto level = covered.between(192, 208);
+  ASSERT_TRUE(level);
+  EXPECT_EQ(end(left), (std::vector<double>{level->left + 10, 200}));
+  EXPECT_EQ(end(right), (std::vector<double>{level->right - 10, 200}));
+  EXPECT_EQ(end(above), (std::vector<double>{300, 230})) << "nothing is covered level with it";
 }
 
 TEST(LabelLayout, PutsALabelAboveEverythingIntoTheViewWhereverItsOrganIs) {

@@ -99,10 +99,11 @@ TEST(Legend, CanBeReadOverWhatLiesBehindIt) {
 }
 
 /// Whether the legend draws anything between two heights of a view without organs, as parts of its height.
-bool drawsBetween(tests::ViewInWindow& window, double bottom, double top) {
+bool drawsBetween(tests::ViewInWindow& window, double bottom, double top, const std::string& mark = {}) {
   const auto picture = [&](bool shown) {
     shown ? window.view.legend().show("Rotational stress", "deg", viridis(), {0, 1})
           : window.view.legend().hide();
+    window.view.legend().setMark(shown ? mark : std::string(), {1, 0, 1});
     window.render();
     return grabPicture(window.surface.window());
   };
@@ -123,6 +124,8 @@ TEST(Legend, LiesAlongTheUpperEdgeOfANarrowViewAndStandsAtTheRightOfOthers) {
     tests::ViewInWindow narrow(pixels(270), pixels(400), ratio);
     EXPECT_TRUE(drawsBetween(narrow, 1 - kLevelLegend / 400, 1)) << ratio;
     EXPECT_FALSE(drawsBetween(narrow, 0, 1 - kLevelLegend / 400)) << ratio;
+    EXPECT_TRUE(drawsBetween(narrow, 1 - kLevelMarkedLegend / 400, 1 - kLevelLegend / 400, "folded"));
+    EXPECT_FALSE(drawsBetween(narrow, 0, 1 - kLevelMarkedLegend / 400, "folded")) << ratio;
     tests::ViewInWindow wide(pixels(500), pixels(400), ratio);
     EXPECT_TRUE(drawsBetween(wide, 0.25, 0.5)) << ratio;
   }

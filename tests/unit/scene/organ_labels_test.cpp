@@ -1,6 +1,9 @@
 #include "viscera/scene/organ_labels.h"
 
 #include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -121,6 +124,85 @@ TEST_F(Labels, FollowTheCameraAndStandStillWhileTheOrganBeats) {
   window.view.renderer()->GetActiveCamera()->Azimuth(180);
   window.render();
   EXPECT_LT(named("Left ventricle").targetX, before - 20) << "seen from behind it is on the other side";
+}
+
+/// One without room had every frame laid out anew, and the others went with the heart's size.
+TEST_F(Labels, StandStillWhileTheOrganBeatsAlsoBesideOneThatFindsNoRoom) {
+  labels.setItems({{"Heart", wall, true}, {"Left ventricle", left}, {std::string(120, 'W'), right}});
+  window.render();
+  const ScreenBox heart = named("Heart").box, ventricle = named("Left ventricle").box;
+  EXPECT_EQ(labels.drawn().size(), 2U);
+  window.view.setMoving(true);
+  for (const double size : {0.97, 0.9, 0.85, 0.9, 1.0}) {
+    wall->setPoints(std::make_shared<Points>(size * wall->mesh().points));
+    window.render();
+    EXPECT_EQ(named("Heart").box.left, heart.left) << size;
+    EXPECT_EQ(named("Heart").box.bottom, heart.bottom) << size;
+    EXPECT_EQ(named("Left ventricle").box.left, ventricle.left) << size;
+  }
+}
+
+TEST_F(Labels, AreBackInTheirPlaceWhenWhatTheyNameWasHiddenForAMoment) {
+  wall->setOpacity(1);
+  Eigen::Index front = 0;
+  wall->mesh().points.col(1).minCoeff(&front);
+  labels.setItems({{"Heart", wall, true}, {"Front", wall, false, front}});
+  window.render();
+  const ScreenBox heart = named("Heart").box, part = named("Front").box;
+  window.view.setMoving(true);
+  auto turned = std::make_shared<Points>(0.9 * wall->mesh().points);
+  turned->leftCols(2) *= -1; // Half a turn about the axis that is upright.
+  wall->setPoints(turned);
+  window.render();
+  EXPECT_EQ(labels.drawn().size(), 1U) << "the part is behind the heart";
+  EXPECT_EQ(named("Heart").box.left, heart.left);
+  wall->setPoints(std::make_shared<Points>(wall->mesh().points));
+  window.render();
+  EXPECT_EQ(named("Heart").box.left, heart.left);
+  EXPECT_EQ(named("Front").box.left, part.left);
+  EXPECT_EQ(named("Front").box.bottom, part.bottom);
+}
+
+TEST_F(Labels, MoveAsideOnceForAMotionAndStandStillFromThenOn) {
+  window.view.setMoving(true);
+  const auto places = [&](double size) {
+    wall->setPoints(std::make_shared<Points>(size * wall->mesh().points));
+    auto moved = std::make_shared<Points>(left->mesh().points);
+    moved->col(2).array() += 60 * (size - 1);
+    left->setPoints(moved);
+    window.render();
+    std::vector<double> boxes;
+    for (const auto& label : labels.drawn())
+      boxes.insert(boxes.end(), {label.box.left, label.box.bottom});
+    return boxes;
+  };
+  const std::vector<double> cycle = {1, 1.15, 1.3, 1.15};
+  for (const double size : cycle)
+    places(size);
+  const auto after = places(1);
+  EXPECT_EQ(after.size(), 6U);
+  for (int round = 0; round < 2; ++round)
+    for (const double size : cycle)
+      EXPECT_EQ(places(size), after) << size;
+}
+
+TEST_F(Labels, LinesEndWhereTheyDidWhileTheOrganIsInFrontThere) {
+  wall->setVisible(false);
+  window.render();
+  const OrganLabels::Drawn before = named("Left ventricle");
+  window.view.setMoving(true);
+  auto moved = std::make_shared<Points>(left->mesh().points);
+  moved->col(2).array() += 5;
+  left->setPoints(moved);
+  window.render();
+  EXPECT_EQ(named("Left ventricle").targetX, before.targetX);
+  EXPECT_EQ(named("Left ventricle").targetY, before.targetY);
+  moved = std::make_shared<Points>(left->mesh().points);
+  moved->col(2).array() += 30;
+  left->setPoints(moved);
+  window.render();
+  const auto middle = window.display({18, 0, 30});
+  EXPECT_NEAR(named("Left ventricle").targetY, middle[1], 16) << "it left the place where it was";
 }
 
 TEST_F(Labels, LinesEndWhereTheOrganIsSeenThoughAnotherOneIsInFrontOfIt) {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -11,6 +13,7 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/core/error.h"
+#include "viscera/scene/label_layout.h"
 #include "viscera/scene/picture.h"
 
 #include "shapes.h"
@@ -149,6 +152,85 @@ TEST(OrganView, AnOrganLiesBesideTheLegendOfANarrowViewAndIsAsLargeAsBeforeWitho
   }
 }
 
+/// Where the corners of a box from the origin lie in the view: device pixels.
+ScreenBox cornersOf(ViewInWindow& window, const Vec3& size) {
+  ScreenBox seen{1e9, 1e9, -1e9, -1e9};
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at =
+        window.display(Vec3(corner & 1 ? size.x() : 0, corner & 2 ? size.y() : 0, corner & 4 ? size.z() : 0));
+    seen = {std::min(seen.left, at[0]), std::min(seen.bottom, at[1]), std::max(seen.right, at[0]),
+            std::max(seen.top, at[1])};
+  }
+  return seen;
+}
+
+TEST(OrganView, AnOrganLiesBesideTheUprightLegendWhetherItIsFramedBeforeOrAfter) {
+  constexpr double kBar = 76; // From its left edge to the view's right one.
+  for (const double ratio : {1.0, 2.0})
+    for (const bool rendered : {false, true})
+      for (const bool framed : {false, true}) {
+        ViewInWindow window(static_cast<int>(500 * ratio), static_cast<int>(400 * ratio), ratio);
+        window.addOrgan(tests::box(160, 60, 60));
+        auto* camera = window.view.renderer()->GetActiveCamera();
+        window.view.lookFrom(StandardView::anterior);
+        const Vec3 eye(camera->GetPosition());
+        if (rendered)
+          window.render();
+        window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+        if (framed)
+          window.view.frame();
+        window.render();
+        const ScreenBox seen = cornersOf(window, {160, 60, 60});
+        EXPECT_LT(seen.right, ratio * (500 - kBar)) << ratio << rendered << framed;
+        EXPECT_GT(seen.width(), 0.5 * ratio * 500) << "as large as there is room";
+        window.view.legend().hide();
+        window.render();
+        EXPECT_EQ(Vec3(camera->GetPosition()) == eye, !framed);
+      }
+}
+
+TEST(OrganView, ACameraThatWasKeptWithALegendIsNotMovedWhenThatIsDrawn) {
+  for (const bool kept : {true, false}) {
+    ViewInWindow window(500, 400);
+    window.addOrgan(tests::box(160, 60, 60));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    const Vec3 eye(camera->GetPosition());
+    if (kept)
+      window.view.expectLegend();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), eye);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()) == eye, kept);
+  }
+}
+
+TEST(OrganView, TheMarkOfALegendThatComesLaterLiesBesideTheOrganToo) {
+  for (const double ratio : {1.0, 2.0}) {
+    ViewInWindow window(static_cast<int>(270 * ratio), static_cast<int>(400 * ratio), ratio);
+    window.addOrgan(tests::box(120, 60, 160));
+    auto* camera = window.view.renderer()->GetActiveCamera();
+    window.view.lookFrom(StandardView::anterior);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    window.view.frame();
+    window.render();
+    const Vec3 before(camera->GetPosition());
+    window.view.legend().setMark("folded", {1, 0, 1});
+    window.render();
+    EXPECT_LT(cornersOf(window, {120, 60, 160}).top, ratio * (400 - kLevelMarkedLegend)) << ratio;
+    const Vec3 marked(camera->GetPosition());
+    EXPECT_NE(marked, before);
+    window.view.legend().show("Stress", "deg", viridis(), {0, 2});
+    window.view.legend().setMark("", {1, 0, 1});
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), marked) << "what folds in a part of a cycle moves nothing in it";
+    window.view.legend().hide();
+    window.render();
+    EXPECT_EQ(Vec3(camera->GetPosition()), before);
+  }
+}
+
 TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
   ViewInWindow window(400, 200);
   window.addOrgan(tests::box(120, 60, 90));
@@ -169,6 +251,26 @@ TEST(OrganView, ACameraThatWasPutSomewhereStaysThereInAViewOfAnotherShape) {
   EXPECT_FALSE(staysFrom(400, 100));
   camera->Azimuth(30);
   EXPECT_TRUE(staysFrom(100, 400)) << "it was moved in the narrow view";
+}
+
+TEST(OrganView, TheCameraDependsOnTheShapeOfTheViewAndNotOnTheFramesThatWereDrawn) {
+  const auto eyeAfter = [](bool drawn) {
+    ViewInWindow window(400, 200);
+    window.addOrgan(tests::box(120, 60, 90));
+    window.view.lookFrom(StandardView::anterior);
+    const auto change = [&](const auto& something) {
+      something();
+      for (int frame = 0; drawn && frame < 2; ++frame)
+        window.render();
+    };
+    change([] {});
+    change([&] { window.surface.window()->SetSize(100, 200); });
+    change([&] { window.view.legend().show("Stress", "deg", viridis(), {0, 1}); });
+    change([&] { window.surface.window()->SetSize(150, 200); });
+    window.render();
+    return Vec3(window.view.renderer()->GetActiveCamera()->GetPosition());
+  };
+  EXPECT_EQ(eyeAfter(true), eyeAfter(false));
 }
 
 TEST(OrganView, FrameKeepsTheDirectionOfSight) {
@@ -362,6 +464,41 @@ TEST(ScaleBar, NumberHasAGroundSoThatHandlesBehindItDoNotHideIt) {
       EXPECT_EQ(Vec3(ground[0], ground[1], ground[2]), lightTheme().backgroundBottom);
     }
   EXPECT_EQ(numbers, 1);
+}
+
+/// The lowest and the highest row of pixels in which two pictures of one size differ.
+std::pair<int, int> rowsThatDiffer(vtkImageData* one, vtkImageData* other) {
+  const int* size = one->GetDimensions();
+  std::pair<int, int> rows{size[1], -1};
+  for (int y = 0; y < size[1]; ++y) {
+    const auto* a = static_cast<const unsigned char*>(one->GetScalarPointer(0, y, 0));
+    const auto* b = static_cast<const unsigned char*>(other->GetScalarPointer(0, y, 0));
+    if (!std::equal(a, a + 3 * size[0], b))
+      rows = {std::min(rows.first, y), y};
+  }
+  return rows;
+}
+
+TEST(ScaleBar, LiesBelowTheOrganThatFillsASmallView) {
+  for (const double ratio : {1.0, 2.0}) {
+    ViewInWindow window(static_cast<int>(300 * ratio), static_cast<int>(280 * ratio), ratio);
+    auto flat = tests::sphere(4, 50);
+    flat.points.col(1) *= 0.5;
+    const auto organ = window.addOrgan(flat);
+    window.view.setOrientationCubeShown(false);
+    window.view.lookFrom(StandardView::anterior);
+    const auto picture = [&](bool bar, bool shown) {
+      window.view.setScaleBarShown(bar);
+      organ->setVisible(shown);
+      window.render();
+      return grabPicture(window.surface.window());
+    };
+    const auto nothing = picture(false, false);
+    const auto bar = rowsThatDiffer(picture(true, false), nothing);
+    const auto seen = rowsThatDiffer(picture(false, true), nothing);
+    EXPECT_GT(bar.second, 0) << ratio;
+    EXPECT_LT(bar.second, seen.first) << ratio;
+  }
 }
 
 TEST(ScaleBar, LengthsAreRoundAndAsLongAsPossible) {

@@ -139,6 +139,9 @@ Camera cameraOf(const scene::OrganView& view);
 
 /// Sets the camera of a view. A camera that looks nowhere (position and focus are one place) changes nothing.
 void lookFrom(const Camera& camera, scene::OrganView& view);
+/// The same where the camera was kept together with this state of the view: a legend that comes with it later
+/// does not move it.
+void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& view);
 
 /// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name; either as the
 /// reader's language says it.

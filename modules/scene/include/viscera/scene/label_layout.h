@@ -38,6 +38,8 @@ public:
 
   /// Covers a square of half side `reach` about a place.
   void cover(double x, double y, double reach);
+  /// Covers what another one of the same view covers.
+  void cover(const Footprint& other);
 
   /// The leftmost and the rightmost covered place between two heights; empty when nothing is covered there.
   struct Extent {
@@ -65,6 +67,12 @@ struct LabelRequest {
   double height = 0;
   double brokenWidth = 0; ///< Of the same label in two lines; 0: it has only one.
   double brokenHeight = 0;
+  /// Level with the label the line ends `inside` the edge of this, where it covers that height; null: always
+  /// at (x, y).
+  const Footprint* edge = nullptr;
+  double inside = 0;
+  std::optional<ScreenBox> reach; ///< Of what it names, while that moves; nothing: it stays at (x, y).
+  std::optional<ScreenBox> kept;  ///< The label stays there where it can.
 };
 
 /// The space in a view that labels may take.
@@ -87,12 +95,19 @@ struct ScreenPlace {
 /// above or below it where the named place is above or below it.
 ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double gap);
 
+/// The end of the line from a label that is in this box.
+ScreenPlace leaderEnd(const LabelRequest& label, const ScreenBox& box);
+
 /// Places labels to the left and to the right of what is covered, each as level with what it names as there
 /// is room; in two lines (the box has that size), or on the other side, where that is much nearer to it, as
-/// it is in a narrow view. No two overlap, none touches what is covered or reserved, all lie inside the view;
-/// one for which there is no such place is left out (empty). A line runs through no other name where a label
-/// can be moved for that. Earlier labels go first. O(labels^2 x height).
+/// it is in a narrow view. No two overlap, none touches what is covered or reserved, all lie inside the view,
+/// and no line runs through another name; one for which there is no such place is left out (empty). Earlier
+/// labels go first, and those that are kept before all others. O(labels^2 x height).
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space);
+
+/// Whether no line of labels that are in these boxes runs through another name. O(labels^2).
+bool linesAreClear(const std::vector<LabelRequest>& labels,
+                   const std::vector<std::optional<ScreenBox>>& boxes, const LabelSpace& space);
 
 } // namespace viscera::scene

@@ -11,6 +11,12 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
+/// The room that a legend takes along the edges of its view, device pixels.
+struct LegendRoom {
+  double above = 0;  ///< From the upper edge on, of a narrow view.
+  double beside = 0; ///< From the right edge on, of any other.
+};
+
 /// The legend of a colour map: a bar of colours with title, unit and at most six ticks at round numbers, at
 /// the right edge of a view, or along the upper edge of a narrow one that is higher than wide. Keeps its size
 /// in logical pixels, times the theme's type scale, and follows the window's size and DPI. Belongs to the
@@ -32,6 +38,11 @@ public:
   void show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range);
   void hide();
   bool visible() const;
+  /// What organs are to leave it; nothing while it is hidden. Once it has had a mark the room for it is kept
+  /// until `hide`: tissue that folds in a part of a cycle must not move what is seen in each.
+  LegendRoom room() const;
+  /// The same of one that is or will be shown.
+  LegendRoom roomWhenShown() const;
 
   /// A swatch below the bar for what has a colour of its own: "folded". Until `hide` or an empty label.
   void setMark(const std::string& label, const Vec3& color);

@@ -15,8 +15,10 @@ namespace viscera::scene {
 class OrganView;
 
 /// Draws labels beside the organs of a view and their parts, each with a line to what it names. Labels follow
-/// the camera and the motion; they overlap neither each other nor any organ, and one that finds no room is
-/// left out. Belongs to the thread that renders; the view has to live longer.
+/// the camera; they overlap neither each other nor any organ, no line runs through another one, and one that
+/// finds no room is left out. While something moves (`OrganView::setMoving`) they stand still and only their
+/// lines follow, but for one that would be covered. Belongs to the thread that renders; the view has to live
+/// longer.
 class OrganLabels {
 public:
   /// What is to be labelled.
@@ -52,6 +54,7 @@ public:
   std::vector<Drawn> drawn() const;
 
 private:
+  struct Layout;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

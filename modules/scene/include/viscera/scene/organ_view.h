@@ -74,6 +74,9 @@ public:
   /// Keeps the direction of sight and brings the box into the picture with a small margin.
   void frame(const Bounds& bounds);
   void frame();
+  /// The camera stands where somebody has kept it for a picture with a legend: one that is drawn later, as
+  /// when its numbers are still being computed, does not move it.
+  void expectLegend();
 
   vtkVisceraHandleSetRepresentation* handles() const;
   vtkVisceraHandleSetWidget* handleWidget() const;
