@@ -31,14 +31,11 @@ QString patterns(const std::vector<std::string>& extensions) {
   return list.join(QLatin1Char(' '));
 }
 
-/// Gives organs that are named after a tissue its colour, where their files give them none.
+/// Gives organs that are named after a tissue its colour, where their files give them none of their own.
 void colorByTissue(std::vector<document::NewOrgan>& organs) {
-  for (document::NewOrgan& item : organs) {
-    document::Organ& organ = item.organ;
-    const auto color = tissueColor(text(organ.name));
-    if (color && organ.look == document::OrganLook() && organ.mesh && organ.mesh->colors.rows() == 0)
-      organ.look.color = asVec3(*color);
-  }
+  for (document::NewOrgan& item : organs)
+    if (const auto color = tissueColorFor(text(item.organ.name), item.organ))
+      item.organ.look.color = *color;
 }
 
 /// Series or phases of a DICOM series.

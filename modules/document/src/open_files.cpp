@@ -240,7 +240,7 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
     auto& [organ, read] = made[i];
     if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
       organ.origin.fileHash.clear();
-    if (part.color)
+    if (part.color && organ.look.vertexColors) // A single paint is the colour already.
       organ.look.color = *part.color;
     organ.look.opacity = part.opacity;
     if (arrives)
@@ -388,6 +388,7 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
         !surface.organ.empty() ? surface.organ : displayName(outer ? sample.name : surface.name);
     NewOrgan item{makeOrgan(name, surface.mesh), own ? -1 : 0};
     item.organ.look.color = surface.color;
+    item.organ.look.vertexColors = true;
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
     item.organ.places = surface.places;

@@ -178,6 +178,22 @@ TEST_F(OpenFiles, CallASurfaceAsItsFileWhereItsOwnNameSaysNothing) {
     EXPECT_EQ(nameOf(object), object);
 }
 
+TEST_F(OpenFiles, TakeASinglePaintForTheOrgansOwnColour) {
+  geometry::TriangleMesh mesh = viscera::tests::sphere(3, 30);
+  mesh.colors = Colors::Constant(mesh.points.rows(), 3, 51);
+  medical_io::writeSurface(folder_ / "plain.vtp", mesh);
+  mesh.colors(7, 2) = 102;
+  medical_io::writeSurface(folder_ / "spotted.vtp", mesh);
+  Progress progress;
+  const OpenedFiles opened =
+      openFiles({folder_ / "plain.vtp", folder_ / "spotted.vtp", surface("bare.vtp", 30)}, progress);
+  ASSERT_EQ(opened.organs.size(), 3u);
+  EXPECT_FALSE(opened.organs[0].organ.look.vertexColors);
+  EXPECT_LT((opened.organs[0].organ.look.color - Vec3::Constant(0.2)).norm(), 1e-9);
+  EXPECT_TRUE(opened.organs[1].organ.look.vertexColors);
+  EXPECT_EQ(opened.organs[2].organ.look, OrganLook());
+}
+
 TEST_F(OpenFiles, CanBeCancelled) {
   Progress progress;
   progress.cancel();
