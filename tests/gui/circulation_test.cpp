@@ -15,6 +15,8 @@
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
@@ -100,6 +102,32 @@ TEST_F(PlayedCirculation, AControlMovesTheHeartWhichGoesOnFromItsInstant) {
   EXPECT_NEAR(window().playback().player().fraction(), 0.3, 1e-9);
   EXPECT_TRUE(window().playback().showing());
   EXPECT_LT(off(0.3), 1);
+}
+
+TEST_F(PlayedCirculation, NeitherSourceIsMarkedWhileARecordedMotionIsPlayed) {
+  auto& textbook = find<QAbstractButton>("textbookBeat");
+  auto& circulation = find<QAbstractButton>("circulationBeat");
+  EXPECT_TRUE(textbook.isChecked());
+  for (const double seconds : {0.0, 0.8}) {
+    Points pose = document().pose();
+    pose.row(0) += Vec3(4, 0, 0).transpose();
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(document::recordKey(seconds)));
+  }
+  settle();
+  window().playback().choose(parts().keySequence().sequence());
+  ASSERT_EQ(window().playback().sequence()->id(), "keyframes");
+  EXPECT_FALSE(textbook.isChecked() || circulation.isChecked());
+  textbook.click();
+  EXPECT_EQ(window().playback().sequence()->id(), "heartbeat") << "a click chooses that beat";
+  EXPECT_TRUE(textbook.isChecked());
+  EXPECT_FALSE(circulation.isChecked());
+  window().playback().choose(parts().keySequence().sequence());
+  EXPECT_FALSE(textbook.isChecked() || circulation.isChecked());
+  circulation.click();
+  ASSERT_TRUE(settled()) << message().toStdString();
+  EXPECT_TRUE(circulation.isChecked());
+  EXPECT_FALSE(textbook.isChecked());
 }
 
 TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhenItRests) {

@@ -261,16 +261,18 @@ void PlayMode::setTheme(const Theme& theme) {
 void PlayMode::chooseScenario(const QString& id) {
   const bool done = parts_.workspace.perform(id.isEmpty() ? document::driveHeart(true)
                                                           : document::chooseScenario(id.toStdString()));
-  if (!done)
-    return;
+  if (done && !playSampleHeart() && parts_.workspace.document().organs().empty())
+    parts_.samples.load(QStringLiteral("heart"), true);
+}
+
+bool PlayMode::playSampleHeart() {
   for (const Playback::Motion& motion : parts_.playback.motions())
     if (motion::sampleHeartOf(motion.recipe)) {
       parts_.playback.choose(motion.sequence.get());
       parts_.playback.play();
-      return;
+      return true;
     }
-  if (parts_.workspace.document().organs().empty())
-    parts_.samples.load(QStringLiteral("heart"), true);
+  return false;
 }
 
 void PlayMode::makeLookActions(Actions& actions) {
