@@ -197,6 +197,20 @@ TEST_F(SmallFaultsOfAFile, ASurfaceThatIsPaintedInAPureColourIsDrawnAsTheOthers)
   EXPECT_EQ(liver, presentation::shownColor(document().organs().front()->look.color));
 }
 
+TEST_F(SmallFaultsOfAFile, WhatIsSaidOfAnOrganThatCannotBeBoundGoesWithIt) {
+  open(sphereFile());
+  const QString file = path(QStringLiteral("far.stl"));
+  medical_io::writeSurface(file.toStdString(), sphere(3, 20, Vec3(300, 0, 0)));
+  window().files().open({file});
+  ASSERT_TRUE(waitUntil([this] { return document().organs().size() == 2 || window().imports().isOpen(); }));
+  window().imports().accept(); // Nothing happens where nothing is asked.
+  settle();
+  ASSERT_TRUE(message().contains(QStringLiteral("outside the handles"))) << message().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(document().organs().size(), 1u);
+  EXPECT_EQ(message().toStdString(), "");
+}
+
 TEST_F(SmallFaultsOfAFile, TheLastOrganTakesItsHandlesWithIt) {
   open(sphereFile());
   const std::size_t handles = document().rig().handles.size();
