@@ -130,6 +130,16 @@ TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {
   refusal<UsageError>({});
 }
 
+TEST_F(OpenFiles, TellAllThatFailedToWhoHasSomethingElseToShow) {
+  std::ofstream(folder_ / "empty.stl").close();
+  Progress progress;
+  const OpenedFiles opened = openReadable({folder_ / "empty.stl", folder_ / "missing.stl"}, progress);
+  EXPECT_TRUE(opened.organs.empty());
+  ASSERT_EQ(opened.failures.size(), 2u);
+  EXPECT_THAT(opened.failures[0].what(), HasSubstr("empty.stl"));
+  EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "empty.stl", folder_ / "missing.stl"));
+}
+
 TEST_F(OpenFiles, LeaveOutASessionAndASecondHandleFileAmongOthers) {
   Progress progress;
   const OpenedFiles opened =
