@@ -18,6 +18,7 @@
 #include "window/lecture/slides.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
+#include "window/view/view_area.h"
 
 namespace viscera::tests {
 namespace {
@@ -156,6 +157,26 @@ TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
   EXPECT_TRUE(waitUntil([&] { return view().size() == before; }))
       << view().width() << " x " << view().height() << ", " << before.width() << " x " << before.height()
       << " before";
+}
+
+TEST_F(Room, MessagesWaitUntilTheLectureEnds) {
+  const auto& bar = *window().viewArea().messages();
+  const auto say = [this](const char* text) {
+    window().workspace().say({app::Message::Severity::warning, QString::fromLatin1(text), {}, 0});
+  };
+  say("before");
+  ASSERT_TRUE(bar.isVisible());
+  key(Qt::Key_F5);
+  EXPECT_FALSE(bar.isVisible());
+  say("meanwhile");
+  EXPECT_FALSE(bar.isVisible());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(bar.isVisible());
+  EXPECT_EQ(message(), QStringLiteral("meanwhile"));
+  key(Qt::Key_F5);
+  window().workspace().retract(QStringLiteral("meanwhile"));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(bar.isVisible()) << "what no longer holds is not said afterwards";
 }
 
 TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {

@@ -80,6 +80,7 @@ void LectureScreen::begin() {
   parts_.layout.setBare(true);
   shown_->setChecked(true);
   strip_->show();
+  parts_.area.messages()->setHeldBack(true);
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
   else
@@ -95,6 +96,7 @@ bool LectureScreen::end() {
   strip_->hide();
   parts_.area.reserveBelow(0);
   dark_->hide();
+  parts_.area.messages()->setHeldBack(false);
   parts_.slides.leave();
   return true;
 }
