@@ -7,6 +7,7 @@
 #include "window/view/view_area.h"
 #include "window/window_layout.h"
 
+class QFontMetrics;
 class QFrame;
 class QLabel;
 
@@ -45,13 +46,19 @@ private:
   void sync();
   void makeCard();
   void placeCard();
+  void fitNumbers();
+  const Playback* playbackOf(int side) const;
   QString numbers() const;
   QString numbersOf(int side) const;
+  QString rowOf(int side, const QString& phase) const;
+  int widestRow(int side, const QFontMetrics& type) const;
 
   Parts parts_;
   QAction* shown_;
-  QWidget* strip_; ///< Below the view, with the card in it.
-  int height_ = 0; ///< Of the strip: as much as the slide has needed so far.
+  QWidget* strip_;              ///< Below the view, with the card in it.
+  int height_ = 0;              ///< Of the strip: as much as the slide has needed so far.
+  double numbersPart_ = 1;      ///< Of the largest type of the numbers: as little as they have needed so far.
+  double numbersPointSize_ = 0; ///< The largest type.
   QFrame* card_;
   QLabel* caption_;
   QLabel* numbers_;
