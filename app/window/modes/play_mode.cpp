@@ -246,8 +246,9 @@ QWidget* PlayMode::makeChart() {
   return chart_;
 }
 
+/// Until the heart beats with a circulation, volumes are the curves that there are.
 bool PlayMode::chartWanted() const {
-  return circulation_->on() && parts_.view.state().circulationChart;
+  return circulation_->on() && circulation_->present() && parts_.view.state().circulationChart;
 }
 
 void PlayMode::setTheme(const Theme& theme) {
