@@ -1,5 +1,8 @@
 #include "window/binding_messages.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "window/language.h"
@@ -13,10 +16,14 @@ constexpr int kNoteSeconds = 12;
 
 BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent, Workspace* mended)
     : QObject(parent), workspace_(workspace), mended_(mended ? *mended : workspace), bar_(bar) {
-  subscription_ = workspace.live().onEvent([this](const live::LiveEvent& event) {
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
       sync();
-  });
+  }));
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      retractOfGone();
+  }));
 }
 
 /// Its offers end with it.
@@ -53,6 +60,18 @@ void BindingMessages::sync() {
   shown_.clear();
   tellNotes(notes);
   Q_EMIT bound(seconds);
+}
+
+/// An organ that is gone, by an undo say, tells nothing any more.
+void BindingMessages::retractOfGone() {
+  using State = live::BindingStatus::State;
+  const auto& organs = workspace_.document().organs();
+  const bool any = std::any_of(organs.begin(), organs.end(), [this](const auto& organ) {
+    const State state = workspace_.live().status(organ->id).state;
+    return state == State::failed || state == State::stale;
+  });
+  if (!any && bar_ && !shown_.isEmpty())
+    bar_->retract(std::exchange(shown_, {}));
 }
 
 /// Notes change their numbers with every move of a drag; only one more of them is news.

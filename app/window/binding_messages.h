@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include <vector>
+
 #include "window/widgets/message_bar.h"
 #include "window/workspace.h"
 
@@ -26,6 +28,7 @@ Q_SIGNALS:
 
 private:
   void sync();
+  void retractOfGone();
   Message messageFor(const document::Organ& organ, const live::BindingStatus& status) const;
 
   void tellNotes(const QStringList& notes);
@@ -35,7 +38,7 @@ private:
   QPointer<MessageBar> bar_;
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.
-  Subscription subscription_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -4,9 +4,11 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <utility>
 
+#include "viscera/core/error.h"
 #include "viscera/document/session_file.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
@@ -31,14 +33,11 @@ QString patterns(const std::vector<std::string>& extensions) {
   return list.join(QLatin1Char(' '));
 }
 
-/// Gives organs that are named after a tissue its colour, where their files give them none.
+/// Gives organs that are named after a tissue its colour, where their files give them none of their own.
 void colorByTissue(std::vector<document::NewOrgan>& organs) {
-  for (document::NewOrgan& item : organs) {
-    document::Organ& organ = item.organ;
-    const auto color = tissueColor(text(organ.name));
-    if (color && organ.look == document::OrganLook() && organ.mesh && organ.mesh->colors.rows() == 0)
-      organ.look.color = asVec3(*color);
-  }
+  for (document::NewOrgan& item : organs)
+    if (const auto color = tissueColorFor(text(item.organ.name), item.organ))
+      item.organ.look.color = *color;
 }
 
 /// Series or phases of a DICOM series.
@@ -47,6 +46,32 @@ bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
     return false;
   const auto series = medical_io::listScans(place, progress);
   return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
+}
+
+/// As `document::takeScan`, but scans that cannot be read are left out and told in `damaged`; `first` becomes
+/// what the first of them has thrown.
+std::shared_ptr<const document::ScanItem> takeReadableScan(std::vector<std::filesystem::path>& files,
+                                                           document::OpenedFiles& damaged,
+                                                           std::exception_ptr& first, Progress& progress) {
+  for (auto file = files.begin(); file != files.end();) {
+    std::vector<std::filesystem::path> one = {*file};
+    try {
+      if (auto scan = document::takeScan(one, progress)) {
+        files.erase(file);
+        return std::make_shared<const document::ScanItem>(std::move(*scan));
+      }
+      ++file;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      damaged.failures.push_back(error);
+      damaged.leftOut.push_back(*file);
+      if (!first)
+        first = std::current_exception();
+      file = files.erase(file);
+    }
+  }
+  return nullptr;
 }
 
 /// Those of the files that are there; all of them where none is.
@@ -137,6 +162,7 @@ void FileActions::open(const QStringList& files, bool check) {
   if (openSession_ && files.size() == 1 && document::isSessionFile(files.front().toStdString()))
     return openSession_(files.front());
   named_ = files;
+  failures_.clear();
   const QStringList there = thoseThere(files);
   std::vector<std::filesystem::path> paths;
   for (const QString& file : there)
@@ -147,19 +173,8 @@ void FileActions::open(const QStringList& files, bool check) {
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
       [paths, arrives = ArrivingSurfaces::listener(arriving),
-       sessions =
-           openSession_ ? document::Sessions::alone : document::Sessions::nowhere](Progress& progress) {
-        Read read;
-        read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
-        if (read.several)
-          return read;
-        auto others = paths;
-        if (auto scan = document::takeScan(others, progress))
-          read.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
-        if (!others.empty() || !read.scan)
-          read.draft = document::draftOf(document::openFiles(others, progress, arrives, sessions), progress);
-        return read;
-      },
+       sessions = openSession_ ? document::Sessions::alone : document::Sessions::nowhere](
+          Progress& progress) { return readAll(paths, arrives, sessions, progress); },
       [this, files, check, arriving](JobResult<Read> result) {
         if (arriving_)
           arriving_->end(arriving, result.value.has_value());
@@ -170,6 +185,28 @@ void FileActions::open(const QStringList& files, bool check) {
       });
 }
 
+FileActions::Read FileActions::readAll(std::vector<std::filesystem::path> files,
+                                       const document::ArrivingOrganListener& arrives,
+                                       document::Sessions sessions, Progress& progress) {
+  Read read;
+  read.several = files.size() == 1 && hasSeveralScans(files[0], progress);
+  if (read.several)
+    return read;
+  document::OpenedFiles damaged;
+  std::exception_ptr first;
+  read.scan = takeReadableScan(files, damaged, first, progress);
+  if (files.empty() && first && !read.scan)
+    std::rethrow_exception(first);
+  if (!files.empty() || !read.scan)
+    read.draft = document::draftOf(read.scan ? document::openReadable(files, progress, arrives, sessions)
+                                             : document::openFiles(files, progress, arrives, sessions),
+                                   progress);
+  document::OpenedFiles& opened = read.draft.files;
+  opened.failures.insert(opened.failures.begin(), damaged.failures.begin(), damaged.failures.end());
+  opened.leftOut.insert(opened.leftOut.begin(), damaged.leftOut.begin(), damaged.leftOut.end());
+  return read;
+}
+
 QStringList FileActions::missingAmong(const QStringList& files) {
   QStringList lines;
   for (const QString& file : files)
@@ -178,8 +215,9 @@ QStringList FileActions::missingAmong(const QStringList& files) {
   return lines;
 }
 
-QString FileActions::missingBeside(const std::filesystem::path& file) const {
-  return named_.contains(text(file.string())) ? missingAmong(named_).join(QLatin1Char('\n')) : QString();
+QString FileActions::unopenedBeside(const std::filesystem::path& file) const {
+  return named_.contains(text(file.string())) ? (missingAmong(named_) + failures_).join(QLatin1Char('\n'))
+                                              : QString();
 }
 
 /// What was thrown is of the first file alone: those that are not there are all named.
@@ -202,9 +240,9 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
   const QStringList missing = missingAmong(files);
   QStringList opened = thoseThere(files); // They may be opened again: they become the recent files.
   const bool others = !read.draft.organs.empty() || read.draft.files.rig;
-  QStringList failures;
+  failures_.clear();
   for (const Error& failure : read.draft.files.failures)
-    failures.push_back(sentenceOf(failure));
+    failures_.push_back(sentenceOf(failure));
   for (const std::filesystem::path& file : read.draft.files.leftOut)
     opened.removeAll(QString::fromStdString(file.string()));
   if (read.several)
@@ -213,8 +251,8 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
     takeScan(*read.scan, opened, !others);
   if (others || !(read.scan || read.several))
     reviewOrImport(std::move(read.draft), opened, check);
-  if (!missing.isEmpty() || !failures.isEmpty()) // Last: a message takes the place of the one before it.
-    sayProblems(missing, failures, check);
+  if (!missing.isEmpty() || !failures_.isEmpty()) // Last: a message takes the place of the one before it.
+    sayProblems(missing, failures_, check);
 }
 
 bool FileActions::replacesPresent() const {

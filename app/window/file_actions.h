@@ -65,9 +65,9 @@ public:
   void chooseAndExportOrgan();
   void exportOrgan(const QString& file);
 
-  /// What is said of files that are not there and were to be opened together with this one, last; empty when
-  /// all were there.
-  QString missingBeside(const std::filesystem::path& file) const;
+  /// What is said of files that are not there or cannot be read and were to be opened together with this
+  /// one, last; empty when all have opened.
+  QString unopenedBeside(const std::filesystem::path& file) const;
 
 Q_SIGNALS:
   void filesOpened();
@@ -87,6 +87,10 @@ private:
     bool several = false; ///< There are several series to choose from; nothing was read.
   };
 
+  /// Reads what can be read, for a worker; throws what one of the files throws where that is nothing.
+  static Read readAll(std::vector<std::filesystem::path> files,
+                      const document::ArrivingOrganListener& arrives, document::Sessions sessions,
+                      Progress& progress);
   QString folder() const;
   /// A line for each that is not there.
   static QStringList missingAmong(const QStringList& files);
@@ -108,7 +112,8 @@ private:
   QWidget* window_;
   Checker checker_;
   ArrivingSurfaces* arriving_ = nullptr;
-  QStringList named_; ///< The files that were to be opened last.
+  QStringList named_;    ///< The files that were to be opened last.
+  QStringList failures_; ///< What is said of those of them that cannot be read.
   std::function<void(const QString&)> openSession_;
 };
 

@@ -12,8 +12,6 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 
-#include <algorithm>
-
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
 #include "window/help.h"
@@ -45,6 +43,7 @@
 #include "window/timeline/mode_charts.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
+#include "window/view/framing.h"
 #include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
@@ -53,20 +52,6 @@
 #include "window/window_layout.h"
 
 namespace viscera::app {
-namespace {
-
-/// Whether other organs stand in the place of all that were there.
-bool replacesAllOrgans(const document::Change& change) {
-  if (!change.organs() || change.before.organs->empty() || change.after.organs->empty())
-    return false;
-  const auto& before = *change.before.organs;
-  return std::none_of(change.after.organs->begin(), change.after.organs->end(), [&before](const auto& organ) {
-    return std::any_of(before.begin(), before.end(),
-                       [&organ](const auto& old) { return old->id == organ->id; });
-  });
-}
-
-} // namespace
 
 MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Transport::Clock clock,
                        QWidget* parent)
@@ -228,10 +213,10 @@ void MainWindow::connectFiles() {
     scans_->opened();
   });
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
-  // An undone or redone scan gives the view another size, and organs in the place of all others lie
-  // elsewhere; a session, which has no steps yet, has a camera.
+  connect(new Framing(workspace_, view_, this), &Framing::wanted, viewArea_, &ViewArea::frameSoon);
+  // An undone or redone scan gives the view another size; a session, which has no steps yet, has a camera.
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
-    if ((change.scan() || replacesAllOrgans(change)) && !workspace_.undo().names().empty())
+    if (change.scan() && !workspace_.undo().names().empty())
       viewArea_->frameSoon();
   }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);

@@ -9,12 +9,15 @@
 #include <QSpinBox>
 #include <QTableWidget>
 
+#include <functional>
 #include <limits>
 #include <vector>
 
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
@@ -39,13 +42,38 @@ protected:
     ASSERT_NE(button, nullptr) << name.toStdString();
     button->click();
   }
-  /// Until the heart follows what the document has chosen.
+  /// Whether the heart follows what the document has chosen.
+  bool follows() {
+    return model().settled() && model().present() && course() &&
+           model().present()->parameters == document().circulation().parameters &&
+           std::abs(course()->standardRatePerMinute() - model().present()->parameters.rate) < 1e-9;
+  }
   bool settled() {
-    return waitUntil([this] {
-      return model().settled() && model().present() && course() &&
-             model().present()->parameters == document().circulation().parameters &&
-             std::abs(course()->standardRatePerMinute() - model().present()->parameters.rate) < 1e-9;
-    });
+    return waitUntil([this] { return follows(); });
+  }
+  /// That curves, marks and the heart that is drawn are of one circulation, or that there is none.
+  void expectOne(const char* when) {
+    const auto* present = model().present();
+    ASSERT_EQ(present == nullptr, course() == nullptr) << when;
+    if (!present)
+      return;
+    EXPECT_EQ(course()->name(), "Heartbeat: " + present->name) << when;
+    EXPECT_NEAR(course()->standardRatePerMinute(), present->parameters.rate, 1e-9) << when;
+    const motion::Player& player = window().playback().player();
+    if (!player.showing() || !player.runner().obstacle().empty())
+      return;
+    const circulation::Beat& beat = present->beat;
+    const auto sample = static_cast<std::size_t>(std::lround(player.fraction() * (beat.time.size() - 1)));
+    EXPECT_NEAR(volumeOf("LV"), beat.volumeOf(Compartment::lv)[sample], 4) << when;
+  }
+  /// Plays on until that is so.
+  void playUntil(const char* when, const std::function<bool()>& done) {
+    EXPECT_TRUE(waitUntil([&] {
+      now_ += 0.02;
+      window().playback().advance();
+      expectOne(when);
+      return HasFailure() || done();
+    })) << when;
   }
   void choose(const char* scenario) {
     press(QStringLiteral("scenario.%1").arg(QLatin1String(scenario)));
@@ -100,6 +128,79 @@ TEST_F(PlayedCirculation, AControlMovesTheHeartWhichGoesOnFromItsInstant) {
   EXPECT_NEAR(window().playback().player().fraction(), 0.3, 1e-9);
   EXPECT_TRUE(window().playback().showing());
   EXPECT_LT(off(0.3), 1);
+}
+
+TEST_F(PlayedCirculation, CurvesAndHeartAreOfOneCirculationHoweverQuicklyChoicesFollowEachOther) {
+  window().playback().play();
+  const auto take = [this](const char* scenario) {
+    ASSERT_TRUE(window().workspace().perform(document::chooseScenario(scenario)));
+  };
+  take("rest");
+  playUntil("the first circulation", [this] { return follows(); });
+  for (const char* scenario : {"exercise", "haemorrhage", "hypertension", "heart-failure-reduced-ef"})
+    take(scenario);
+  playUntil("four choices", [this] { return follows(); });
+  document::UndoStack& stack = window().workspace().undo();
+  for (int step = 0; step < 3; ++step) {
+    stack.undo();
+    playUntil("between undos", [passes = 0]() mutable { return ++passes > 3; });
+  }
+  playUntil("three undos", [this] { return follows(); });
+  for (int step = 0; step < 2; ++step) {
+    stack.undo();
+    playUntil("between undos", [passes = 0]() mutable { return ++passes > 3; });
+  }
+  playUntil("five undos", [this] { return !model().present() && !course() && model().settled(); });
+  for (int step = 0; step < 5; ++step)
+    stack.redo();
+  playUntil("five redos", [this] { return follows(); });
+}
+
+TEST_F(PlayedCirculation, MarksStandInTheCurvesOnlyWhileTheirBeatIsPlayed) {
+  choose("rest");
+  const auto* panel = window().findChild<app::CirculationPanel*>();
+  const auto* cursor = panel->findChild<app::ChartCursor*>();
+  ASSERT_NE(cursor, nullptr);
+  window().playback().pause();
+  window().playback().seek(0.2);
+  ASSERT_TRUE(waitUntil([&] { return !cursor->marks().rings.empty(); }));
+  for (const double seconds : {0.0, 0.8}) {
+    Points pose = document().pose();
+    pose.row(0) += Vec3(4, 0, 0).transpose();
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(document::recordKey(seconds)));
+  }
+  settle();
+  window().playback().choose(parts().keySequence().sequence());
+  window().playback().seek(0.4);
+  EXPECT_TRUE(panel->isVisible());
+  EXPECT_TRUE(cursor->marks().rings.empty()) << "the recorded motion has other instants";
+}
+
+TEST_F(PlayedCirculation, NeitherSourceIsMarkedWhileARecordedMotionIsPlayed) {
+  auto& textbook = find<QAbstractButton>("textbookBeat");
+  auto& circulation = find<QAbstractButton>("circulationBeat");
+  EXPECT_TRUE(textbook.isChecked());
+  for (const double seconds : {0.0, 0.8}) {
+    Points pose = document().pose();
+    pose.row(0) += Vec3(4, 0, 0).transpose();
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(document::recordKey(seconds)));
+  }
+  settle();
+  window().playback().choose(parts().keySequence().sequence());
+  ASSERT_EQ(window().playback().sequence()->id(), "keyframes");
+  EXPECT_FALSE(textbook.isChecked() || circulation.isChecked());
+  textbook.click();
+  EXPECT_EQ(window().playback().sequence()->id(), "heartbeat") << "a click chooses that beat";
+  EXPECT_TRUE(textbook.isChecked());
+  EXPECT_FALSE(circulation.isChecked());
+  window().playback().choose(parts().keySequence().sequence());
+  EXPECT_FALSE(textbook.isChecked() || circulation.isChecked());
+  circulation.click();
+  ASSERT_TRUE(settled()) << message().toStdString();
+  EXPECT_TRUE(circulation.isChecked());
+  EXPECT_FALSE(textbook.isChecked());
 }
 
 TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhenItRests) {

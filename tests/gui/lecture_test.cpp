@@ -15,9 +15,11 @@
 #include "play_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "window/compare/comparison.h"
+#include "window/language.h"
 #include "window/lecture/slides.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
+#include "window/view/view_area.h"
 
 namespace viscera::tests {
 namespace {
@@ -156,6 +158,55 @@ TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
   EXPECT_TRUE(waitUntil([&] { return view().size() == before; }))
       << view().width() << " x " << view().height() << ", " << before.width() << " x " << before.height()
       << " before";
+}
+
+TEST_F(Room, MessagesWaitUntilTheLectureEnds) {
+  const auto& bar = *window().viewArea().messages();
+  const auto say = [this](const char* text) {
+    window().workspace().say({app::Message::Severity::warning, QString::fromLatin1(text), {}, 0});
+  };
+  say("before");
+  ASSERT_TRUE(bar.isVisible());
+  key(Qt::Key_F5);
+  EXPECT_FALSE(bar.isVisible());
+  say("meanwhile");
+  EXPECT_FALSE(bar.isVisible());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(bar.isVisible());
+  EXPECT_EQ(message(), QStringLiteral("meanwhile"));
+  key(Qt::Key_F5);
+  window().workspace().retract(QStringLiteral("meanwhile"));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(bar.isVisible()) << "what no longer holds is not said afterwards";
+}
+
+/// Where names of organs and phases are long.
+class SpanishRoom : public Room {
+  app::InstalledLanguage language_{QStringLiteral("es")};
+};
+
+TEST_F(SpanishRoom, ALectureHasARowOfNumbersForEachViewWhichDoesNotBreak) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_TRUE(parts().comparison().on());
+  app::Workspace& second = parts().comparison().workspace();
+  ASSERT_TRUE(waitUntil([&] { return !second.live().busy() && second.jobs().idle(); }));
+  key(Qt::Key_F5);
+  window().resize(1280, 800); // Whatever the screen's size is.
+  settle();
+  const auto& numbers = find<QLabel>("lectureNumbers");
+  ASSERT_LE(numbers.width(), 1280);
+  std::vector<double> sizes;
+  for (const double fraction : {0.05, 0.2, 0.45, 0.8}) {
+    window().playback().seek(fraction);
+    settle();
+    const QStringList rows = numbers.text().split(QLatin1Char('\n'));
+    EXPECT_EQ(rows.size(), 2);
+    for (const QString& row : rows)
+      EXPECT_LE(numbers.fontMetrics().horizontalAdvance(row), numbers.width()) << row.toStdString();
+    sizes.push_back(numbers.font().pointSizeF());
+  }
+  EXPECT_GT(sizes.back(), 1.15 * window().font().pointSizeF()) << "still large";
+  EXPECT_NEAR(sizes.back(), sizes.front(), 0.05 * sizes.front()) << "the same in every phase";
 }
 
 TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {

@@ -8,10 +8,13 @@
 #include <ostream>
 #include <random>
 
+#include "shapes.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
+#include "viscera/medical_io/surface_file.h"
 #include "window/compare/side_header.h"
+#include "window/import/import_controller.h"
 #include "window/session/session_files.h"
 #include "window_probe.h"
 
@@ -215,6 +218,33 @@ TEST_F(AfterStress, TheNextOrganOfANewSessionStandsAlone) {
   open(small);
   key(Qt::Key_1);
   expectSame(fromFront(), alone);
+}
+
+/// The map is of one organ, and the others are not seen.
+TEST_F(AfterStress, AnImportThatIsUndoneAndRedoneLeavesTheOrganOfTheMapInThePicture) {
+  stress(sphereFile());
+  const QString file = path(QStringLiteral("far.stl"));
+  medical_io::writeSurface(file.toStdString(), sphere(3, 20, Vec3(300, 0, 0)));
+  window().files().open({file});
+  ASSERT_TRUE(waitUntil([this] { return document().organs().size() == 2 || window().imports().isOpen(); }));
+  window().imports().accept(); // Nothing happens where nothing is asked.
+  settle();
+  ASSERT_EQ(document().organs().size(), 2u) << message().toStdString();
+  const auto inPicture = [this] {
+    const auto organ = window().workspace().currentOrgan();
+    const Points& points = window().workspace().live().points(organ->id);
+    return view().rect().contains(onScreen(boundsOf(points).center()));
+  };
+  EXPECT_EQ(window().workspace().currentOrgan()->id, document().organs().back()->id);
+  EXPECT_TRUE(inPicture()) << "what was opened";
+  window().actions()["edit.undo"]->trigger();
+  settle();
+  EXPECT_EQ(document().organs().size(), 1u);
+  EXPECT_TRUE(inPicture()) << "the one that is left";
+  window().actions()["edit.redo"]->trigger();
+  settle();
+  EXPECT_EQ(document().organs().size(), 2u);
+  EXPECT_TRUE(inPicture()) << "the one that is chosen after redo";
 }
 
 /// How far the map has come when the mode is left.

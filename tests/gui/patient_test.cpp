@@ -7,6 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <fstream>
+#include <string>
+
 #include "label_files.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
@@ -192,6 +195,31 @@ TEST_F(PatientTest, AScanOpensBesideAFileThatIsNotThereWhichIsNamedWithTheOffer)
   settle();
   EXPECT_TRUE(message().contains(missing)) << message().toStdString();
   EXPECT_TRUE(message().contains(QStringLiteral("the label map ball_seg.nrrd"))) << message().toStdString();
+}
+
+TEST_F(PatientTest, AScanOpensBesideDamagedFilesWhichAreAllNamedWithTheOffer) {
+  const QString scan = scanFile();
+  labelFile(); // Beside it.
+  QStringList files = {scan};
+  for (const char* name : {"liver.stl", "kidney.vtp"}) {
+    files << path(QLatin1String(name));
+    std::ofstream(files.back().toStdString()) << "nothing that a surface begins with";
+  }
+  window().files().open(files);
+  ASSERT_TRUE(waitUntil([this] { return document().state().scan != nullptr; })) << message().toStdString();
+  settle();
+  for (const char* said : {"liver.stl", "kidney.vtp", "the label map ball_seg.nrrd"})
+    EXPECT_TRUE(message().contains(QLatin1String(said))) << said << " in " << message().toStdString();
+}
+
+TEST_F(PatientTest, AnOrganOpensBesideADamagedScanWhichIsNamed) {
+  const QString organ = sphereFile(), slice = path(QStringLiteral("slice.dcm"));
+  std::ofstream(slice.toStdString(), std::ios::binary)
+      << std::string(128, '\0') << "DICM" << std::string(60, 'x');
+  window().files().open({slice, organ});
+  ASSERT_TRUE(waitUntil([this] { return !document().organs().empty(); })) << message().toStdString();
+  settle();
+  EXPECT_TRUE(message().contains(QStringLiteral("slice.dcm"))) << message().toStdString();
 }
 
 TEST_F(PatientTest, NothingIsOfferedOfWhatIsBeingImported) {

@@ -8,7 +8,9 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkMapper.h>
 #include <vtkRenderer.h>
 
 #include "play_fixture.h"
@@ -16,9 +18,11 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/presentation/presenter.h"
 #include "window/export_actions.h"
 #include "window/import/import_controller.h"
 #include "window/modes/stress_mode.h"
+#include "window/session/session_files.h"
 #include "window/style/icon.h"
 #include "window_probe.h"
 
@@ -165,6 +169,46 @@ TEST_F(SmallFaultsOfAFile, PureColoursAreSoftenedInTheViewAndTheListAndStayInThe
   window().workspace().perform(document::setOrganLook(document().organs().front()->id, look));
   settle();
   EXPECT_LT((view().view().organs().front()->color() - look.color).norm(), 1e-9) << "blood stays";
+}
+
+/// So `viscera segment` writes what a label map numbers: the table's pure cyan was drawn flat.
+TEST_F(SmallFaultsOfAFile, ASurfaceThatIsPaintedInAPureColourIsDrawnAsTheOthers) {
+  const auto paintedAs = [this](const QString& name) {
+    geometry::TriangleMesh mesh = sphere(3, 60);
+    mesh.points.col(0).array() -= 30; // A liver lies on the right.
+    mesh.colors = Colors::Zero(mesh.points.rows(), 3);
+    mesh.colors.rightCols(2).setConstant(255);
+    medical_io::writeSurface(path(name).toStdString(), mesh);
+    window().files().open({path(name)});
+    EXPECT_TRUE(waitUntil([this] { return !document().organs().empty() || window().imports().isOpen(); }));
+    window().imports().accept(); // Nothing happens where nothing is asked.
+    settle();
+    const auto organs = view().view().organs();
+    EXPECT_FALSE(organs.empty()) << message().toStdString();
+    EXPECT_FALSE(organs.empty() || organs.back()->actor()->GetMapper()->GetScalarVisibility())
+        << "the vertices' colours are not tempered";
+    return organs.empty() ? Vec3(0, 0, 0) : organs.back()->color();
+  };
+  const Vec3 lump = paintedAs(QStringLiteral("lump.vtp"));
+  EXPECT_LT((lump - presentation::shownColor({0, 1, 1})).norm(), 1e-9) << "still cyan";
+  window().sessions().begin();
+  const Vec3 liver = paintedAs(QStringLiteral("liver.vtp"));
+  EXPECT_GT(liver.x(), liver.z()) << "no tissue is cyan";
+  EXPECT_EQ(liver, presentation::shownColor(document().organs().front()->look.color));
+}
+
+TEST_F(SmallFaultsOfAFile, WhatIsSaidOfAnOrganThatCannotBeBoundGoesWithIt) {
+  open(sphereFile());
+  const QString file = path(QStringLiteral("far.stl"));
+  medical_io::writeSurface(file.toStdString(), sphere(3, 20, Vec3(300, 0, 0)));
+  window().files().open({file});
+  ASSERT_TRUE(waitUntil([this] { return document().organs().size() == 2 || window().imports().isOpen(); }));
+  window().imports().accept(); // Nothing happens where nothing is asked.
+  settle();
+  ASSERT_TRUE(message().contains(QStringLiteral("outside the handles"))) << message().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(document().organs().size(), 1u);
+  EXPECT_EQ(message().toStdString(), "");
 }
 
 TEST_F(SmallFaultsOfAFile, TheLastOrganTakesItsHandlesWithIt) {

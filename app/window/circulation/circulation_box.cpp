@@ -12,6 +12,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "viscera/motion/motion_recipe.h"
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
 #include "window/widgets/flow_layout.h"
@@ -64,9 +65,10 @@ QString tipOf(const circulation::ParameterInfo& info) {
 
 } // namespace
 
-CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, const Actions& actions,
-                               QWidget* parent)
-    : QWidget(parent), workspace_(workspace), model_(model), details_(new QWidget(this)) {
+CirculationBox::CirculationBox(Workspace& workspace, Playback& playback, CirculationModel& model,
+                               const Actions& actions, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), playback_(playback), model_(model),
+      details_(new QWidget(this)) {
   setObjectName(QStringLiteral("circulationBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 8);
   makeChoice();
@@ -89,6 +91,7 @@ CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, co
       sync();
   });
   connect(&model, &CirculationModel::changed, this, &CirculationBox::sync);
+  connect(&playback, &Playback::stateChanged, this, &CirculationBox::sync);
   sync();
 }
 
@@ -112,10 +115,12 @@ void CirculationBox::makeChoice() {
   connect(textbook_, &QAbstractButton::clicked, this, [this] {
     if (model_.on())
       workspace_.perform(document::driveHeart(false));
+    if (movedOtherwise())
+      Q_EMIT heartChosen();
     sync();
   });
   connect(circulation_, &QAbstractButton::clicked, this, [this] {
-    if (!model_.on())
+    if (!model_.on() || movedOtherwise())
       Q_EMIT scenarioChosen({});
     sync();
   });
@@ -185,10 +190,23 @@ ValueSlider* CirculationBox::makeControl(const circulation::ParameterInfo& info,
   return control;
 }
 
+bool CirculationBox::movedOtherwise() const {
+  const Playback::Motion motion = playback_.motion();
+  return motion.sequence && !motion::sampleHeartOf(motion.recipe) && model_.hasHeart();
+}
+
+/// Marks what moves the heart: none of the two where that is another motion.
+void CirculationBox::markSource(bool drives) {
+  const bool otherwise = movedOtherwise();
+  textbook_->group()->setExclusive(false); // An exclusive group keeps one of its marks.
+  textbook_->setChecked(!drives && !otherwise);
+  circulation_->setChecked(drives && !otherwise);
+  textbook_->group()->setExclusive(true);
+}
+
 void CirculationBox::sync() {
   const document::CirculationChoice& choice = model_.choice();
-  textbook_->setChecked(!choice.drives);
-  circulation_->setChecked(choice.drives);
+  markSource(choice.drives);
   details_->setVisible(choice.drives);
   for (const auto& [id, button] : scenarios_)
     button->setChecked(!choice.fitted && id == choice.scenario);

@@ -24,12 +24,14 @@ class CirculationBox final : public QWidget {
   Q_OBJECT
 
 public:
-  CirculationBox(Workspace& workspace, CirculationModel& model, const Actions& actions,
+  CirculationBox(Workspace& workspace, Playback& playback, CirculationModel& model, const Actions& actions,
                  QWidget* parent = nullptr);
 
 Q_SIGNALS:
   /// The user wants to see the heart in a scenario, or in the present one.
   void scenarioChosen(const QString& id);
+  /// The user wants the sample heart's own beat in the place of another motion of it.
+  void heartChosen();
 
 private:
   void makeChoice();
@@ -38,9 +40,13 @@ private:
   QWidget* makeControls();
   QWidget* makeGroup(const std::vector<const char*>& names);
   ValueSlider* makeControl(const circulation::ParameterInfo& info, const QString& name);
+  void markSource(bool drives);
   void sync();
+  /// Whether the sample heart is there, and a motion is chosen that is none of the two: recorded or measured.
+  bool movedOtherwise() const;
 
   Workspace& workspace_;
+  Playback& playback_;
   CirculationModel& model_;
   QAbstractButton* textbook_ = nullptr;
   QAbstractButton* circulation_ = nullptr;

@@ -5,6 +5,7 @@
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -15,6 +16,8 @@ namespace {
 constexpr int kWorkers = 2;
 /// ms after which a control rests.
 constexpr int kControlRestMilliseconds = 200;
+/// Instants at which the heart must be able to beat similarly where it beats on.
+constexpr Eigen::Index kTriedOfSimilar = 8;
 
 /// Whether a circulation moves the heart, be it the present one.
 bool followsOne(const Playback::Motion& motion) {
@@ -57,14 +60,34 @@ void CirculationModel::sync() {
     return clear();
   if (solve())
     follow();
+  syncPresent();
+}
+
+/// The heart may have come back, with the beat that it had.
+CirculationModel::SolvedPointer CirculationModel::wantedPresent() const {
+  const auto motion = heartMotion();
+  if (!motion || refused_ == solved_)
+    return solved_;
+  return followed_.sequence && motion->sequence == followed_.sequence ? beatBy_ : nullptr;
+}
+
+void CirculationModel::syncPresent() {
+  const SolvedPointer now = wantedPresent();
+  if (std::exchange(present_, now) != now)
+    Q_EMIT changed();
+}
+
+bool CirculationModel::isPlayed() const {
+  return present_ && beatBy_ == present_ && followed_.sequence &&
+         playback_.sequence() == followed_.sequence.get();
 }
 
 void CirculationModel::clear() {
   rests_.stop();
   giveTextbookBack();
-  if (!present_ && !kept_ && failureReason_.isEmpty())
+  if (!solved_ && !present_ && !kept_ && failureReason_.isEmpty())
     return;
-  present_ = kept_ = refused_ = nullptr;
+  solved_ = present_ = kept_ = refused_ = nullptr;
   failureReason_.clear();
   Q_EMIT changed();
 }
@@ -87,8 +110,10 @@ bool CirculationModel::solve() {
   };
   const document::CirculationChoice& wanted = choice();
   const std::string name = document::nameOf(wanted);
+  if (isOf(present_, wanted.parameters, name)) // An undo may have gone back to what is seen.
+    solved_ = present_;
   const bool refused = isOf(refused_, wanted.parameters, name);
-  const bool present = refused || isOf(present_, wanted.parameters, name);
+  const bool present = refused || isOf(solved_, wanted.parameters, name);
   if (present && !refused && refused_) { // The choice went back to one that can be.
     refused_.reset();
     failureReason_.clear();
@@ -105,7 +130,7 @@ bool CirculationModel::solve() {
     return false;
   jobs_.submit<Solutions>(
       tr("Circulation").toStdString(), {},
-      [wanted, name, present, kept, nearby = present_, beat = shownBeat()](Progress& progress) {
+      [wanted, name, present, kept, nearby = solved_, beat = shownBeat()](Progress& progress) {
         Solutions found;
         if (!present) {
           found.present = solved(name, wanted.parameters, nearby, progress);
@@ -128,7 +153,7 @@ void CirculationModel::take(const JobResult<Solutions>& result) {
     return;
   if (const SolvedPointer& found = result.value->present) {
     failureReason_ = found->failureReason.empty() ? QString() : asSentence(found->failureReason);
-    (failureReason_.isEmpty() ? present_ : refused_) = found;
+    (failureReason_.isEmpty() ? solved_ : refused_) = found;
   }
   if (result.value->kept)
     kept_ = result.value->kept;
@@ -136,6 +161,7 @@ void CirculationModel::take(const JobResult<Solutions>& result) {
     rests_.start();
   else
     follow();
+  present_ = wantedPresent();
   Q_EMIT changed();
   sync(); // The choice may be another one by now.
 }
@@ -145,17 +171,26 @@ CirculationModel::ShownBeat CirculationModel::shownBeat() const {
   if (!motion || motion->sequence != followed_.sequence)
     return {};
   return {std::dynamic_pointer_cast<const sequences::CourseHeartbeat>(motion->sequence),
-          playback_.player().fraction()};
+          playback_.player().fraction(), playback_.player().playing()};
 }
 
-/// For a worker. The heart must be able to take the shape in which it will be drawn first.
+/// For a worker. The heart must be able to take the shape in which it will be drawn first; where it beats on,
+/// others as well: it would stand still while the time goes on.
 std::shared_ptr<const sequences::Sequence> CirculationModel::ShownBeat::similar(const Shown& shown) const {
   if (!beat)
     return nullptr;
   try {
     auto found = std::make_shared<const sequences::CourseHeartbeat>(*beat, courseOf(shown));
-    Points pose;
-    found->poseAt(fraction * shown.beat.period, found->standardRatePerMinute(), pose);
+    const auto tryAt = [&](double part) {
+      Points pose;
+      found->poseAt(part * shown.beat.period, found->standardRatePerMinute(), pose);
+    };
+    tryAt(fraction);
+    if (playing)
+      parallelRanges(kTriedOfSimilar, 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
+        for (Eigen::Index i = begin; i < end; ++i)
+          tryAt(static_cast<double>(i) / kTriedOfSimilar);
+      });
     return found;
   } catch (const DataError&) { // They are not that similar: `follow` will tell.
     return nullptr;
@@ -167,6 +202,7 @@ bool CirculationModel::showSimilar(const std::shared_ptr<const sequences::Sequen
   if (!beat || !motion || !followed_.sequence || motion->sequence != followed_.sequence)
     return false;
   followed_.sequence = beat;
+  beatBy_ = solved_;
   playback_.exchange(motion->sequence.get(), beat);
   return true;
 }
@@ -180,17 +216,17 @@ std::optional<Playback::Motion> CirculationModel::heartMotion() const {
 
 void CirculationModel::follow() {
   const auto motion = heartMotion();
-  if (!motion || !present_ || following_ || rests_.isActive())
+  if (!motion || !solved_ || following_ || rests_.isActive())
     return;
   const bool present =
-      refused_ == present_ || (motion->sequence == followed_.sequence && followedBy_ == present_);
+      refused_ == solved_ || (motion->sequence == followed_.sequence && followedBy_ == solved_);
   const bool kept = !kept_ || keptBeatBy_ == kept_;
   if (present && kept)
     return;
   following_ = true;
   jobs_.submit<Followed>(
       tr("Heart of the circulation").toStdString(), {},
-      [by = present ? nullptr : present_, keptBy = kept ? nullptr : kept_, known = followed_,
+      [by = present ? nullptr : solved_, keptBy = kept ? nullptr : kept_, known = followed_,
        resolution = *motion::sampleHeartOf(motion->recipe),
        library = sample_organs::standardLibrary()](Progress& progress) {
         Followed next{resolution, known.heart, nullptr, nullptr};
@@ -203,39 +239,40 @@ void CirculationModel::follow() {
           next.keptBeat = beatOf(keptBy->shown);
         return next;
       },
-      [this, by = present_, keptBy = kept_, organ = motion->organ](JobResult<Followed> result) {
-        take(std::move(result), by, keptBy, organ);
+      [this, asked = Following{solved_, kept_, beatBy_, motion->organ}](JobResult<Followed> result) {
+        take(std::move(result), asked);
       });
 }
 
-void CirculationModel::take(JobResult<Followed> result, const SolvedPointer& by, const SolvedPointer& kept,
-                            document::OrganId organ) {
+void CirculationModel::take(JobResult<Followed> result, const Following& asked) {
   following_ = false;
   if (result.error) {
-    refused_ = by;
-    keptBeatBy_ = kept;
+    refused_ = asked.by;
+    keptBeatBy_ = asked.kept;
     keptBeat_ = nullptr;
     failureReason_ = asSentence(result.error->problem());
     Q_EMIT changed();
   }
   const auto motion = heartMotion();
-  if (result.value && on() && motion && motion->organ == organ) {
+  if (result.value && on() && motion && motion->organ == asked.organ) {
     followed_.heart = result.value->heart;
     followed_.resolution = result.value->resolution;
-    const bool late = rests_.isActive() && by != present_; // A similar beat of a newer choice is shown.
+    const bool late = asked.by != solved_ && asked.before != beatBy_; // A beat of a newer choice is shown.
     if (result.value->sequence && !late) {
       if (!followsOne(*motion))
-        textbook_[organ] = motion->sequence;
+        textbook_[asked.organ] = motion->sequence;
       followed_.sequence = result.value->sequence;
-      followedBy_ = by;
+      followedBy_ = beatBy_ = asked.by;
       playback_.exchange(motion->sequence.get(), followed_.sequence);
     }
     if (result.value->keptBeat) {
       keptBeat_ = result.value->keptBeat;
-      keptBeatBy_ = kept;
+      keptBeatBy_ = asked.kept;
       Q_EMIT changed();
     }
   }
+  if (on())
+    syncPresent();
   scheduleSolve();
 }
 
@@ -244,7 +281,7 @@ void CirculationModel::giveTextbookBack() {
   if (!motion || !followsOne(*motion))
     return;
   followed_.sequence = nullptr;
-  followedBy_ = nullptr;
+  followedBy_ = beatBy_ = nullptr;
   playback_.exchange(motion->sequence.get(), textbook_.at(motion->organ));
 }
 

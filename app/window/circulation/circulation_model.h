@@ -20,8 +20,10 @@ namespace viscera::app {
 /// Solves the circulation that the document has chosen and makes the sample heart beat with it. Workers do
 /// both. A running computation finishes and is shown before the next one starts with the newest choice, so
 /// the view follows a moving control. While a control moves, the heart's beat is derived from the previous
-/// choice's beat; as soon as the control rests, the beat is computed anew and checked at all instants. Where
-/// the document lets the textbook's beat move the heart, the heart gets that back.
+/// choice's beat; as soon as the control rests, the beat is computed anew and checked at all instants. What
+/// was solved is told once the heart beats with it, so that curves, numbers and the heart are of one
+/// circulation however quickly choices follow each other. Where the document lets the textbook's beat move
+/// the heart, the heart gets that back.
 class CirculationModel final : public QObject {
   Q_OBJECT
 
@@ -33,12 +35,17 @@ public:
   /// Whether the document lets a circulation move the heart.
   bool on() const { return choice().drives; }
   const document::CirculationChoice& choice() const { return workspace_.document().circulation(); }
-  /// The last one that was solved; null before the first, and while it is not `on`.
+  /// The one with which the heart beats; without a heart that can follow, the last one that was solved. Null
+  /// before the first, and while it is not `on`.
   const Shown* present() const { return present_ ? &present_->shown : nullptr; }
+  /// Whether the beat that can be played is that of `present`, so that its instants are those of the curves.
+  bool isPlayed() const;
   /// What was kept to compare with; null when nothing was.
   const Shown* kept() const { return kept_ ? &kept_->shown : nullptr; }
   /// The heart's beat of what was kept, for a second view; null without one, and while it is being made.
-  std::shared_ptr<const sequences::Sequence> keptBeat() const { return kept_ ? keptBeat_ : nullptr; }
+  std::shared_ptr<const sequences::Sequence> keptBeat() const {
+    return kept_ && keptBeatBy_ == kept_ ? keptBeat_ : nullptr;
+  }
   /// Why there is no beat that repeats itself, or why the heart cannot follow it; empty when all is well.
   const QString& failureReason() const { return failureReason_; }
   /// Whether there is a heart that can follow: the sample heart.
@@ -76,6 +83,7 @@ private:
   struct ShownBeat {
     std::shared_ptr<const sequences::CourseHeartbeat> beat; ///< Null: none is shown.
     double fraction = 0;
+    bool playing = false; ///< Other instants follow soon.
 
     std::shared_ptr<const sequences::Sequence> similar(const Shown& shown) const;
   };
@@ -90,19 +98,27 @@ private:
   ShownBeat shownBeat() const;
   bool showSimilar(const std::shared_ptr<const sequences::Sequence>& beat);
   void follow();
-  void take(JobResult<Followed> result, const SolvedPointer& by, const SolvedPointer& kept,
-            document::OrganId organ);
+  /// What was to be followed, and with what the heart beat when that began.
+  struct Following {
+    SolvedPointer by, kept, before;
+    document::OrganId organ;
+  };
+  void take(JobResult<Followed> result, const Following& asked);
+  SolvedPointer wantedPresent() const;
+  void syncPresent();
   void giveTextbookBack();
   std::optional<Playback::Motion> heartMotion() const;
 
   Workspace& workspace_;
   Playback& playback_;
-  SolvedPointer present_;
+  SolvedPointer solved_;  ///< Last, and what the heart is to follow.
+  SolvedPointer present_; ///< What is told.
   SolvedPointer kept_;
   SolvedPointer refused_; ///< Tried last, and found to have no beat, or one that the heart cannot follow.
   QString failureReason_;
   Followed followed_;
   SolvedPointer followedBy_; ///< What `followed_` was made from.
+  SolvedPointer beatBy_;     ///< The same of its sequence, which may be one that is similar.
   std::shared_ptr<const sequences::Sequence> keptBeat_;
   SolvedPointer keptBeatBy_;
   /// Of each heart, the beat that it had before it followed a circulation.

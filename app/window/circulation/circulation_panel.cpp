@@ -138,11 +138,13 @@ ChartCursor::Ring CirculationPanel::placeIn(const scene::CurvePanel& panel, doub
           between(panel.bottom, panel.top, panel.yRange, y)};
 }
 
-/// Where the heart is in the beat that is drawn.
+/// Where the heart is in the beat that is drawn; nowhere while another motion moves it, and where it could
+/// not take the pose of the instant.
 void CirculationPanel::placeInstant() {
   ChartCursor::Marks marks;
   const CirculationModel::Shown* present = model_.present();
-  if (present && playback_.showing() && model_.hasHeart() && places_.size() >= kLoops) {
+  const bool posed = playback_.showing() && playback_.player().runner().obstacle().empty();
+  if (present && posed && model_.isPlayed() && places_.size() >= kLoops) {
     const double fraction = playback_.player().fraction();
     for (const scene::CurvePanel& panel : places_)
       if (panel.cursor)

@@ -94,10 +94,10 @@ void ImportController::preview() {
     if (!organ.included)
       continue;
     // In the colours that they will have: the file's, else the tissue's.
-    const document::OrganLook& look = draft_.files.organs[i].organ.look;
-    presentation::TransientSurface surface{organ.mesh, look.color, alone ? kSolid : kGlass};
-    if (const auto color = tissueColor(text(organ.name)); color && look == document::OrganLook())
-      surface.color = asVec3(*color);
+    const document::Organ& read = draft_.files.organs[i].organ;
+    const Vec3 color = tissueColorFor(text(organ.name), read).value_or(read.look.color);
+    presentation::TransientSurface surface{organ.mesh, color, alone ? kSolid : kGlass,
+                                           read.look.vertexColors};
     const Bounds own = boundsOf(organ.mesh->points);
     box = surfaces.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
     surfaces.push_back(std::move(surface));

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QFrame>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -18,6 +19,11 @@ namespace {
 /// How much larger than the window's type the caption and the numbers are.
 constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
+/// Rows of numbers that would break are smaller, to so much of that.
+constexpr double kLeastNumbers = 0.67;
+/// Letters of another size are not wider or narrower by quite the same part.
+constexpr double kTypeSlack = 0.98;
+constexpr int kCardMargin = 24;
 constexpr int kMostVolumes = 5; ///< Of a view: a heart and its chambers.
 /// However long a caption is, the view has so much of the screen.
 constexpr double kLeastView = 0.5;
@@ -50,6 +56,10 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   connect(this, &QObject::destroyed, dark_, &QObject::deleteLater);
   connect(&parts_.slides, &Slides::changed, this, &LectureScreen::sync);
   connect(&parts_.volumes, &VolumeMonitor::shown, this, &LectureScreen::sync);
+  connect(&parts_.volumes, &VolumeMonitor::linesChanged, this, [this] {
+    numbersPart_ = 1;
+    sync();
+  });
   connect(&parts_.playback, &Playback::stateChanged, this, &LectureScreen::sync);
   connect(shown_, &QAction::toggled, &actions, &Actions::sync);
 }
@@ -57,7 +67,7 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
 void LectureScreen::makeCard() {
   card_->setObjectName(QStringLiteral("lectureCard"));
   card_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* column = makeLayout<QVBoxLayout>(card_, 2, {24, 12, 24, 12});
+  auto* column = makeLayout<QVBoxLayout>(card_, 2, {kCardMargin, 12, kCardMargin, 12});
   for (QLabel* label : {caption_, numbers_}) {
     label->setAlignment(Qt::AlignCenter);
     label->setTextFormat(Qt::PlainText);
@@ -68,6 +78,7 @@ void LectureScreen::makeCard() {
   numbers_->setObjectName(QStringLiteral("lectureNumbers"));
   embolden(caption_, kCaptionFactor);
   embolden(numbers_, kNumbersFactor);
+  numbersPointSize_ = numbers_->font().pointSizeF();
   strip_->setObjectName(QStringLiteral("lectureStrip"));
   strip_->setAttribute(Qt::WA_StyledBackground);
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -80,6 +91,7 @@ void LectureScreen::begin() {
   parts_.layout.setBare(true);
   shown_->setChecked(true);
   strip_->show();
+  parts_.area.messages()->setHeldBack(true);
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
   else
@@ -95,6 +107,7 @@ bool LectureScreen::end() {
   strip_->hide();
   parts_.area.reserveBelow(0);
   dark_->hide();
+  parts_.area.messages()->setHeldBack(false);
   parts_.slides.leave();
   return true;
 }
@@ -107,20 +120,30 @@ QString LectureScreen::numbers() const {
   return rows.join(QLatin1Char('\n'));
 }
 
-/// The phase and the volumes of one view; of two views with the number that its header has.
-QString LectureScreen::numbersOf(int side) const {
-  const Playback* playback = side == 0 ? &parts_.playback : nullptr;
-  QStringList parts;
+/// None for a second view without a volume.
+const Playback* LectureScreen::playbackOf(int side) const {
   const auto& lines = parts_.volumes.lines();
-  for (std::size_t i = 0; i < lines.size() && parts.size() < kMostVolumes; ++i) {
-    const VolumeMonitor::Line& line = lines[i];
-    if (line.side != side)
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].side == side)
+      return &parts_.volumes.playbackOf(i);
+  return side == 0 ? &parts_.playback : nullptr;
+}
+
+QString LectureScreen::numbersOf(int side) const {
+  const Playback* playback = playbackOf(side);
+  return rowOf(side, playback && playback->player().showing() ? messageInWords(playback->player().phase())
+                                                              : QString());
+}
+
+/// The phase and the volumes of one view; of two views with the number that its header has.
+QString LectureScreen::rowOf(int side, const QString& phase) const {
+  QStringList parts = {phase};
+  const auto& lines = parts_.volumes.lines();
+  for (const VolumeMonitor::Line& line : lines) {
+    if (line.side != side || parts.size() > kMostVolumes)
       continue;
-    playback = &parts_.volumes.playbackOf(i);
     parts << tr("%1 %2 ml").arg(line.name).arg(formatNumber(line.nowMl, line.nowMl < 1000 ? 1 : 0));
   }
-  if (playback && playback->player().showing())
-    parts.push_front(messageInWords(playback->player().phase()));
   parts.removeAll(QString());
   if (parts.isEmpty())
     return {};
@@ -130,6 +153,34 @@ QString LectureScreen::numbersOf(int side) const {
   for (QString& part : parts) // A line breaks between them only.
     part.replace(QLatin1Char(' '), QChar::Nbsp).replace(QLatin1Char('-'), kHyphenThatHolds);
   return parts.join(QStringLiteral("   "));
+}
+
+/// In the phase with the longest name, in pixels of that type.
+int LectureScreen::widestRow(int side, const QFontMetrics& type) const {
+  const Playback* playback = playbackOf(side);
+  if (!playback || !playback->player().showing())
+    return type.horizontalAdvance(numbersOf(side));
+  QString longest;
+  for (const sequences::Phase& phase : playback->sequence()->phases(playback->player().ratePerMinute())) {
+    const QString name = messageInWords(phase.name);
+    if (type.horizontalAdvance(name) > type.horizontalAdvance(longest))
+      longest = name;
+  }
+  return type.horizontalAdvance(rowOf(side, longest));
+}
+
+/// A row that breaks is hard to read, and a type that changes from phase to phase as well.
+void LectureScreen::fitNumbers() {
+  QFont type = numbers_->font();
+  type.setPointSizeF(numbersPointSize_);
+  const QFontMetrics metrics(type, numbers_);
+  const int room = parts_.area.width() - 2 * kCardMargin;
+  const int widest = std::max(widestRow(0, metrics), parts_.volumes.hasSecond() ? widestRow(1, metrics) : 0);
+  if (widest > room)
+    numbersPart_ = std::clamp(kTypeSlack * room / widest, kLeastNumbers, numbersPart_);
+  type.setPointSizeF(numbersPart_ * numbersPointSize_);
+  if (type != numbers_->font())
+    numbers_->setFont(type);
 }
 
 void LectureScreen::sync() {
@@ -145,12 +196,15 @@ void LectureScreen::sync() {
   caption_->setVisible(!caption_->text().isEmpty());
   numbers_->setText(numbers());
   numbers_->setVisible(!numbers_->text().isEmpty());
+  fitNumbers();
   placeCard();
 }
 
 bool LectureScreen::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &parts_.area && event->type() == QEvent::Resize && on()) {
     height_ = 0;
+    numbersPart_ = 1;
+    fitNumbers();
     placeCard();
   }
   return QObject::eventFilter(watched, event);

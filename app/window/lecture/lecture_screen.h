@@ -7,6 +7,7 @@
 #include "window/view/view_area.h"
 #include "window/window_layout.h"
 
+class QFontMetrics;
 class QFrame;
 class QLabel;
 
@@ -14,9 +15,9 @@ namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
 /// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
-/// them a strip of the screen, so that they cover no part of an organ. Whoever gives views their theme gives
-/// them that of a lecture while it is `on`. The keys of a presentation remote go through the slides (Page
-/// Down, Page Up), darken the screen (B) and end it (Escape).
+/// them a strip of the screen, so that they cover no part of an organ. Messages wait until it ends. Whoever
+/// gives views their theme gives them that of a lecture while it is `on`. The keys of a presentation remote
+/// go through the slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 
@@ -45,13 +46,19 @@ private:
   void sync();
   void makeCard();
   void placeCard();
+  void fitNumbers();
+  const Playback* playbackOf(int side) const;
   QString numbers() const;
   QString numbersOf(int side) const;
+  QString rowOf(int side, const QString& phase) const;
+  int widestRow(int side, const QFontMetrics& type) const;
 
   Parts parts_;
   QAction* shown_;
-  QWidget* strip_; ///< Below the view, with the card in it.
-  int height_ = 0; ///< Of the strip: as much as the slide has needed so far.
+  QWidget* strip_;              ///< Below the view, with the card in it.
+  int height_ = 0;              ///< Of the strip: as much as the slide has needed so far.
+  double numbersPart_ = 1;      ///< Of the largest type of the numbers: as little as they have needed so far.
+  double numbersPointSize_ = 0; ///< The largest type.
   QFrame* card_;
   QLabel* caption_;
   QLabel* numbers_;

@@ -246,8 +246,9 @@ QWidget* PlayMode::makeChart() {
   return chart_;
 }
 
+/// Until the heart beats with a circulation, volumes are the curves that there are.
 bool PlayMode::chartWanted() const {
-  return circulation_->on() && parts_.view.state().circulationChart;
+  return circulation_->on() && circulation_->present() && parts_.view.state().circulationChart;
 }
 
 void PlayMode::setTheme(const Theme& theme) {
@@ -261,16 +262,18 @@ void PlayMode::setTheme(const Theme& theme) {
 void PlayMode::chooseScenario(const QString& id) {
   const bool done = parts_.workspace.perform(id.isEmpty() ? document::driveHeart(true)
                                                           : document::chooseScenario(id.toStdString()));
-  if (!done)
-    return;
+  if (done && !playSampleHeart() && parts_.workspace.document().organs().empty())
+    parts_.samples.load(QStringLiteral("heart"), true);
+}
+
+bool PlayMode::playSampleHeart() {
   for (const Playback::Motion& motion : parts_.playback.motions())
     if (motion::sampleHeartOf(motion.recipe)) {
       parts_.playback.choose(motion.sequence.get());
       parts_.playback.play();
-      return;
+      return true;
     }
-  if (parts_.workspace.document().organs().empty())
-    parts_.samples.load(QStringLiteral("heart"), true);
+  return false;
 }
 
 void PlayMode::makeLookActions(Actions& actions) {

@@ -61,6 +61,8 @@ public:
   /// Lets the circulation move the heart, in a scenario or (empty) as it was last: on the sample heart when
   /// it is there, else it is loaded.
   void chooseScenario(const QString& id);
+  /// Plays the beat of the sample heart, whatever makes it; false when there is none.
+  bool playSampleHeart();
   /// Records what the view, or both views, show.
   bool record(const MoviePlan& plan);
 

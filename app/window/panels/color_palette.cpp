@@ -10,6 +10,7 @@
 
 #include <utility>
 
+#include "viscera/presentation/presenter.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -96,6 +97,17 @@ std::optional<QColor> tissueColor(const QString& name) {
     if (name.contains(QLatin1String(word), Qt::CaseInsensitive))
       return QColor(QLatin1String(color));
   return std::nullopt;
+}
+
+std::optional<Vec3> tissueColorFor(const QString& name, const document::Organ& organ) {
+  const document::OrganLook& look = organ.look;
+  document::OrganLook paintedAlike;
+  paintedAlike.color = look.color;
+  paintedAlike.vertexColors = false;
+  const bool plain = look == document::OrganLook() && organ.mesh && organ.mesh->colors.rows() == 0;
+  const bool numbered = look == paintedAlike && presentation::shownColor(look.color) != look.color;
+  const auto color = plain || numbered ? tissueColor(name) : std::nullopt;
+  return color ? std::optional(asVec3(*color)) : std::nullopt;
 }
 
 void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& present,

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "viscera/core/arrays.h"
+#include "viscera/document/organ.h"
 
 class QPoint;
 class QWidget;
@@ -21,6 +22,11 @@ QIcon swatch(const QColor& color);
 
 /// The colour of the tissue that a name speaks of ("liver_left.vtk" is liver); none for other names.
 std::optional<QColor> tissueColor(const QString& name);
+
+/// The colour that an organ called `name` gets from its tissue: where its file gives it none, and where that
+/// paints it all over in a pure colour, in which tables of label maps number what no tissue looks like. None:
+/// it keeps what it has.
+std::optional<Vec3> tissueColorFor(const QString& name, const document::Organ& organ);
 
 /// Lets the user choose a colour beside what was clicked: tissue colours at once, any other from a dialog
 /// that does not block the window. `chosen` is called for every colour that is tried, `finished` at the end.

@@ -84,9 +84,10 @@ void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
 
 void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
   QWidget* head = addSection(tr("Source of the motion"));
-  auto* box = new CirculationBox(parts.workspace, mode_.circulation(), actions, this);
+  auto* box = new CirculationBox(parts.workspace, playback_, mode_.circulation(), actions, this);
   add(box);
   connect(box, &CirculationBox::scenarioChosen, &mode_, &PlayMode::chooseScenario);
+  connect(box, &CirculationBox::heartChosen, &mode_, &PlayMode::playSampleHeart);
   const auto sync = [this, &workspace = parts.workspace, head, box] {
     const bool wanted =
         mode_.circulation().on() || mode_.hasSampleHeart() || workspace.document().organs().empty();

@@ -73,10 +73,10 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
   const QString said = scan
                            ? tr("Beside %1 lies the scan %2.").arg(fileNameOf(image), fileNameOf(found))
                            : tr("Beside %1 lies the label map %2.").arg(fileNameOf(image), fileNameOf(found));
-  // It takes the place of a message that names missing files.
-  const QString missing = files_.missingBeside(image);
-  workspace_.say({missing.isEmpty() ? Message::Severity::info : Message::Severity::error,
-                  missing.isEmpty() ? said : missing + QLatin1Char('\n') + said,
+  // It takes the place of a message that names the files that did not open.
+  const QString unopened = files_.unopenedBeside(image);
+  workspace_.say({unopened.isEmpty() ? Message::Severity::info : Message::Severity::error,
+                  unopened.isEmpty() ? said : unopened + QLatin1Char('\n') + said,
                   {{scan ? tr("Open the scan") : tr("Open its organs"),
                     [this, scan, place] {
                       if (scan)
@@ -84,7 +84,7 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
                       else
                         files_.open({place});
                     }}},
-                  missing.isEmpty() ? kOfferSeconds : 0});
+                  unopened.isEmpty() ? kOfferSeconds : 0});
 }
 
 } // namespace viscera::app

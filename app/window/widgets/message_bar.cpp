@@ -62,17 +62,29 @@ void MessageBar::showMessage(const Message& message) {
   timer_->stop();
   if (message.seconds > 0)
     timer_->start(1000 * message.seconds);
-  show();
-  raise();
+  open_ = true;
+  showOrHide();
 }
 
 QString MessageBar::text() const {
-  return isHidden() ? QString() : text_->text();
+  return open_ ? text_->text() : QString();
+}
+
+void MessageBar::setHeldBack(bool held) {
+  held_ = held;
+  showOrHide();
+}
+
+void MessageBar::showOrHide() {
+  setVisible(open_ && !held_);
+  if (!isHidden())
+    raise();
 }
 
 void MessageBar::dismiss() {
   timer_->stop();
-  hide();
+  open_ = false;
+  showOrHide();
 }
 
 void MessageBar::retract(const QString& text) {

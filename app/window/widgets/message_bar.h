@@ -35,8 +35,10 @@ public:
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showMessage(const Message& message);
-  /// The text on show; empty when the bar is closed.
+  /// The text on show, or held back; empty when the bar is closed.
   QString text() const;
+  /// Keeps what it shows, and whatever comes, to itself until that ends: a lecture is for others.
+  void setHeldBack(bool held);
 
 public Q_SLOTS:
   void dismiss();
@@ -44,6 +46,7 @@ public Q_SLOTS:
   void retract(const QString& text);
 
 private:
+  void showOrHide();
   void rebuildOffers(const std::vector<Message::Offer>& offers);
 
   QLabel* icon_;
@@ -51,6 +54,8 @@ private:
   QWidget* offersBox_;
   QHBoxLayout* offers_;
   QTimer* timer_;
+  bool open_ = false;
+  bool held_ = false;
 };
 
 } // namespace viscera::app

@@ -240,7 +240,7 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
     auto& [organ, read] = made[i];
     if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
       organ.origin.fileHash.clear();
-    if (part.color)
+    if (part.color && organ.look.vertexColors) // A single paint is the colour already.
       organ.look.color = *part.color;
     organ.look.opacity = part.opacity;
     if (arrives)
@@ -276,15 +276,13 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
   }
 }
 
-} // namespace
-
-OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
-                      const ArrivingOrganListener& arrives, Sessions sessions) {
+/// `first` becomes what the first file that cannot be read has thrown.
+OpenedFiles openEach(const std::vector<std::filesystem::path>& named, Progress& progress,
+                     const ArrivingOrganListener& arrives, Sessions sessions, std::exception_ptr& first) {
   if (named.empty())
     throw UsageError("There is no file to open");
   const std::vector<std::filesystem::path> files = withoutHalves(named);
   OpenedFiles opened;
-  std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
@@ -299,12 +297,27 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
         first = std::current_exception();
     }
   }
-  if (first && opened.organs.empty() && !opened.rig)
-    std::rethrow_exception(first);
   opened.name = files.size() == 1 ? phrase("Open %1", files.front().filename().string())
                                   : phrase("Open %n {file|files}", files.size());
   progress.report(1);
   return opened;
+}
+
+} // namespace
+
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
+                      const ArrivingOrganListener& arrives, Sessions sessions) {
+  std::exception_ptr first;
+  OpenedFiles opened = openEach(files, progress, arrives, sessions, first);
+  if (first && opened.organs.empty() && !opened.rig)
+    std::rethrow_exception(first);
+  return opened;
+}
+
+OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progress& progress,
+                         const ArrivingOrganListener& arrives, Sessions sessions) {
+  std::exception_ptr first;
+  return openEach(files, progress, arrives, sessions, first);
 }
 
 Command OpenedFiles::command() const {
@@ -388,6 +401,7 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
         !surface.organ.empty() ? surface.organ : displayName(outer ? sample.name : surface.name);
     NewOrgan item{makeOrgan(name, surface.mesh), own ? -1 : 0};
     item.organ.look.color = surface.color;
+    item.organ.look.vertexColors = true;
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
     item.organ.places = surface.places;

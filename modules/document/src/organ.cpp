@@ -6,6 +6,18 @@
 #include "viscera/geometry/surface_check.h"
 
 namespace viscera::document {
+namespace {
+
+/// Whether every vertex has the colour of the first; not of a surface without colours.
+bool isPaintedAlike(const geometry::TriangleMesh& mesh) {
+  for (Eigen::Index vertex = 1; vertex < mesh.colors.rows(); ++vertex)
+    if (mesh.colors.row(vertex) != mesh.colors.row(0))
+      return false;
+  return mesh.colors.rows() > 0;
+}
+
+} // namespace
+
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh) {
   return makeOrgan(std::move(name), std::make_shared<const geometry::TriangleMesh>(std::move(mesh)));
 }
@@ -28,6 +40,7 @@ Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> 
   organ.mesh = std::move(mesh);
   if (organ.mesh->colors.rows() > 0) // What lists and charts say of a painted surface.
     organ.look.color = organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0;
+  organ.look.vertexColors = !isPaintedAlike(*organ.mesh);
   organ.boundaryEdges = report.boundaryEdges;
   organ.restVolumeMm3 = report.closed() ? report.volumeMm3 : 0;
   return organ;

@@ -83,6 +83,7 @@ void OrganPicture::updateTransientSurfaces(const std::vector<TransientSurface>& 
                                             : *found);
     now.back()->setColor(shownColor(guest.color));
     now.back()->setOpacity(guest.opacity);
+    now.back()->setVertexColorsShown(guest.vertexColors);
     view_.add(now.back());
   }
   for (const auto& actor : transient_)

@@ -130,6 +130,16 @@ TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {
   refusal<UsageError>({});
 }
 
+TEST_F(OpenFiles, TellAllThatFailedToWhoHasSomethingElseToShow) {
+  std::ofstream(folder_ / "empty.stl").close();
+  Progress progress;
+  const OpenedFiles opened = openReadable({folder_ / "empty.stl", folder_ / "missing.stl"}, progress);
+  EXPECT_TRUE(opened.organs.empty());
+  ASSERT_EQ(opened.failures.size(), 2u);
+  EXPECT_THAT(opened.failures[0].what(), HasSubstr("empty.stl"));
+  EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "empty.stl", folder_ / "missing.stl"));
+}
+
 TEST_F(OpenFiles, LeaveOutASessionAndASecondHandleFileAmongOthers) {
   Progress progress;
   const OpenedFiles opened =
@@ -176,6 +186,22 @@ TEST_F(OpenFiles, CallASurfaceAsItsFileWhereItsOwnNameSaysNothing) {
     EXPECT_EQ(nameOf(object), "left_kidney") << object;
   for (const char* object : {"Spleen", "Mesh1_liver", "segment_4"})
     EXPECT_EQ(nameOf(object), object);
+}
+
+TEST_F(OpenFiles, TakeASinglePaintForTheOrgansOwnColour) {
+  geometry::TriangleMesh mesh = viscera::tests::sphere(3, 30);
+  mesh.colors = Colors::Constant(mesh.points.rows(), 3, 51);
+  medical_io::writeSurface(folder_ / "plain.vtp", mesh);
+  mesh.colors(7, 2) = 102;
+  medical_io::writeSurface(folder_ / "spotted.vtp", mesh);
+  Progress progress;
+  const OpenedFiles opened =
+      openFiles({folder_ / "plain.vtp", folder_ / "spotted.vtp", surface("bare.vtp", 30)}, progress);
+  ASSERT_EQ(opened.organs.size(), 3u);
+  EXPECT_FALSE(opened.organs[0].organ.look.vertexColors);
+  EXPECT_LT((opened.organs[0].organ.look.color - Vec3::Constant(0.2)).norm(), 1e-9);
+  EXPECT_TRUE(opened.organs[1].organ.look.vertexColors);
+  EXPECT_EQ(opened.organs[2].organ.look, OrganLook());
 }
 
 TEST_F(OpenFiles, CanBeCancelled) {

@@ -72,6 +72,11 @@ bool isHandleFile(const std::filesystem::path& file);
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 
+/// The same for who has something else to show, such as a scan: where nothing is left, that is told in
+/// `failures` as well, and what comes back is empty.
+OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progress& progress,
+                         const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
+
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part
 /// (`medical_io::heartLabels`) is then "Heart", muscle and chambers together, first, with the chambers "LV",

@@ -58,7 +58,9 @@ struct Organ {
 /// Makes an organ without an id from a surface: checks the indices and coordinates, counts its open edges and
 /// measures its volume, O(m log m), so that a worker can do it before the document is touched. What is wrong
 /// with the surface becomes a warning each; a closed one that is inside out is turned around. A painted one
-/// has the mean of its colours for its own. Throws `DataError` for an invalid mesh or one without triangles.
+/// has the mean of its colours for its own; one that is painted in a single colour is seen as every organ in
+/// a colour of its own, and not by its vertices. Throws `DataError` for an invalid mesh or one without
+/// triangles.
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);

@@ -55,6 +55,7 @@ struct TransientSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< Never null.
   Vec3 color = Vec3::Ones();
   double opacity = 1;
+  bool vertexColors = true; ///< The mesh's own colours, when it has some, go before `color`.
 };
 
 /// Everything that is drawn: document, organs, view state and further input. Only read while it is drawn.
