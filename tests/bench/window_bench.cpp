@@ -8,122 +8,25 @@
 #include <QTest>
 #include <QThread>
 
-#include <chrono>
-#include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include <benchmark/benchmark.h>
 #include <vtkRenderWindow.h>
 
 #include "atlas_window.h"
+#include "benched_window.h"
 #include "build_paths.h"
-#include "session_fixture.h"
-#include "viscera/deformation/place_handles.h"
-#include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/rig_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
-#include "window/run_window.h"
 #include "window/session/session_files.h"
-#include "window_test.h"
 
 /// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as
 /// Xvfb's.
-namespace viscera {
+namespace viscera::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// What all threads of this program have worked since then, ms.
-double processorMs(std::clock_t start) {
-  return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-/// One application for all benchmarks of this program.
-QApplication& application() {
-  static int count = 1;
-  static char name[] = "bench_window";
-  static char* arguments[] = {name, nullptr};
-  static const auto made = [] {
-    qputenv("QT_QPA_PLATFORM", "xcb");
-    app::prepareForApplication();
-    auto application = std::make_unique<QApplication>(count, arguments);
-    app::setUpApplication(*application);
-    return application.release(); // It outlives everything: at the exit Qt's own parts go first.
-  }();
-  return *made;
-}
-
-/// The window of the tests, driven by benchmarks.
-class BenchedWindow : public tests::WindowTest {
-public:
-  BenchedWindow() {
-    application();
-    SetUp();
-  }
-  ~BenchedWindow() override { TearDown(); }
-  void TestBody() override {}
-  /// Users have the whole window.
-  std::optional<QSize> viewSize() const override { return std::nullopt; }
-
-  using WindowTest::click;
-  using WindowTest::document;
-  using WindowTest::handleInView;
-  using WindowTest::key;
-  using WindowTest::now_;
-  using WindowTest::onScreen;
-  using WindowTest::reachableHandle;
-  using WindowTest::settle;
-  using WindowTest::view;
-  using WindowTest::waitUntil;
-  using WindowTest::window;
-
-  void loadHeart() {
-    window().samples().load(QStringLiteral("heart"), false);
-    waitUntil([this] { return !document().organs().empty() && window().playback().sequence(); });
-    settle();
-  }
-  void addBalls(int organs, int levels) {
-    std::vector<document::NewOrgan> balls;
-    for (int i = 0; i < organs; ++i)
-      balls.push_back(tests::ball("Ball " + std::to_string(i), organs > 1 ? 30 : 60, levels,
-                                  Vec3(70.0 * (i % 10), 0, 70.0 * (i / 10))));
-    window().workspace().perform(document::addOrgans(std::move(balls)));
-    const Points box = deformation::enclosingHandles(document().organs().front()->mesh->points);
-    std::vector<document::NewHandle> handles;
-    for (Eigen::Index row = 0; row < box.rows(); ++row)
-      handles.push_back({box.row(row).transpose()});
-    window().workspace().perform(document::addHandles(handles));
-    settle();
-    key(Qt::Key_F);
-  }
-  /// Handles the events that are there, and draws what waits to be drawn.
-  double untilDrawn(const std::function<void()>& event) {
-    const auto start = Clock::now();
-    const std::clock_t work = std::clock();
-    event();
-    QCoreApplication::processEvents();
-    view().renderPending();
-    view().renderWindow()->WaitForCompletion();
-    worked_ += processorMs(work);
-    ++events_;
-    return secondsSince(start);
-  }
-  /// Of all threads for one event: other programs lengthen it less than the time until the picture.
-  void countWork(benchmark::State& state) const { state.counters["processorMs"] = worked_ / events_; }
-
-private:
-  double worked_ = 0;
-  int events_ = 0;
-};
 
 /// From making the window, as the program does at its start, until the beating heart is drawn. Without the
 /// cache the organ is made first; what the system needs to load the program comes on top.
@@ -211,48 +114,45 @@ BENCHMARK(startTheProgram)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseMa
 /// One step of a drag of a handle: from the mouse's move to the picture.
 void drag(benchmark::State& state, BenchedWindow& bench) {
   bench.key(Qt::Key_3);
-  const QPoint from = bench.onScreen(bench.handleInView(bench.reachableHandle()));
-  QTest::mouseMove(&bench.view(), from);
-  QTest::mousePress(&bench.view(), Qt::LeftButton, Qt::NoModifier, from);
-  int step = 0;
-  for (auto _ : state) {
-    ++step;
-    const QPoint to = from + QPoint(qRound(40 * std::sin(0.3 * step)), qRound(30 * std::sin(0.2 * step)));
-    state.SetIterationTime(bench.untilDrawn([&] { QTest::mouseMove(&bench.view(), to); }));
-  }
-  QTest::mouseRelease(&bench.view(), Qt::LeftButton, Qt::NoModifier, from);
-  bench.settle();
+  moveTheMouse(state, bench, bench.onScreen(bench.handleInView(bench.reachableHandle())));
 }
 
+/// The translucent heart is blended while it moves (1), or peeled like one that stands still (0).
 void dragTheHeart(benchmark::State& state) {
   BenchedWindow bench;
   bench.loadHeart();
+  bench.view().view().setShortcuts({.blending = state.range(0) != 0});
   drag(state, bench);
 }
-BENCHMARK(dragTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(60);
+BENCHMARK(dragTheHeart)
+    ->Arg(1)
+    ->Arg(0)
+    ->ArgName("blended")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(60);
 
+/// A ball with fewer triangles while it moves where it is large (1), or with all of them (0).
 void dragABall(benchmark::State& state) {
   BenchedWindow bench;
   bench.addBalls(1, int(state.range(0)));
+  bench.view().view().setShortcuts({.fewerTriangles = state.range(1) != 0});
   drag(state, bench);
   state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
 }
-BENCHMARK(dragABall)->Arg(6)->Arg(8)->Arg(9)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
+BENCHMARK(dragABall)
+    ->Args({6, 1})
+    ->ArgsProduct({{8, 9}, {1, 0}})
+    ->ArgNames({"levels", "proxy"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(40);
 
 /// A surface that lies beside the project, in thirty handles.
-void dragAnOrgan(benchmark::State& state, const char* name) {
-  const std::filesystem::path file = std::filesystem::path(VISCERA_SOURCE_DIR) / "../shared/organs" / name;
-  if (!std::filesystem::exists(file))
-    return state.SkipWithError("it is not beside the project");
+void dragAnOrgan(benchmark::State& state, const char* file) {
   BenchedWindow bench;
-  bench.window().workspace().perform(document::addOrgans({{document::readOrgan(file), -1}}));
-  std::vector<document::NewHandle> handles;
-  const Points places = deformation::placeHandles(*bench.document().organs().front()->mesh, {30});
-  for (Eigen::Index row = 0; row < places.rows(); ++row)
-    handles.push_back({places.row(row).transpose()});
-  bench.window().workspace().perform(document::addHandles(handles));
-  bench.settle();
-  bench.key(Qt::Key_F);
+  if (!bench.loadShared(file))
+    return state.SkipWithError(kNotShared);
   drag(state, bench);
   state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
 }
@@ -265,10 +165,26 @@ BENCHMARK_CAPTURE(dragAnOrgan, bunny, "bunny.obj")
     ->UseManualTime()
     ->Iterations(40);
 
-/// The first step of a drag under the locks of two organs, right after these were set: what a hand does on
-/// the way is drawn (the locks in the list, the handle under the mouse, then held), but nothing waits for
-/// workers.
+/// Balls in the same handles, of which the one in front of them all is dragged.
+void dragAPatient(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.addPatient(int(state.range(0)));
+  drag(state, bench);
+}
+BENCHMARK(dragAPatient)
+    ->Arg(3)
+    ->Arg(95)
+    ->ArgName("organs")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(40);
+
+/// The first step of a drag under the locks of two organs. What a hand does on the way is drawn (the locks in
+/// the list, the handle under the mouse, then held). The locks were set long before, so that a worker has
+/// made their volume forms (1), or right before, so that the drag does without (0); `firstLockedMove` has the
+/// third way.
 void firstLockedStep(benchmark::State& state) {
+  constexpr int kWorkerBegins = 400; // ms
   for (auto _ : state) {
     BenchedWindow bench;
     bench.loadHeart();
@@ -276,6 +192,10 @@ void firstLockedStep(benchmark::State& state) {
     for (std::size_t organ = 0; organ < 2; ++organ)
       bench.window().workspace().perform(
           document::setVolumeLocked(bench.document().organs()[organ]->id, true));
+    if (state.range(0) != 0) {
+      QTest::qWait(kWorkerBegins);
+      bench.settle();
+    }
     const QPoint at = bench.onScreen(bench.handleInView(bench.reachableHandle()));
     bench.untilDrawn([&] { QTest::mouseMove(&bench.view(), at); });
     bench.untilDrawn([&] { QTest::mousePress(&bench.view(), Qt::LeftButton, Qt::NoModifier, at); });
@@ -284,7 +204,13 @@ void firstLockedStep(benchmark::State& state) {
     bench.settle();
   }
 }
-BENCHMARK(firstLockedStep)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(5);
+BENCHMARK(firstLockedStep)
+    ->Arg(1)
+    ->Arg(0)
+    ->ArgName("prepared")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(5);
 
 /// A press on a handle until it is drawn as held.
 void pressAHandle(benchmark::State& state) {
@@ -304,10 +230,11 @@ void pressAHandle(benchmark::State& state) {
 BENCHMARK(pressAHandle)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
 
 /// A frame of the beating heart: the clock has moved on, until that instant is drawn and all that goes with
-/// it is done.
+/// it is done. Its wall is blended (1) or peeled (0), as in `dragTheHeart`.
 void playTheHeart(benchmark::State& state) {
   BenchedWindow bench;
   bench.loadHeart();
+  bench.view().view().setShortcuts({.blending = state.range(0) != 0});
   bench.key(Qt::Key_5);
   if (!bench.window().playback().player().playing())
     bench.key(Qt::Key_Space);
@@ -316,7 +243,13 @@ void playTheHeart(benchmark::State& state) {
     state.SetIterationTime(bench.untilDrawn([&] { bench.window().playback().advance(); }));
   }
 }
-BENCHMARK(playTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(120);
+BENCHMARK(playTheHeart)
+    ->Arg(1)
+    ->Arg(0)
+    ->ArgName("blended")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(120);
 
 /// Another rate, until the stress over the whole cycle is there: the heart stands still (0), or beats in the
 /// meantime (1).
@@ -398,35 +331,6 @@ void clickAnOrgan(benchmark::State& state) {
 }
 BENCHMARK(clickAnOrgan)->Arg(3)->Arg(95)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
 
-/// Undo and a change of the mode.
-void undoAPose(benchmark::State& state) {
-  BenchedWindow bench;
-  bench.addBalls(1, int(state.range(0)));
-  bench.key(Qt::Key_3);
-  const Points pose = 1.05 * bench.document().rig().restPositions();
-  for (auto _ : state) {
-    bench.window().workspace().perform(document::setPose(pose));
-    bench.settle();
-    state.SetIterationTime(
-        bench.untilDrawn([&] { QTest::keyClick(&bench.window(), Qt::Key_Z, Qt::ControlModifier); }));
-  }
-}
-BENCHMARK(undoAPose)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
-
-void changeTheMode(benchmark::State& state) {
-  BenchedWindow bench;
-  bench.addBalls(1, int(state.range(0)));
-  bool deform = false;
-  for (auto _ : state) {
-    deform = !deform;
-    state.SetIterationTime(
-        bench.untilDrawn([&] { QTest::keyClick(&bench.window(), deform ? Qt::Key_3 : Qt::Key_1); }));
-    bench.settle();
-  }
-  bench.countWork(state);
-}
-BENCHMARK(changeTheMode)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
-
 class BenchedAtlas : public tests::AtlasWindow {
 public:
   BenchedAtlas() {
@@ -496,4 +400,4 @@ void workWithTheAtlas(benchmark::State& state) {
 BENCHMARK(workWithTheAtlas)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 } // namespace
-} // namespace viscera
+} // namespace viscera::bench

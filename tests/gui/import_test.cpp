@@ -93,9 +93,12 @@ protected:
     EXPECT_TRUE(panel().isVisible());
     EXPECT_TRUE(document().state() == before) << "nothing is in the document before it is accepted";
     EXPECT_TRUE(findings().contains(says)) << findings().toStdString();
+    EXPECT_EQ(importButton()->text(), QStringLiteral("Import as it is"));
+    EXPECT_TRUE(importButton()->property("quiet").toBool()) << "the repair is what to press";
     press(repairButton(repair));
     EXPECT_FALSE(window().imports().draft().questionable()) << findings().toStdString();
     EXPECT_EQ(importButton()->text(), QStringLiteral("Import"));
+    EXPECT_FALSE(importButton()->property("quiet").toBool());
     press(importButton());
     EXPECT_FALSE(window().imports().isOpen());
     EXPECT_FALSE(panel().isVisible());

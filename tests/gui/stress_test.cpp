@@ -142,6 +142,7 @@ TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
   key(Qt::Key_T);
   EXPECT_TRUE(model().look().threshold);
   EXPECT_GT(model().look().limit, 0);
+  EXPECT_EQ(find<QWidget>("stressLimit")->findChild<QDoubleSpinBox*>()->suffix(), QStringLiteral(" deg"));
   EXPECT_LT(drawn().tissue()->shownTetrahedra(), all);
   EXPECT_GT(drawn().tissue()->shownTetrahedra(), 0);
   key(Qt::Key_T);

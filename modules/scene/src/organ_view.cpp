@@ -121,6 +121,7 @@ struct OrganView::Parts {
   bool moving = false;
   bool held = false; ///< The mouse moves something.
   bool quick = false;
+  Shortcuts shortcuts;
   bool peeling = true;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
@@ -212,7 +213,7 @@ Eigen::Index OrganView::Parts::verticesSeen() const {
 /// One in how many vertices is drawn: a power of two, so that an organ more or less seldom makes another one.
 int OrganView::Parts::partDrawn() const {
   const Eigen::Index vertices = verticesSeen();
-  if (!hurries() || vertices <= kAllDrawnInMotion)
+  if (!hurries() || !shortcuts.fewerTriangles || vertices <= kAllDrawnInMotion)
     return 1;
   int part = 2;
   while (vertices > kDrawnInMotion * part)
@@ -223,7 +224,7 @@ int OrganView::Parts::partDrawn() const {
 /// Peeling draws the organs once for every layer. In a hurry a software renderer blends instead, the farther
 /// organs first; a cavity is farther than the wall around it.
 void OrganView::Parts::peelOrOrder(const Vec3& eye) {
-  const bool peel = !hurries();
+  const bool peel = !hurries() || !shortcuts.blending;
   for (const auto& organ : organs)
     organ->setDrawnWithoutPeeling(!peel);
   if (peel && !std::exchange(peeling, peel))
@@ -525,6 +526,10 @@ bool OrganView::moving() const {
 
 void OrganView::setFastDrawing(bool quick) {
   parts_->quick = quick;
+}
+
+void OrganView::setShortcuts(const Shortcuts& shortcuts) {
+  parts_->shortcuts = shortcuts;
 }
 
 bool OrganView::isSlow() const {

@@ -212,6 +212,17 @@ TEST(VolumeChart, OtherBandsLeaveTheCurvesAsTheyAre) {
   EXPECT_LT(comparePictures(without, drawn.picture(), 4).differing, 0.001);
 }
 
+TEST(VolumeChart, ABandThatWouldFlattenItsCurveIsLeftOutOfThePicture) {
+  DrawnChart drawn({kRed}, 1);
+  for (int i = 0; i <= 40; ++i)
+    drawn.chart.append(i / 40.0, Values::Constant(1, 50 + 0.25 * i));
+  const auto without = drawn.picture();
+  drawn.chart.setBands(0, {{{600, 900}, {}}});
+  EXPECT_LT(comparePictures(without, drawn.picture(), 4).differing, 0.01);
+  drawn.chart.setBands(0, {{{40, 70}, {}}});
+  EXPECT_GT(comparePictures(without, drawn.picture(), 4).differing, 0.1);
+}
+
 /// The rows in which letters of a pure colour, as names have it, stand right of the curves.
 std::set<int> nameRows(vtkImageData* picture, int channel) {
   std::set<int> rows;

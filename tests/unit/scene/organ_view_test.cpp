@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -348,6 +349,20 @@ TEST(OrganView, AQuickFrameOfManyVerticesHasFewerTrianglesAndNoSmoothEdges) {
   EXPECT_FALSE(window.view.isSlow());
 }
 
+TEST(OrganView, AQuickFrameHasAllTrianglesWhereThatShortcutIsOff) {
+  ViewInWindow window(200, 150);
+  const auto large = window.addOrgan(tests::sphere(7, 40));
+  window.view.setShortcuts({.fewerTriangles = false});
+  window.view.setMoving(true);
+  window.render();
+  EXPECT_EQ(large->polyData()->GetNumberOfPolys(), large->mesh().triangles.rows());
+  if (!rendersInSoftware(window.surface.window()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  window.view.setShortcuts({});
+  window.render();
+  EXPECT_LT(large->polyData()->GetNumberOfPolys(), large->mesh().triangles.rows() / 2);
+}
+
 /// A ball in a translucent one that is added first, and a translucent one far behind that is added last.
 struct BallInAGlass {
   BallInAGlass() : window(320, 240) {
@@ -389,6 +404,17 @@ TEST(OrganView, ThePictureAfterAMotionIsTheOneBeforeIt) {
   const auto before = scene.picture(false);
   scene.picture(true);
   EXPECT_EQ(comparePictures(before, scene.picture(false), 0).differing, 0);
+}
+
+TEST(OrganView, AMovingGlassIsPeeledWhereThatShortcutIsOff) {
+  BallInAGlass scene;
+  scene.picture(true); // Only a frame tells what draws here.
+  if (!rendersInSoftware(scene.window.surface.window()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  EXPECT_TRUE(scene.glass->actor()->GetForceOpaque()) << "it is drawn among the opaque ones";
+  scene.window.view.setShortcuts({.blending = false});
+  scene.picture(true);
+  EXPECT_FALSE(scene.glass->actor()->GetForceOpaque());
 }
 
 TEST(OrganView, LeavesOneWindowForAnother) {

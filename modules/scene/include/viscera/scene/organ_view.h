@@ -31,6 +31,13 @@ enum class StandardView { anterior, posterior, left, right, superior, inferior }
 StandardView standardViewFromName(const std::string& name);
 std::string nameOf(StandardView view);
 
+/// By what a software renderer draws sooner while something moves (`OrganView::setMoving`). Each is there to
+/// be switched off by a benchmark, which tells then within one run what it saves.
+struct Shortcuts {
+  bool fewerTriangles = true; ///< Of organs that have more than 50,000 vertices together.
+  bool blending = true;       ///< Of translucent organs, in place of peeling them.
+};
+
 /// The 3D view: renderer, lights, background, camera, orientation cube, scale bar, legend, handles. It draws
 /// into any vtkRenderWindow (Qt's, a plain one, a surfaceless one) and reads the density of the screen from
 /// the window's DPI (72 DPI is one device pixel a logical pixel). Belongs to the thread that renders it;
@@ -111,6 +118,8 @@ public:
   /// `isSlow`, takes it back after the frame, and renders once more when nothing else happens. Labels are
   /// laid out anew all the same.
   void setFastDrawing(bool quick);
+  /// Which shortcuts are taken then; all of them to begin with. From the next frame on.
+  void setShortcuts(const Shortcuts& shortcuts);
   /// Whether a whole, smooth frame takes long enough to be waited for: a software renderer draws more than
   /// 50,000 vertices. Never before the first frame. O(organs).
   bool isSlow() const;
