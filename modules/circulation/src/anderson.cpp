@@ -10,6 +10,7 @@ constexpr double kRankTolerance = 1e-9;
 
 Eigen::VectorXd Anderson::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image,
                                const Eigen::VectorXd& weights) {
+  // f_j = w (g(x_j) - x_j) by components.
   images_.push_back(image);
   residuals_.push_back(weights.cwiseProduct(image - x));
   if (static_cast<int>(images_.size()) > depth_ + 1) {
@@ -26,6 +27,7 @@ Eigen::VectorXd Anderson::next(const Eigen::VectorXd& x, const Eigen::VectorXd& 
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(differences);
   solver.setThreshold(kRankTolerance);
   const Eigen::VectorXd shares = solver.solve(residuals_.back());
+  // x = sum a_j g(x_j) = g_k - sum c_j (g_k - g_j), with a_j = c_j for the others and a_k = 1 - sum c_j.
   Eigen::VectorXd mixed = image;
   for (Eigen::Index j = 0; j < others; ++j)
     mixed -= shares[j] * (image - images_[static_cast<std::size_t>(j)]);

@@ -41,6 +41,8 @@ Circuit::Circuit(const Parameters& p, int steps)
   const double ventricular = endSystoleSeconds(p.rate);
   const double atrial = std::min(kAtrialPeak, kAtrialShare * period_);
   const double conduction = std::min(p.conduction, kAtrialShare * period_);
+  // After the slopes have met at 1/2 a beat leaves 1/2 exp(-f / tau), f the time since then. With all the
+  // beats before, T apart, that is 1/2 sum_k exp(-k T / tau) = 1/2 / (1 - exp(-T / tau)) at f = 0.
   const auto pump = [this](const Chamber& chamber, double start, double endSystole) {
     return Pump{chamber, start, endSystole, 0.5 / (1 - std::exp(-period_ / chamber.tau))};
   };
@@ -61,6 +63,9 @@ Circuit::Circuit(const Parameters& p, int steps)
 /// slope. What earlier beats have left goes on fading below it, which makes the curve continuous and periodic
 /// at every rate.
 Circuit::Activation Circuit::activation(const Pump& pump, double seconds) const {
+  // With f = t - t_es - (pi / 2) tau, this beat's own part 1/2 exp(-f / tau) goes on at f = 0 from
+  // (1 + cos((t - t_es) / tau)) / 2 with the same value, 1/2, and the same slope, -1 / (2 tau); half counts
+  // the earlier beats as well.
   const double since = wrapped(seconds - pump.start, period_);
   const double tau = pump.chamber.tau;
   const double past = since - pump.endSystole;
@@ -69,9 +74,12 @@ Circuit::Activation Circuit::activation(const Pump& pump, double seconds) const 
     const double value = pump.half * std::exp(-fading / tau);
     return {value, -value / tau};
   }
+  // Of the earlier beats alone: half less this beat's own 1/2.
   const double left = (pump.half - 0.5) * std::exp(-fading / tau);
   if (past >= 0)
     return {0.5 * (1 + std::cos(past / tau)) + left, -(0.5 * std::sin(past / tau) + left) / tau};
+  // e = (1 - cos(pi x (1 + k (1 - x)))) / 2, x = t / t_es: still from 0 to 1 with level ends but for what is
+  // left, and faster at first for k > 0.
   const double part = since / pump.endSystole;
   const double turn = std::numbers::pi * part * (1 + kSkew * (1 - part));
   const double pace = std::numbers::pi * (1 + kSkew * (1 - 2 * part)) / pump.endSystole;
@@ -79,6 +87,9 @@ Circuit::Activation Circuit::activation(const Pump& pump, double seconds) const 
 }
 
 Instant Circuit::instant(const State& state, double seconds) const {
+  // The four chambers share the pericardium's P_0 exp((sum V_i + fluid - room) / scale), on which each adds
+  // (1 - e) a (exp(b (V - V0)) - 1) + e Ees (V - V0): relaxed and contracted muscle, mixed by the activation
+  // e.
   Instant now;
   double heart = fluid_ - room_;
   for (std::size_t i = 0; i < kChambers; ++i)
@@ -92,6 +103,7 @@ Instant Circuit::instant(const State& state, double seconds) const {
     now.pressure[i] = now.pericardium + (1 - e) * c.a * (std::exp(c.b * stretch) - 1) + e * c.ees * stretch;
   }
   using enum Compartment;
+  // P = V / C, and Q = (P_from - P_to) / R between neighbours.
   const auto vessel = [&](Compartment c, double compliance) {
     return now.pressure[at(c)] = state[at(c)] / compliance;
   };
@@ -103,6 +115,7 @@ Instant Circuit::instant(const State& state, double seconds) const {
   now.pulmonaryFlow = (lungArteries - lungVeins) / pulmonary_.resistance;
   now.systemicReturn = (veins - now.pressure[at(ra)]) / systemic_.veinResistance;
   now.pulmonaryReturn = (lungVeins - now.pressure[at(la)]) / pulmonary_.veinResistance;
+  // At the root of an artery P = V / C + Z Q, Z its characteristic impedance.
   for (std::size_t i = 0; i < kValves; ++i) {
     const Gate& gate = gates_[i];
     now.pressure[gate.to] += gate.impedance * state[kCompartments + i];
@@ -113,6 +126,7 @@ Instant Circuit::instant(const State& state, double seconds) const {
 
 void Circuit::rates(const State& state, const Instant& now, State& rates) const {
   using enum Compartment;
+  // dV/dt = Q_in - Q_out: what one loses the other gets, so that the sum of the volumes stays.
   for (std::size_t i = 0; i < kCompartments; ++i)
     rates[i] = 0;
   const auto move = [&rates](std::size_t from, std::size_t to, double flow) {
@@ -132,6 +146,7 @@ void Circuit::rates(const State& state, const Instant& now, State& rates) const 
     const double area = openArea(gate.areas, opening);
     rates[kCompartments + i] = now.gradient[i] * kDynPerMmHg * area / (kBloodDensity * gate.length) -
                                flow * std::abs(flow) / (2 * gate.length * area);
+    // dz/dt = k (1 - z) for a gradient that opens, k z with k < 0 for one that shuts: z stays within 0 and 1.
     rates[kCompartments + kValves + i] =
         leafletPace(now.gradient[i]) * (now.gradient[i] > 0 ? 1 - opening : opening);
   }
@@ -139,6 +154,9 @@ void Circuit::rates(const State& state, const Instant& now, State& rates) const 
 
 std::array<double, kChambers + 1> Circuit::powers(const State& state, const Instant& now,
                                                   const State& rates) const {
+  // dW/dt = -P dV/dt of each chamber; lost is sum (P_from - P_to) Q over every connection, of elastic
+  // pressures alone: Z belongs to the loss, and is added to the gradient that it was taken from. Over a
+  // periodic beat the elastic vessels give back what they took, so that sum W = int lost.
   std::array<double, kChambers + 1> powers{};
   for (std::size_t i = 0; i < kChambers; ++i)
     powers[i] = -now.pressure[i] * rates[i];
@@ -156,6 +174,8 @@ std::array<double, kChambers + 1> Circuit::powers(const State& state, const Inst
 
 std::array<double, kChambers> Circuit::pressureRates(const State& state, double seconds,
                                                      const State& change) const {
+  // dP/dt of `instant` by the chain rule: P_peri (sum dV/dt) / scale + de/dt
+  // (Ees (V - V0) - a (exp(b (V - V0)) - 1)) + ((1 - e) a b exp(b (V - V0)) + e Ees) dV/dt.
   double heart = fluid_ - room_;
   double heartRate = 0;
   for (std::size_t i = 0; i < kChambers; ++i) {

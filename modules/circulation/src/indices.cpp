@@ -34,6 +34,8 @@ double extreme(const Curve& curve, double sign) {
   for (std::size_t i = 0; i < n; ++i)
     if (sign * curve[i] > sign * curve[top])
       top = i;
+  // y(s) = y_0 + slope s + bend s^2 / 2 through the three samples has its vertex at s = -slope / bend, where
+  // y = y_0 - slope^2 / (2 bend).
   const double before = curve[(top + n - 1) % n];
   const double after = curve[(top + 1) % n];
   const double bend = before - 2 * curve[top] + after;
@@ -60,9 +62,9 @@ double smallest(const Curve& curve) {
   return extreme(curve, -1);
 }
 
-/// -integral of P dV around the loop, J: both curves taken as cubic polynomials of time between samples,
-/// which the known rates make. The product's integral is that of Simpson's rule with the middle and the
-/// rates, exact for such P and V'.
+/// -int P dV = -int P V' dt around the loop, J, by Simpson's rule, h / 6 (f0 + 4 fm + f1) of each interval.
+/// The middle is that of the cubic polynomials of time which the known rates make of both curves: the error
+/// falls with h^4.
 double loopArea(const Beat& beat, std::size_t chamber, const std::array<Curve, kChambers>& volumeRates) {
   const Curve& p = beat.pressure[chamber];
   const Curve& pRate = beat.pressureRate[chamber];
@@ -72,6 +74,7 @@ double loopArea(const Beat& beat, std::size_t chamber, const std::array<Curve, k
   double sum = 0;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
     const double p0 = p[i], p1 = p[i + 1];
+    // P_m = (P_0 + P_1) / 2 + h / 8 (P_0' - P_1'), V_m' = 3 (V_1 - V_0) / (2 h) - (V_0' + V_1') / 4.
     const double pMiddle = 0.5 * (p0 + p1) + h / 8 * (pRate[i] - pRate[i + 1]);
     const double vMiddleRate = 1.5 * (v[i + 1] - v[i]) / h - 0.25 * (vRate[i] + vRate[i + 1]);
     sum += h / 6 * (p0 * vRate[i] + 4 * pMiddle * vMiddleRate + p1 * vRate[i + 1]);
@@ -126,6 +129,7 @@ std::optional<ValveTimes> valveTimes(const Beat& beat, const Curve& open) {
   for (std::size_t i = 1; i < open.size(); ++i) {
     const double from = open[i - 1] - kOpen, to = open[i] - kOpen;
     if ((from > 0) != (to > 0))
+      // from + s (to - from) = 0 at s = from / (from - to).
       crossings.emplace_back(beat.time[i - 1] + (beat.time[i] - beat.time[i - 1]) * from / (from - to),
                              to > 0);
   }
@@ -160,6 +164,7 @@ std::pair<double, double> gradients(const Curve& flow, const Curve& from, const 
 /// What flows against the valve's direction over a beat, ml.
 double backward(const Beat& beat, Valve valve) {
   double sum = 0;
+  // -int min(0, Q) dt by even samples of one period, where the trapezium rule is a plain sum.
   for (std::size_t i = 0; i + 1 < beat.time.size(); ++i)
     sum -= std::min(0.0, beat.flowOf(valve)[i]);
   return sum * (beat.time[1] - beat.time[0]);
@@ -179,6 +184,8 @@ double whereFalls(const Curve& along, double level, const Curve& curve) {
 /// The time constant of the left ventricle's pressure while it relaxes, above whatever it falls to: pressure
 /// against its rate at two instants.
 double relaxation(const Beat& beat) {
+  // P = P_end + c exp(-t / tau) makes dP/dt = -(P - P_end) / tau: between two instants P_end drops out, and
+  // tau = (P_1 - P_2) / (dP/dt_2 - dP/dt_1).
   const Curve& e = beat.activation[at(Compartment::lv)];
   const Curve& p = beat.pressureOf(Compartment::lv);
   const Curve& rate = beat.pressureRate[at(Compartment::lv)];
@@ -218,6 +225,7 @@ Indices indicesOf(const Parameters& parameters, const Beat& beat) {
     indices.chambers[i] = chamberIndices(beat, i, volumeRates);
   indices.aorta = arteryIndices(beat.pressureOf(systemicArteries));
   indices.pulmonaryArtery = arteryIndices(beat.pressureOf(pulmonaryArteries));
+  // SV = int Q_aortic dt, what leaks back taken off, and CO = SV HR.
   indices.forwardStrokeMl = meanOf(beat.flowOf(Valve::aortic)) * beat.period;
   indices.cardiacOutputLMin = indices.forwardStrokeMl * parameters.rate / 1000;
   indices.mitralRegurgitationMl = backward(beat, Valve::mitral);
@@ -234,6 +242,7 @@ Indices indicesOf(const Parameters& parameters, const Beat& beat) {
   indices.relaxationSeconds = relaxation(beat);
   const Curve& e = beat.activation[at(lv)];
   const auto endSystole = static_cast<std::size_t>(std::max_element(e.begin(), e.end()) - e.begin());
+  // Ea = P_es / SV, with P_es where the activation is largest; Ea / Ees is the coupling.
   indices.arterialElastance = beat.pressureOf(lv)[endSystole] / left.svMl;
   indices.couplingRatio = indices.arterialElastance / parameters.lv.ees;
   return indices;

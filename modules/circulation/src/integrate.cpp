@@ -77,6 +77,8 @@ Beat recordBeat(const Circuit& circuit, const State& start, int samples, int sub
   reserve(beat, static_cast<std::size_t>(samples) + 1);
   StateAndWork stateAndWork{};
   std::copy(start.begin(), start.end(), stateAndWork.begin());
+  // dW/dt = -P dV/dt beside dy/dt = f(y, t), by the same steps: the energy balance is as accurate as the
+  // beat.
   const auto system = [&circuit](const StateAndWork& y, StateAndWork& change, double t) {
     const State state = stateOf(y);
     const Instant now = circuit.instant(state, t);

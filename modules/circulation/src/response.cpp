@@ -17,6 +17,8 @@ std::vector<ResponsePoint> responseTo(const Parameters& parameters, const std::s
     setParameter(changed, name, values[i]);
     Progress quiet;
     progress.throwIfCancelled();
+    // y(T; y_0) = y_0 at this value. The solution moves little from one value to the next, so that each
+    // search begins with the one before.
     const PeriodicState found = findPeriodicState(changed, quiet, {}, nearby ? &*nearby : nullptr);
     if (!found.converged)
       throw DataError(found.failureReason, name + "=" + significant(values[i], 6));

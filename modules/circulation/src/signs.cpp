@@ -65,6 +65,8 @@ std::pair<double, double> stiffestFilling(const Chamber& lv, const Beat& beat, d
   for (std::size_t i = 0; i + 1 < beat.time.size(); ++i) {
     if (beat.time[i] < from || beat.time[i] >= to)
       continue;
+    // dP/dt = (dP/dV) Q, with dP/dV = a b exp(b (V - V0)) = b (P + a) of the relaxed P = a
+    // (exp(b (V - V0)) - 1).
     const double stiffness = lv.b * (relaxedPressure(lv, beat.volumeOf(Compartment::lv)[i]) + lv.a);
     const double rise = stiffness * beat.flowOf(Valve::mitral)[i];
     if (rise > best) {
@@ -77,6 +79,7 @@ std::pair<double, double> stiffestFilling(const Chamber& lv, const Beat& beat, d
 
 /// Speed of the blood in the narrowest part of a valve, m/s.
 double jet(const ValveAreas& areas, double flow, double open) {
+  // v = |Q| / A in cm/s; what seeps through a shut valve is no jet.
   const double area = openArea(areas, open);
   return area > 10 * kShutArea ? std::abs(flow) / area / 100 : 0;
 }
@@ -93,6 +96,7 @@ double noise(double seconds) {
 } // namespace
 
 double electrocardiogram(const Parameters& parameters, double seconds) {
+  // sum_i h_i exp(-(t - c_i)^2 / (2 w_i^2)), each to the nearest repetition of its wave.
   double sum = 0;
   for (const Wave& wave : wavesOf(parameters)) {
     const double x = distance(seconds, wave.center, 60 / parameters.rate) / wave.width;
@@ -133,6 +137,8 @@ std::vector<double> phonocardiogram(const Parameters& parameters, const Beat& be
     const double now = beat.time[i];
     double sum = 0;
     for (const HeartSound& sound : sounds) {
+      // L exp(-t / tau) sin(2 pi f t) from the beginning of the sound, also where that was in the beat
+      // before.
       const double since = now - sound.seconds + (now < sound.seconds ? beat.period : 0);
       sum += sound.loudness * std::exp(-since / sound.fading) *
              std::sin(2 * std::numbers::pi * sound.frequency * since);

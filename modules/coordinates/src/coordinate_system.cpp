@@ -48,6 +48,7 @@ CoordinateGradients CoordinateSystem::gradients(const HandleSet& handles, const 
     const Values values = binding->influence(static_cast<int>(handle));
     for (Eigen::Index point = 0; point < points.rows(); ++point)
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        // da/dx = (a(x + h) - a(x - h)) / (2 h), but for h^2 / 6 of the third derivative.
         const Eigen::Index forward = point * kOffsets + 2 * axis;
         result.values(point * count + handle, axis) = (values[forward] - values[forward + 1]) / (2 * step);
       }

@@ -19,6 +19,7 @@ double slopeAt(const std::array<double, 4>& c, double s) {
 
 /// Where the cubic turns between 0 and `end`, ascending in |s|.
 std::vector<double> turningPoints(const std::array<double, 4>& c, double end) {
+  // 3 c_3 s^2 + 2 c_2 s + c_1 = 0.
   const double a = 3 * c[3], b = 2 * c[2], d = c[1];
   std::vector<double> turns;
   const double discriminant = b * b - 4 * a * d;

@@ -23,6 +23,8 @@ void ExactSum::add(double value) {
     limbs_[kDigits] += 1;
     return;
   }
+  // A double is mantissa 2^(exponent - 1) times 2^-1074, with the leading 1 but where the exponent is 0; limb
+  // i counts 2^(32 i) times that.
   if (exponent > 0)
     mantissa |= std::uint64_t{1} << 52;
   else

@@ -33,6 +33,8 @@ struct BroydenSearch {
     }
     if (bestError <= accuracy)
       return false;
+    // J = J + (dr - J s) s^T / |s|^2 is the least change with which J s is the change dr of the residual that
+    // was seen; then s = -J^-1 r.
     if (started && step.squaredNorm() > 0)
       derivative += (left - residual - derivative * step) * step.transpose() / step.squaredNorm();
     if (std::abs(derivative.determinant()) < kSmallestDeterminant)

@@ -196,6 +196,7 @@ private:
       (before ? lowDistance : highDistance) = distance;
       if (lowDistance == highDistance)
         break;
+      // The false position: d is taken for linear between the two ends, d_low / (d_low - d_high) of the way.
       part = low + (high - low) * std::clamp(lowDistance / (lowDistance - highDistance), 0.0, 1.0);
     }
     part = std::clamp(part, 0.5 * kSnap, 1 - 0.5 * kSnap);

@@ -129,6 +129,8 @@ WitnessMesh gridWitnesses(const geometry::TriangleMesh& surface, int wanted, Pro
   const geometry::WindingNumber winding(surface);
   const double mostNodes = std::max(kManyNodes, kMostNodesPerWitness * wanted);
   const double finest = std::cbrt(extent.prod() / mostNodes);
+  // n = V / h^3 points of a grid of spacing h lie in the volume V; and so h grows by (n / wanted)^1/3 from
+  // one grid to the next.
   double spacing = std::cbrt(estimatedVolume(winding, box, progress, threads) / wanted);
   WitnessMesh best;
   for (int round = 0; round < kMostGridRounds; ++round) {

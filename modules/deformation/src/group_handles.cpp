@@ -131,6 +131,8 @@ Points farthestSeeds(const Points& points, int count) {
   return seeds;
 }
 
+/// Lloyd's iteration for the least sum of squared distances: each point to its nearest centre, each centre to
+/// the mean of its points.
 Points clusterCenters(const Points& points, int count) {
   Points centers = farthestSeeds(points, count);
   for (int round = 0; round < kMeansRounds; ++round) {

@@ -51,6 +51,8 @@ private:
     double part = 1;
     for (Eigen::Index f = 0; f < planes.rows(); ++f) {
       const Vec3 normal = planes.row(f).head<3>().transpose();
+      // n . (m + t way) + offset <= -margin: t is at most room / (n . way) where the way leads towards the
+      // plane.
       const double room = -(normal.dot(middle_) + planes(f, 3)) - kWithinHull * hull_.diagonal();
       const double wanted = normal.dot(way);
       if (wanted > room)

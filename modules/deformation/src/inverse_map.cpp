@@ -43,6 +43,8 @@ struct Solver {
     }
     rest = guess;
     RestField::Motion motion = field.motionAt(rest);
+    // Newton's method for r(x) = x + u(x) - y = 0: s = -(I + grad u)^-1 r, shortened until |r| falls; where
+    // space is nearly folded s = -r, the fixed point's step.
     Vec3 residual = rest + motion.displacement - posed;
     Answer best{rest, residual.norm(), motion.gradient};
     for (int step = 0; step < kMostSteps && best.off > solved; ++step) {

@@ -26,6 +26,8 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// The deviator of the symmetric part as six numbers whose squares add up to its squared norm.
 Vec6 deviator(const Mat3& m) {
+  // dev sym M; each off-diagonal (M_ij + M_ji) / 2 counts twice in the norm, which the factor sqrt(2) does
+  // for the one that is kept.
   const double mean = m.trace() / 3;
   const double half = 1 / std::numbers::sqrt2;
   Vec6 d;
@@ -39,6 +41,8 @@ struct Polar {
   Mat3 rotation;
   double scale;
   explicit Polar(const Mat3& m) {
+    // M = U diag(s) V^T has the nearest rotation U V^T; of a folded M the one with the column of the smallest
+    // s turned around, which changes |M - R| least. The scale is tr S / 3 = tr(R^T M) / 3.
     const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
     rotation = svd.matrixU() * svd.matrixV().transpose();
     if (rotation.determinant() < 0) {
@@ -93,6 +97,9 @@ LeastStress::Quadratic LeastStress::quadratic(const Points& pose, const std::vec
       const Mat3 m = gradients_->deformationGradient(w, pose);
       const Polar polar(m);
       const Mat3 turned = polar.rotation.transpose() / polar.scale;
+      // M(u) = M + sum_i u_i g_i^T with g_i = grad a_i. R and t = tr S / 3 held, dev sym(R^T M(u)) / t =
+      // d + A u, where the column of handle i and axis k is dev sym(R^T e_k g_i^T) / t; |d + A u|^2 / 2 gives
+      // Q = A^T A and c = A^T d.
       for (std::size_t i = 0; i < free.size(); ++i) {
         const Eigen::RowVector3d g = gradients_->gradient(w, free[i]).transpose();
         for (Eigen::Index axis = 0; axis < 3; ++axis)
@@ -114,6 +121,7 @@ LeastStress::Quadratic LeastStress::quadratic(const Points& pose, const std::vec
 
 Points LeastStress::direction(const Points& pose, const Points& gradient,
                               const std::vector<int>& free) const {
+  // min u^T Q u / 2 under g . u = dV: u = dV Q^-1 g / (g . Q^-1 g), of which the direction is asked for.
   const Quadratic model = quadratic(pose, free);
   return spread(model.q.ldlt().solve(gathered(gradient, free)), free, pose.rows());
 }
@@ -123,6 +131,7 @@ Points LeastStress::relaxation(const Points& pose, const Points& gradient,
   const Quadratic model = quadratic(pose, free);
   const auto solver = model.q.ldlt();
   const Values g = gathered(gradient, free);
+  // min u^T Q u / 2 + c . u under g . u = 0: u = -Q^-1 c - l Q^-1 g with l = -(g . Q^-1 c) / (g . Q^-1 g).
   const Values down = -solver.solve(model.c), across = solver.solve(g);
   const double slope = g.dot(across);
   const Values motion = slope > 0 ? Values(down - g.dot(down) / slope * across) : down;

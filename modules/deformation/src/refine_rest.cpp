@@ -65,6 +65,7 @@ Points exactDisplacements(const RestField& field, const coordinates::CoordinateS
   parallelRanges(count, kSamplesAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i) {
       const Vec3 at = searches[static_cast<std::size_t>(i)].at, entry = entries.row(i).transpose();
+      // u(x) = u_field(x) + part(x) (u_exact(e) - u_field(e)), with e the place x pulled into the hull.
       const Vec3 off = moved.row(i).transpose() - entry - field.displacementAt(entry);
       moved.row(i) = (field.displacementAt(at) + field.exactPart(at) * off).transpose();
     }

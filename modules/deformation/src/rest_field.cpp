@@ -73,6 +73,8 @@ Vec3 VectorGrid::at(const Vec3& point, Eigen::Matrix3d* gradient) const {
   const auto alongX = [&, p = part[0]](Eigen::Index offset) -> Vec3 {
     return node(offset) + p * (node(offset + 1) - node(offset));
   };
+  // Trilinear: u = sum of the corners' u_c with the products of part or 1 - part. The column of the gradient
+  // for an axis has the difference of its two sides in place of their mix, over the spacing.
   const Vec3 x00 = alongX(0), x10 = alongX(strideY), x01 = alongX(strideZ), x11 = alongX(strideZ + strideY);
   const Vec3 y0 = x00 + part[1] * (x10 - x00), y1 = x01 + part[1] * (x11 - x01);
   if (gradient != nullptr) {
@@ -287,6 +289,7 @@ double RestField::setBoundNodes(const Points& moved) {
     if (node.outside)
       border = std::max(border, row.squaredNorm());
     if (node.second >= 0)
+      // Linear beyond the hull: u(p) = 2 u(e) - u(2 e - p), e where the hull is entered.
       row = 2 * moved.row(node.first) - moved.row(node.second);
   }
   for (const NeighbourMeanNode& mean : neighbourMeans_) {
@@ -437,6 +440,7 @@ std::vector<Eigen::Index> RestField::findFoldedCells() const {
                      const Eigen::Index cell = boundNodes_[n].node;
                      if (wholeCells_[static_cast<std::size_t>(cell)] == 0)
                        continue;
+                     // det(I + grad u) in the middle of the cell, times (4 h)^3.
                      Eigen::Matrix3d edges; // Four of each direction, summed.
                      edges.setZero();
                      const auto corners = cornersOf(inner_, cell);

@@ -47,6 +47,8 @@ StressPolynomial::StressPolynomial(double lowest)
       rows.row(next) = monomials(s1, s3, lowest);
       values[next] = stressDegrees(s1, (s1 + s3) / 2, s3);
     }
+  // Lawson's iteration for the least largest error: min sum w_k (P(x_k) - y_k)^2, and w_k grows by |P(x_k) -
+  // y_k| before the next.
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(kCount) / static_cast<double>(kCount);
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::VectorXd root = weights.cwiseSqrt();
@@ -72,6 +74,8 @@ double stressDegrees(double s1, double s2, double s3) {
 }
 
 double searchedStressDegrees(double s1, double s2, double s3) {
+  // The largest angle between w and S w, cos = w . S w / |S w|; by symmetry an eighth of the sphere is
+  // enough.
   const Eigen::Array3d stretch(s1, s2, s3);
   double smallestCosine = 1;
   for (int tilt = 0; tilt <= kDirections; ++tilt)

@@ -90,6 +90,7 @@ private:
     Eigen::Matrix3d edges;
     for (int k = 0; k < 3; ++k)
       edges.col(k) = mesh_.points.row(mesh_.tetrahedra(t, k + 1)).transpose() - origin;
+    // x = o + E (b_1, b_2, b_3), and b_0 takes what is left of 1.
     const Vec3 inner = edges.inverse() * (target - origin);
     const Eigen::RowVector4d weights(1 - inner.sum(), inner[0], inner[1], inner[2]);
     const double least = weights.minCoeff();

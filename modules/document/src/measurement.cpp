@@ -45,6 +45,7 @@ Vec3 nearestInTriangle(const Corners& corners, const Vec3& place) {
   const Vec3 normal = u.cross(v);
   const double square = normal.squaredNorm();
   if (square > 0) {
+    // b_1 = (w x v) . n / |n|^2 and b_2 = (u x w) . n / |n|^2, with n = u x v.
     const Vec3 w = place - corners.col(0);
     const double second = w.cross(v).dot(normal) / square;
     const double third = u.cross(w).dot(normal) / square;

@@ -88,6 +88,7 @@ public:
 
 private:
   void addMiddle(const Loop& loop) {
+    // (sum |e| (a + b) / 2) / sum |e| over the edges e = b - a of the rim: the centroid of a wire along it.
     Vec3 point = Vec3::Zero(), color = Vec3::Zero(), evenly = Vec3::Zero();
     double length = 0;
     const bool colored = mesh_.colors.rows() == mesh_.points.rows();

@@ -7,6 +7,7 @@ namespace viscera::geometry {
 Vec3 closestPointOfSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2 = ab.squaredNorm();
+  // |a + t ab - p|^2 is least at t = (p - a) . ab / |ab|^2; beyond the ends, at an end.
   const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
   return a + t * ab;
 }

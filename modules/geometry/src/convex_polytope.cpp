@@ -59,6 +59,8 @@ ConvexPolytope ConvexPolytope::hullOf(const Points& all, double tolerance) {
   polytope.tolerance_ = tolerance;
   const Points points = withoutRepeats(all, tolerance);
   const Points centered = points.rowwise() - points.colwise().mean();
+  // The principal axes, by the eigenvectors of sum (p - m)(p - m)^T: how far the points reach along them
+  // tells whether they fill space, a plane or a line.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centered.transpose() * centered);
   const Eigen::Matrix3d axes = solver.eigenvectors(); // Ascending: the last column is the longest direction.
   const Vec3 extent = (centered * axes).cwiseAbs().colwise().maxCoeff().transpose();
@@ -177,6 +179,8 @@ void ConvexPolytope::clippedEdges(const ConvexPolytope& by, std::vector<Vec3>& e
     for (const auto& plane : by.planes_) {
       const double atA = plane.head<3>().dot(a) + plane[3] - slack,
                    atB = plane.head<3>().dot(b) + plane[3] - slack;
+      // h(a + t (b - a)) = h_a + t (h_b - h_a) = 0 at t = h_a / (h_a - h_b), h the height above a plane;
+      // inside is h <= 0.
       if (atA > 0 && atB > 0)
         low = 2;
       else if (atA > 0)

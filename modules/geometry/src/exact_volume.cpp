@@ -12,6 +12,7 @@ double product(const Vec3& a, const Vec3& b, const Vec3& c) {
 } // namespace
 
 void ExactVolume::addTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  // 6 V = sum det(a - o, b - o, c - o), by Gauss's theorem the same for any o where the surface is closed.
   sixfold_.add(product(a - origin_, b - origin_, c - origin_));
 }
 
@@ -20,6 +21,8 @@ void ExactVolume::addTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, co
 }
 
 void ExactVolumeAlong::addCubic(const Eigen::Matrix3d& at, const Eigen::Matrix3d& by) {
+  // det(a + s u, b + s v, c + s w) by powers of s: det(a, b, c), then det(u, b, c) + det(a, v, c) +
+  // det(a, b, w), then det(a, v, w) + det(u, b, w) + det(u, v, c), and det(u, v, w).
   const Vec3 a = at.col(0), b = at.col(1), c = at.col(2), u = by.col(0), v = by.col(1), w = by.col(2);
   sixfold_[0].add(product(a, b, c));
   sixfold_[1].add(product(u, b, c));

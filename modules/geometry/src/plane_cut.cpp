@@ -168,6 +168,7 @@ private:
     const Vec3 a = points_.row(static_cast<Index>(edge >> 32)).transpose();
     const Vec3 b = points_.row(static_cast<Index>(edge & 0xffffffffu)).transpose();
     const double below = plane_.height(a), above = plane_.height(b);
+    // h_a + t (h_b - h_a) = 0 at t = h_a / (h_a - h_b).
     const double part = below == above ? 0.5 : std::clamp(below / (below - above), 0.0, 1.0);
     return a + part * (b - a);
   }
@@ -267,6 +268,8 @@ bool isInside(const PlaneCut& cut, const Plane& plane, const Vec3& point) {
       const double y0 = along.dot(before), y1 = along.dot(now);
       if ((y0 > 0) != (y1 > 0)) {
         const double x0 = across.dot(before), x1 = across.dot(now);
+        // Where the line crosses y = 0, at x_0 + (x_1 - x_0) y_0 / (y_0 - y_1), to the right of the point: an
+        // odd number of times from inside.
         inside ^= x0 + (x1 - x0) * y0 / (y0 - y1) > 0;
       }
       before = now;

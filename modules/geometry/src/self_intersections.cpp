@@ -29,6 +29,7 @@ int sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
+/// a b = fl(a b) + fma(a, b, -fl(a b)), without an error.
 void addProduct(ExactSum& sum, double a, double b) {
   const double product = a * b;
   sum.add(product);
@@ -52,6 +53,8 @@ void addDeterminant(ExactSum& sum, double factor, const Vec3& a, const Vec3& b, 
 
 /// What `side` is where rounding could have made its determinant: without rounding.
 int exactSide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  // det(a - d, b - d, c - d) = det(a, b, c) - det(d, b, c) - det(a, d, c) - det(a, b, d), where nothing is
+  // subtracted before it is summed exactly.
   ExactSum sum;
   addDeterminant(sum, 1, a, b, c);
   addDeterminant(sum, -1, d, b, c);
@@ -62,6 +65,8 @@ int exactSide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 /// The side of the plane through a, b, c on which d is.
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  // The sign of det(a - d, b - d, c - d), expanded along its last row. Rounding changes it by less than
+  // kBound3 times the same sum of magnitudes (the permanent).
   const Vec3 x = a - d, y = b - d, z = c - d;
   const Vec3 minors(y[0] * z[1] - y[1] * z[0], z[0] * x[1] - z[1] * x[0], x[0] * y[1] - x[1] * y[0]);
   const Vec3 sizes(std::abs(y[0] * z[1]) + std::abs(y[1] * z[0]),
@@ -84,6 +89,7 @@ public:
   }
 
   int side(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    // The sign of (a - c) x (b - c) in the plane, in the same way.
     const double left = (a[u_] - c[u_]) * (b[v_] - c[v_]);
     const double right = (a[v_] - c[v_]) * (b[u_] - c[u_]);
     const double value = left - right;
@@ -91,6 +97,7 @@ public:
   }
 
   bool inside(const Vec3& p, const CornerPoints& t) const {
+    // Never left of one edge and right of another.
     const std::array<int, 3> sides = {side(t[0], t[1], p), side(t[1], t[2], p), side(t[2], t[0], p)};
     const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
     return *low >= 0 || *high <= 0;
@@ -122,6 +129,8 @@ private:
 };
 
 bool segmentMeets(const Vec3& p, const Vec3& q, const CornerPoints& t) {
+  // The ends lie on either side of the plane, and the line p q passes the three edges on one side: the
+  // tetrahedra (p, q, t_i, t_i+1) have no opposite signs.
   const int atP = side(t[0], t[1], t[2], p), atQ = side(t[0], t[1], t[2], q);
   if (atP * atQ > 0)
     return false;
@@ -206,6 +215,8 @@ private:
         static_cast<std::size_t>(std::min_element(partner.begin(), partner.end()) - partner.begin());
     const Vec3 &from = a[(i + 1) % 3], &to = a[(i + 2) % 3];
     const auto k = static_cast<std::size_t>(3 - partner[(i + 1) % 3] - partner[(i + 2) % 3]);
+    // In one plane, and on the same side of the common edge: the normals of both, each taken along that edge,
+    // agree.
     return side(from, to, a[i], b[k]) == 0 &&
            (to - from).cross(a[i] - from).dot((to - from).cross(b[k] - from)) > 0;
   }

@@ -57,6 +57,8 @@ SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_
       const int b = mesh_->triangles(t, (k + 2) % 3);
       const double angle = angleAt(p[static_cast<std::size_t>(k)], p[static_cast<std::size_t>((k + 1) % 3)],
                                    p[static_cast<std::size_t>((k + 2) % 3)]);
+      // n_v = sum theta_t n_t with the triangles' angles at the vertex; at an edge both angles are pi, and
+      // n_1 + n_2 has their direction.
       vertexNormals_.row(mesh_->triangles(t, k)) += angle * normal.transpose();
       edges.try_emplace(std::minmax(a, b), Vec3::Zero()).first->second += normal;
     }
@@ -88,6 +90,7 @@ int SignedDistance::grow(int begin, int end, const Points& middles) {
   branches_.push_back(branch);
   if (end - begin <= kLeafSize)
     return index;
+  // Halves of as many triangles, cut across the longest side of the box.
   Eigen::Index axis = 0;
   (branch.high - branch.low).maxCoeff(&axis);
   const int middle = begin + (end - begin) / 2;
@@ -124,6 +127,7 @@ SignedDistance::Hit SignedDistance::find(const Vec3& point) const {
       }
       continue;
     }
+    // The nearer child is taken from the stack first: what it finds rules out more of the other.
     const double left2 = branches_[static_cast<std::size_t>(index + 1)].distance2(point);
     const double right2 = branches_[static_cast<std::size_t>(branch.right)].distance2(point);
     const bool leftFirst = left2 <= right2;
@@ -149,6 +153,7 @@ Vec3 SignedDistance::pseudonormal(const Hit& hit) const {
 }
 
 double SignedDistance::operator()(const Vec3& point) const {
+  // d = sign((p - c) . n) |p - c|, with the nearest point c and the pseudonormal n there.
   const Hit hit = find(point);
   const Vec3 away = point - hit.point;
   return away.dot(pseudonormal(hit)) < 0 ? -away.norm() : away.norm();

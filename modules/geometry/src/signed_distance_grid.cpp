@@ -112,6 +112,8 @@ void smoothenAlong(const SignedDistanceGrid& grid, std::size_t axis, const std::
                      const auto place = i / stride % grid.size[axis];
                      const float before = from[std::size_t(place > 0 ? i - stride : i)];
                      const float after = from[std::size_t(place + 1 < grid.size[axis] ? i + stride : i)];
+                     // d = (d_-1 + 2 d_0 + d_+1) / 4: a pass widens like a Gaussian of variance h^2 / 2; the
+                     // ends stand in for what is beyond them.
                      to[std::size_t(i)] = 0.25f * (before + 2 * from[std::size_t(i)] + after);
                    }
                  });
@@ -127,6 +129,8 @@ SignedDistanceGrid signedDistanceGrid(const TriangleMesh& surface, double spacin
   parallelRanges(static_cast<Eigen::Index>(slabs.size()), 1, threads, [&](Eigen::Index slab, Eigen::Index) {
     const int first = static_cast<int>(slab) * kSlab;
     const int last = std::min(first + kSlab, grid.size[2]) - 1;
+    // |d| = min over the triangles of the distance to each, cut off at the band, and d < 0 where the winding
+    // number is above 1/2.
     for (const std::int32_t t : slabs[static_cast<std::size_t>(slab)])
       lower(grid, cornersOf(surface.points, surface.triangles, t), first, last);
     auto value = grid.values.begin() + std::ptrdiff_t(first) * grid.size[0] * grid.size[1];

@@ -149,6 +149,8 @@ Values harmonic(const TriangleMesh& mesh, const Values& fromOne, const Values& f
       const Vec3 u = (mesh.points.row(a) - mesh.points.row(c)).transpose();
       const Vec3 v = (mesh.points.row(b) - mesh.points.row(c)).transpose();
       const double area2 = u.cross(v).norm();
+      // At a free vertex sum over its edges of (cot alpha + cot beta) / 2 (u_a - u_b) = 0, with the angles
+      // opposite to the edge; cot = u . v / |u x v|. The halves drop out.
       const double weight = std::clamp(area2 > 0 ? u.dot(v) / area2 : 0.0, kLeastWeight, 1 / kLeastWeight);
       for (const auto& [row, other] : {std::pair(a, b), std::pair(b, a)}) {
         const int i = unknown[static_cast<std::size_t>(row)];
@@ -255,6 +257,8 @@ private:
     Slice slice{middle, normal.norm()};
     if (!(slice.area > 0))
       return slice;
+    // c = sum A_i c_i / A with the fan's triangles, A_i their signed areas along the loop's area vector: a
+    // part of a dented loop that the fan covers twice counts once.
     Vec3 moment = Vec3::Zero();
     for (const Segment* segment : loop) {
       const double part = 0.5 * (segment->from - middle).cross(segment->to - middle).dot(normal) / slice.area;

@@ -74,6 +74,7 @@ void volumeGradient(const Points& points, const Triangles& triangles, const Vert
   parallelRanges(points.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
     const double* data = points.data();
     for (Eigen::Index v = begin; v < end; ++v) {
+      // 6 dV/dp = sum b x c over the triangles (p, b, c) around p.
       // Relative to the vertex itself the products stay as small as its triangles, so nothing cancels; the
       // sum over a closed fan is the same from any origin.
       const double* p = data + 3 * v;

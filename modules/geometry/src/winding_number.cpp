@@ -112,6 +112,8 @@ double WindingNumber::operator()(const Vec3& point) const {
     const Tree::Node& node = tree_->nodes[static_cast<std::size_t>(index)];
     const Vec3 offset = node.center - point;
     const double squared = offset.squaredNorm();
+    // w = 1 / (4 pi) int n . (x - p) / |x - p|^3 dA; from far away A . (c - p) / (4 pi |c - p|^3), with A the
+    // sum of the triangles' area vectors and c their centroid.
     if (squared > kFar * kFar * node.radius * node.radius) {
       sum += offset.dot(node.normal) / (4 * std::numbers::pi * squared * std::sqrt(squared));
     } else if (node.second < 0) {

@@ -63,6 +63,8 @@ private:
 /// `R` with `R R'` the Gram matrix, but for `kLeftMm` squared on its diagonal: one column for each instant
 /// that no combination of those before it tells.
 Eigen::MatrixXd factorOf(const GramRows& gram, Progress& progress) {
+  // Cholesky with pivoting: r = (G_p - R R_p^T) / sqrt(left_p), and `left`, the diagonal of G - R R^T, is the
+  // squared motion that each instant still has to be told.
   Eigen::VectorXd left = gram.diagonal();
   const Eigen::Index most = left.size();
   Eigen::MatrixXd factor(most, 0);
@@ -83,6 +85,7 @@ Eigen::MatrixXd factorOf(const GramRows& gram, Progress& progress) {
 Eigen::MatrixXd coursesOf(const Eigen::MatrixXd& factor) {
   if (factor.cols() == 0)
     return factor;
+  // R^T R = V diag(s^2) V^T gives R = U diag(s) V^T with U = R V diag(1 / s).
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(factor.transpose() * factor);
   const Eigen::Index rank = factor.cols();
   Eigen::MatrixXd courses(factor.rows(), rank);

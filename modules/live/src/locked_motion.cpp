@@ -110,6 +110,7 @@ bool LockedMotion::bend(const Vec3& wanted) {
   Points pose;
   for (int step = 0; step < kMostSteps; ++step) {
     // The nearest point of the tangent plane at `by`, where the volume is short of `missing`.
+    // by' = wanted + way (missing - way . (wanted - by)) / |way|^2, of which way . (by' - by) = missing.
     const double steepness = way.squaredNorm();
     by = steepness > 0 ? Vec3(wanted + way * ((missing - way.dot(wanted - by)) / steepness)) : wanted;
     pose = moved(by);

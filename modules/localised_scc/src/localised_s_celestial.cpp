@@ -217,6 +217,7 @@ CoordinateGradients LocalisedSCelestial::gradients(const HandleSet& handles, con
       for (std::size_t i = 0; i < task.members.size(); ++i) {
         const Member& member = task.members[i];
         const auto from = static_cast<Eigen::Index>(i * task.rows.size() + column);
+        // a = sum_s w_s a_s over the sets s, and grad a = sum_s (w_s grad a_s + a_s grad w_s).
         result.values.row(member.point * handleCount + task.rows[column]) +=
             member.weight * own.values.row(from) + influence[Eigen::Index(i)] * member.gradient.transpose();
       }

@@ -70,6 +70,7 @@ void correctVolume(TriangleMesh& mesh, double target, const Eigen::Matrix3d& vox
     const double missing = target - geometry::volume(mesh.points, mesh.triangles, Threads{1});
     if (std::abs(missing) <= kCorrectedWithin * target)
       return;
+    // Moved by h along its normals a surface gains A h to first order: Newton's step is missing / A.
     const double step =
         std::clamp(missing / geometry::area(mesh.points, mesh.triangles), -mostStep, mostStep);
     reach += step;

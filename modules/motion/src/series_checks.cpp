@@ -23,6 +23,8 @@ double apart(const tracking::Mask& a, const tracking::Mask& b) {
   std::int64_t differ = 0;
   for (std::size_t v = 0; v < a.inside.size(); ++v)
     differ += a.inside[v] != b.inside[v];
+  // The volume between two outlines over the area around one, (36 pi)^1/3 V^2/3 of a ball: about how far they
+  // lie apart, and rather more where they are no balls.
   const double voxel = std::abs(a.indexToLps.linear().determinant());
   const double volume = voxel * static_cast<double>(std::max(a.count(), b.count()));
   return static_cast<double>(differ) * voxel / (kBallArea * std::pow(volume, 2.0 / 3));

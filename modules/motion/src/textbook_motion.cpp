@@ -99,6 +99,8 @@ public:
       }
     }
     if (atriaMl_ > 0) {
+      // V_outer = tissue + ventricles + atria + the rest, and the tissue keeps its volume: the atria hold
+      // what is left.
       const double left = volumeMl(moved[0], rest_[0]) - tissueMl_ - ventricles - still;
       const double part = std::clamp(left / atriaMl_, kLeastAtrial, kMostAtrial);
       for (std::size_t i = 1; i < moved.size(); ++i)

@@ -22,6 +22,8 @@ constexpr Eigen::Index kTrianglesPerBlock = 65536;
 /// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997,
 /// DOI 10.1080/10867651.1997.10487468.
 bool meets(const Ray& ray, const MeshView& mesh, Eigen::Index triangle, double farthest, RayHit& hit) {
+  // o + t d = a + u ab + v ac by Cramer's rule, with the determinant ab . (d x ac): u = (o - a) . (d x ac),
+  // v = d . ((o - a) x ab) and t = ac . ((o - a) x ab), each over it.
   const Vec3 a = mesh.point(triangle, 0);
   const Vec3 ab = mesh.point(triangle, 1) - a, ac = mesh.point(triangle, 2) - a;
   const Vec3 across = ray.direction.cross(ac);

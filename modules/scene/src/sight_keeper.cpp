@@ -24,6 +24,7 @@ double shortOf(const Bounds& box, const ViewGeometry& camera, const SightKeeper:
     const Vec3 seen = point - camera.eye;
     const double half = kRoomAround * std::max(std::abs(seen.dot(camera.up)) / shape.height,
                                                std::abs(seen.dot(camera.right)) / shape.width);
+    // Half heights h at the depth z: h <= H of a parallel camera, h <= (z + back) tan of another.
     most = std::max(most, camera.parallel ? half - camera.halfHeight
                                           : half / camera.halfHeight - seen.dot(camera.forward));
   }

@@ -77,6 +77,7 @@ double framingDistance(const Bounds& bounds, const ViewDirections& directions, d
                        double margin) {
   double distance = 0;
   forCorners(bounds, directions, aspect, [&](double height, double depth) {
+    // (distance + depth) tan >= margin height for every corner.
     distance = std::max(distance, margin * height / tangent - depth);
   });
   return distance;

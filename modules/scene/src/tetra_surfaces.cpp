@@ -33,6 +33,7 @@ struct CutCorner {
 CutCorner crossing(const Points& at, const Values* numbers, const std::vector<double>& side, std::int32_t a,
                    std::int32_t b) {
   const double da = side[static_cast<std::size_t>(a)], db = side[static_cast<std::size_t>(b)];
+  // d_a + t (d_b - d_a) = 0.
   const double part = da / (da - db);
   CutCorner corner;
   corner.at = (1 - part) * at.row(a).transpose() + part * at.row(b).transpose();

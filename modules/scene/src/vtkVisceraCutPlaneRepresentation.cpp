@@ -180,6 +180,8 @@ namespace {
 
 /// How far along a line the place lies that is nearest to a ray.
 double alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {
+  // |o + s d - (r + t e)| is least at s = (w.d - (d.e)(w.e)) / (1 - (d.e)^2), with w = r - o and unit
+  // directions d and e of line and ray.
   const double cosine = direction.dot(ray.direction);
   const Vec3 between = ray.origin - origin;
   return (between.dot(direction) - cosine * between.dot(ray.direction)) / (1 - cosine * cosine);
@@ -188,6 +190,7 @@ double alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {
 /// The direction from `center` to where a ray meets the ball around it, on the same side of the ball as
 /// `before`; where it misses, to the place of the ball that is nearest to it.
 Vec3 towardsBall(const Vec3& center, double radius, const Ray& ray, const Vec3& before) {
+  // The ray passes the centre at its foot f, and meets the ball at f +- sqrt(r^2 - |f|^2) e.
   const double along = (center - ray.origin).dot(ray.direction);
   const Vec3 foot = ray.origin + along * ray.direction - center;
   const double half = std::sqrt(std::max(radius * radius - foot.squaredNorm(), 0.0));

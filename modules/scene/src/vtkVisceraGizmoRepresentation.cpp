@@ -180,6 +180,7 @@ void vtkVisceraGizmoRepresentation::Parts::startRing(const ViewGeometry& view, i
 void vtkVisceraGizmoRepresentation::Parts::turn(const ViewGeometry& view, double x, double y) {
   const int axis = axisOf(active);
   if (fromTheSide) {
+    // The cursor's way d along the ring's tangent t, in pixels for a radian: d . t / |t|^2.
     const double squared = tangent[0] * tangent[0] + tangent[1] * tangent[1];
     if (squared > 0)
       motion.angle = ((x - grab[0]) * tangent[0] + (y - grab[1]) * tangent[1]) / squared;
@@ -205,6 +206,7 @@ void vtkVisceraGizmoRepresentation::Parts::stretch(const ViewGeometry& view, dou
     return;
   }
   const int axis = axisOf(active);
+  // 1 + d . a / |a|^2: the cube follows the cursor along its arm a as it is seen.
   const auto from = view.project(center), to = view.project(center + size * Vec3::Unit(axis));
   const double ax = to.x - from.x, ay = to.y - from.y, length = std::hypot(ax, ay);
   const double factor = length < kShortestAxis * ratio ? std::exp(dy / (kPixelsOfScale * ratio))

@@ -32,6 +32,7 @@ LiverBreathing::LiverBreathing(Points restHandles, const Bounds& organ, std::vec
 
 double LiverBreathing::inspiration(double seconds, double ratePerMinute) const {
   const double rate = std::clamp(ratePerMinute, lowestRatePerMinute(), highestRatePerMinute());
+  // sin^4(pi t / T): a breath of period T that rests long at its end.
   const double wave = std::sin(std::numbers::pi * seconds * rate / 60);
   return wave * wave * wave * wave;
 }

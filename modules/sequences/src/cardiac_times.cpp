@@ -35,6 +35,7 @@ double relaxationMs(double rate) {
 }
 
 double waveMs(double standard, double atDouble, double rate) {
+  // A wave keeps the part `atDouble` of itself with every doubling of the rate.
   return standard * std::pow(atDouble, std::log2(rate / kWavesBpm));
 }
 

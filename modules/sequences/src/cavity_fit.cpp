@@ -59,6 +59,7 @@ AffineHandles affineHandles(const HeartMotion& motion, const PoseCompensation& c
     compensation.apply(rest, pose);
     return pose;
   };
+  // The handles are affine in the corrections: base at zero, and along_i from zero to the i-th unit vector.
   handles.base = posed(Values::Zero(count));
   for (Eigen::Index i = 0; i < count; ++i)
     handles.along.push_back(posed(Values::Unit(count, i)) - handles.base);
@@ -97,6 +98,7 @@ public:
       change *= std::min(1.0, kLargestStep / size);
       const Values next = errorAt(corrections + change);
       corrections += change;
+      // Broyden: the least change of J with which J s is the change of the error that was seen.
       jacobian += (next - error - jacobian * change) * change.transpose() / change.squaredNorm();
       error = next;
     }

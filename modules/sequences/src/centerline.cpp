@@ -29,6 +29,8 @@ void requireLine(const std::vector<Vec3>& points) {
 /// The point of the span between b and c at `t` in [0, 1], by Barry and Goldman's pyramid with knots at the
 /// square roots of the distances: no loops and no overshoot where points are uneven.
 Vec3 catmullRom(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double t) {
+  // The knots are -|ab|^1/2, 0, |bc|^1/2 and |bc|^1/2 + |cd|^1/2: centripetal. Each `mix` is the line through
+  // two points of the level before, over the knots that these two span.
   const double ab = std::sqrt((b - a).norm());
   const double bc = std::sqrt((c - b).norm());
   const double cd = std::sqrt((d - c).norm());
@@ -83,6 +85,7 @@ Centerline::Centerline(const std::vector<Vec3>& points) {
     CrossSection section;
     section.center = samples[i];
     section.tangent = (after - before).normalized();
+    // u less its part along the tangent: a frame that turns with the line only as far as the line bends.
     u = (u - u.dot(section.tangent) * section.tangent).normalized();
     section.u = u;
     section.v = section.tangent.cross(u);

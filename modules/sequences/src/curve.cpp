@@ -27,6 +27,8 @@ void requireKeys(const std::vector<Key>& keys, std::size_t fewest) {
 double monotoneSlope(double lengthBefore, double chordBefore, double lengthAfter, double chordAfter) {
   if (chordBefore * chordAfter <= 0)
     return 0;
+  // (w_1 + w_2) / (w_1 / c_1 + w_2 / c_2) with w_1 = h_1 + 2 h_2 and w_2 = 2 h_1 + h_2: of the one sign of
+  // both chords and below three times the flatter one, which keeps the cubic monotone.
   const double weightBefore = lengthBefore + 2 * lengthAfter;
   const double weightAfter = 2 * lengthBefore + lengthAfter;
   return (weightBefore + weightAfter) / (weightBefore / chordBefore + weightAfter / chordAfter);
@@ -92,6 +94,7 @@ std::vector<Key> Curve::keys() const {
 }
 
 double Curve::at(double x) const {
+  // Hermite's cubic, with v = 1 - u: v^2 ((1 + 2 u) y_0 + u h y_0') + u^2 ((1 + 2 v) y_1 - v h y_1').
   const auto [knot, length, u, rise] = find(x);
   const Knot& next = knot[1];
   const double v = 1 - u;

@@ -106,6 +106,8 @@ std::vector<double> GastricWaves::ages(double seconds, double ratePerMinute) con
 }
 
 double GastricWaves::constriction(double s, double seconds, double ratePerMinute) const {
+  // Waves leave the product of (1 - depth exp(-(s - s_i)^2 / (2 width^2))). The pylorus joins by the norm
+  // (a^8 + b^8)^1/8, nearly the larger of the two without its kink.
   double open = 1;
   for (const double age : ages(seconds, ratePerMinute)) {
     const double width = kFirstWidth - kWidthLoss * progress(age);

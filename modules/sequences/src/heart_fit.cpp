@@ -115,6 +115,8 @@ Vec3 meanOf(const std::vector<Vec3>& points) {
 /// the body tapers (third moment).
 std::pair<Vec3, Vec3> axisToApex(const Opened& parts) {
   const Vec3 middle = meanOf(parts.body);
+  // The eigenvector of the largest eigenvalue of 1/n sum (p - m)(p - m)^T, and the sign of
+  // sum ((p - m) . axis)^3, which is positive towards the longer tail.
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& point : parts.body)
     spread += (point - middle) * (point - middle).transpose() / static_cast<double>(parts.body.size());
@@ -138,6 +140,7 @@ Vec3 bulge(const AnatomySurface& surface, const Vec3& middle, const Vec3& axis, 
   constexpr int kRays = 48;
   const Vec3 u = axis.unitOrthogonal();
   const Vec3 v = axis.cross(u);
+  // The first harmonic of the radius around the axis, 1/n sum r_k e_k, against its mean.
   Vec3 sum = Vec3::Zero();
   double mean = 0;
   for (int k = 0; k < kRays; ++k) {
@@ -159,6 +162,7 @@ double leftRadius(const AnatomySurface& surface, const HeartFrame& frame) {
   std::vector<double> radii;
   for (const double c : {15.0, 30.0, 45.0})
     for (int k = -4; k <= 4; ++k) {
+      // An ellipsoid's section at c has the radius R sqrt(1 - ((c - c_0) / h)^2).
       const double profile = std::sqrt(1 - std::pow((c - kShellCenter) / kShellHalf, 2));
       radii.push_back(outermost(surface, frame, pi + k * pi / 12, c) / profile);
     }

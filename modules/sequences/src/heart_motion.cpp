@@ -70,6 +70,7 @@ double HeartMotion::shortening(const HeartState& state) const {
 }
 
 double HeartMotion::leftScale(const HeartState& state) const {
+  // The cavity's volume goes with scale^2 shortening.
   return std::sqrt(state.leftPart / shortening(state));
 }
 
@@ -85,6 +86,8 @@ double HeartMotion::wallRho(const HeartState& state, double rho, double c) const
   const double scale = leftScale(state);
   if (rho <= inner)
     return scale * rho;
+  // The muscle between the inner radius and rho keeps its volume, (rho'^2 - rho_i'^2) shortening = muscle
+  // (rho^2 - rho_i^2), but for the factor muscle.
   return std::sqrt(square(scale * inner) + state.muscle * (square(rho) - square(inner)) / shortening(state));
 }
 

@@ -58,6 +58,7 @@ std::optional<double> firstExit(const HeartFrame& frame, const AnatomySurface& s
 
 /// The k-th of `count` directions that are spread evenly.
 Vec3 spiralDirection(int k, int count) {
+  // Even steps of z are even areas of the sphere; the golden angle keeps turns apart.
   const double z = 1 - (2.0 * k + 1) / count;
   const double angle = k * pi * (3 - std::sqrt(5.0));
   const double r = std::sqrt(1 - z * z);

@@ -34,7 +34,6 @@ double mod(double value, double period) {
   return value - period * std::floor(value / period);
 }
 
-/// 0 before 0, 1 after 1, smooth between.
 /// How far a valve is open that opens and shuts then.
 double opening(double seconds, double opens, double shuts, double cycle) {
   const double since = mod(seconds - opens, cycle);
@@ -139,6 +138,8 @@ ValveRing CarriedRing::at(const Points& surface) const {
   Eigen::Matrix3Xd now(3, atRest_.cols());
   for (std::size_t i = 0; i < anchors_.size(); ++i)
     now.col(static_cast<Eigen::Index>(i)) = surface.row(anchors_[i]).transpose();
+  // The similarity of least sum |s R x_i + t - y_i|^2 (Umeyama 1991): the ring follows the wall's place, turn
+  // and size, and not its dents.
   const Eigen::Matrix4d moved = Eigen::umeyama(atRest_, now, true);
   const Eigen::Matrix3d turned = moved.topLeftCorner<3, 3>();
   return {turned * rest_.center + moved.topRightCorner<3, 1>(), turned * rest_.first, turned * rest_.second,

@@ -56,6 +56,7 @@ void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) 
   compensation_.apply(rest_, widened);
   const Points added = widened - rest_;
   const double wanted = restMl_ * (1 - loss_ * now.state.emptying);
+  // V(pose + x added) - V_rest (1 - loss emptying) = 0, a cubic in x.
   std::array<double, 4> missing = volume_(pose, added);
   missing[0] -= wanted;
   const auto root = nearestCubicRoot(missing, -kMostHeartWidening, kMostHeartWidening);

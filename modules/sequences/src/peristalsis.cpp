@@ -57,6 +57,7 @@ void Peristalsis::affinePose(double seconds, double ratePerMinute, Points& narro
 }
 
 double Peristalsis::wideningFor(const Points& narrowed, const Points& added, double seconds) const {
+  // V(narrowed + x added) - V_kept = 0, a cubic in x.
   std::array<double, 4> missing = volume_(narrowed, added);
   missing[0] -= keptMl_;
   const auto root = nearestCubicRoot(missing, kLeastWidening, kMostTubeWidening);

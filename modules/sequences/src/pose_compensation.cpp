@@ -19,6 +19,8 @@ PoseCompensation::PoseCompensation(const Eigen::MatrixXd& selfWeights, int terms
   for (Eigen::Index row = 0; row < n; ++row)
     if (std::abs(selfWeights.row(row).sum() - 1) > kUnityTolerance)
       throw DataError("the coordinates do not sum to 1", phrase("handle %1", row + 1));
+  // M_k+1 = I + (I - W) M_k sums the series of W^-1 = (I - (I - W))^-1, term by term: few of them bring the
+  // points at the handles nearly to where the handles were meant, and stay tame where W is close to singular.
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
   matrix_ = identity;
   for (int term = 0; term < terms; ++term)

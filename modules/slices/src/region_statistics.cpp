@@ -71,6 +71,7 @@ public:
   SphereVoxels(const Scan& scan, const SphereRegion& sphere) : scan_(scan), sphere_(sphere) {
     const Eigen::Matrix3d toIndex = scan.indexToLps.linear().inverse();
     const Vec3 middle = toIndex * (sphere.center - scan.indexToLps.translation());
+    // A sphere of radius r reaches r |row_k| voxels along axis k, row_k that of the matrix from mm to voxels.
     const Vec3 reach = sphere.radius * toIndex.rowwise().norm();
     box_ = boxOf(scan, middle - reach, middle + reach);
   }
@@ -134,6 +135,8 @@ public:
     voxel[std::size_t(slow_)] = at;
     for (int f = box_.low[std::size_t(fast_)]; f <= box_.high[std::size_t(fast_)]; ++f) {
       voxel[std::size_t(fast_)] = f;
+      // Where inIndex . q = offset along the axis through the plane, plus 1/2 so that rounding down finds the
+      // voxel.
       const double crossing =
           (offset_ - inIndex_[slow_] * at - inIndex_[fast_] * f) / inIndex_[through_] + 0.5;
       if (!(crossing > -kBesideCrossing && crossing < scan_.size[through] + kBesideCrossing))

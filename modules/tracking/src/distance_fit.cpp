@@ -89,6 +89,8 @@ private:
   Values weightsOf(const Offsets& offsets) const {
     if (!(options_.robustMm > 0))
       return rig_.shares();
+    // w = share r / max(|d|, r): the weights with which least squares have Huber's estimate for their fixed
+    // point.
     const Eigen::ArrayXd far = offsets.distance.array().abs().max(options_.robustMm);
     return (rig_.shares().array() * options_.robustMm / far).matrix();
   }

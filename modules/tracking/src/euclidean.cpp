@@ -22,6 +22,9 @@ public:
       double crossing = 0;
       while (parabolas > 0) {
         const std::size_t v = vertex_[parabolas - 1];
+        // Two parabolas h^2 (p - q)^2 + f_q and h^2 (p - v)^2 + f_v meet at
+        // p = ((f_q - f_v) / h^2 + q^2 - v^2) / (2 (q - v)); right of it that of q is lower. The one before
+        // has no place left where this is not right of its own beginning.
         const auto here = static_cast<double>(q), there = static_cast<double>(v);
         crossing = ((value - values_[v]) / square + here * here - there * there) / (2 * (here - there));
         if (crossing > from_[parabolas - 1])

@@ -71,6 +71,7 @@ Spread spreadOf(const Values& values, const Values& weights) {
   const double all = weights.sum();
   spread.mean = values.dot(weights) / all;
   spread.max = values.maxCoeff();
+  // The smallest x with sum of w_i over x_i <= x at least 0.95 sum w_i.
   double below = 0;
   for (const Eigen::Index i : order) {
     below += weights[i];

@@ -34,6 +34,8 @@ std::vector<float> distancesInSlices(const Mask& mask, int axis) {
 /// Where along the ray through row (j, k) the triangle is crossed; false when it is not. `a`, `b`, `c` are in
 /// voxels.
 bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double j, double k, double& at) {
+  // Twice the areas that the row's place (j, k) makes with the edges, across the rows: barycentric
+  // coordinates but for their sum. All of one sign means inside.
   const auto side = [&](const Vec3& p, const Vec3& q) {
     return (q[1] - p[1]) * (k - p[2]) - (q[2] - p[2]) * (j - p[1]);
   };
@@ -121,6 +123,8 @@ Mask betweenSlices(const Mask& mask) {
     for (int j = 0; j < result.size[1]; ++j)
       for (int i = 0; i < result.size[0]; ++i, ++voxel) {
         std::array<int, 3> at = {i, j, k};
+        // d(z) = (1 - t) d_k + t d_k+1 between the slices' own signed distances: the outline moves evenly
+        // from one to the next (shape-based interpolation).
         const double slice = firstSlice + at[a] * step;
         if (slice < filled.low[a] - 0.5 || slice > filled.high[a] + 0.5)
           continue;
@@ -170,6 +174,7 @@ Mask voxelised(const geometry::TriangleMesh& surface, const Mask& grid) {
 }
 
 double diceOf(const Mask& a, const Mask& b) {
+  // 2 |A and B| / (|A| + |B|).
   std::int64_t both = 0, all = 0;
   for (std::size_t v = 0; v < a.inside.size(); ++v) {
     both += a.inside[v] & b.inside[v];

@@ -74,6 +74,8 @@ MaskDistance::MaskDistance(const Mask& mask, double marginMm, Threads threads) {
   const std::array<bool, 3> everywhere = {true, true, true};
   values_ = squaredDistances(fine.inside, 1, fine.size, spacing, everywhere, threads);
   const std::vector<float> out = squaredDistances(fine.inside, 0, fine.size, spacing, everywhere, threads);
+  // Between a voxel and its neighbour on the other side the surface is half way, so that half a voxel comes
+  // off the distance between centres on either side.
   const auto half = static_cast<float>(spacing.minCoeff() / 2);
   for (std::size_t v = 0; v < values_.size(); ++v)
     values_[v] = fine.inside[v] != 0 ? half - std::sqrt(out[v]) : std::sqrt(values_[v]) - half;
@@ -93,6 +95,8 @@ double MaskDistance::at(const Vec3& point, Vec3& direction) const {
   }
   const std::size_t row = std::size_t(size_[0]), slice = row * std::size_t(size_[1]);
   const float* at = values_.data() + cell[2] * slice + cell[1] * row + cell[0];
+  // Trilinear: sum of d u v w over the corners, each factor part or 1 - part; the gradient has +-1 for one of
+  // the factors, and becomes one in mm by the transposed matrix.
   double value = 0;
   Vec3 gradient = Vec3::Zero();
   for (int corner = 0; corner < 8; ++corner) {

@@ -82,6 +82,8 @@ Eigen::MatrixXd bendingOf(const Points& handles) {
   affine.col(0).setOnes();
   affine.rightCols<3>() = handles.rowwise() - handles.colwise().mean();
   affine.rightCols<3>() /= std::max(affine.rightCols<3>().cwiseAbs().maxCoeff(), 1e-12);
+  // I - Q Q^T with [1, h] = Q R: affine motions of the handles, which are combinations of these four columns,
+  // cost nothing.
   const Eigen::MatrixXd q =
       Eigen::HouseholderQR<Eigen::MatrixXd>(affine).householderQ() * Eigen::MatrixXd::Identity(n, 4);
   return Eigen::MatrixXd::Identity(n, n) - q * q.transpose();

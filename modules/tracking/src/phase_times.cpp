@@ -28,6 +28,7 @@ bool neighboursOf(const PhaseTimes& times, std::size_t phase, Neighbours& neighb
   neighbours.before = (phase + count - 1) % count;
   neighbours.after = (phase + 1) % count;
   const double before = stepBetween(times, neighbours.before, phase);
+  // Linear in time between the two: (1 - part) x_before + part x_after.
   neighbours.part = before / (before + stepBetween(times, phase, neighbours.after));
   return true;
 }
@@ -44,11 +45,14 @@ Eigen::MatrixXd unevenness(const PhaseTimes& times) {
       continue;
     const double before = stepBetween(times, neighbours.before, static_cast<std::size_t>(phase)) / mean;
     const double after = stepBetween(times, static_cast<std::size_t>(phase), neighbours.after) / mean;
+    // x'' by the three phases, 2 / (h_1 + h_2) ((x_2 - x) / h_2 - (x - x_1) / h_1), in units of the mean
+    // step: of even phases x_1 - 2 x + x_2.
     const double scale = 2 / (before + after);
     differences(phase, static_cast<Eigen::Index>(neighbours.before)) += scale / before;
     differences(phase, static_cast<Eigen::Index>(neighbours.after)) += scale / after;
     differences(phase, phase) -= scale / before + scale / after;
   }
+  // sum |x''|^2 = x^T D^T D x.
   return differences.transpose() * differences;
 }
 

@@ -17,6 +17,7 @@ MeshDistance::MeshDistance(std::shared_ptr<const geometry::TriangleMesh> mesh)
 
 double MeshDistance::at(const Vec3& point, Vec3& direction) const {
   const double distance = distance_(point);
+  // grad d = sign(d) (p - c) / |p - c|, c the nearest point of the surface.
   const Vec3 away = point - distance_.nearest(point);
   const double length = away.norm();
   direction = length > kOnSurfaceMm ? Vec3((distance < 0 ? -away : away) / length) : Vec3(Vec3::Zero());

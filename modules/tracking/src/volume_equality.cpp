@@ -16,6 +16,7 @@ constexpr double kMetMl = 1e-6, kMetOfVolume = 1e-9;
 Points gradientOf(const MotionRig& rig, std::size_t surface, const Points& vertices,
                   const geometry::VertexTriangles& around) {
   Points byVertex;
+  // v = W h makes dV/dh = W^T dV/dv.
   geometry::volumeGradient(vertices, rig.surfaces()[surface].triangles, around, byVertex, Threads{1});
   return rig.weights().middleRows(rig.firstRow(surface), rig.rows(surface)).transpose() * byVertex /
          kMm3PerMl;
@@ -44,6 +45,8 @@ VolumeResidual solveVolumes(const MotionRig& rig, const Values& wantedMl, const 
           rig, surface, vertices.middleRows(rig.firstRow(surface), rig.rows(surface)), around[surface]));
       directions.push_back(metric(gradients.back()));
     }
+    // min u^T N u / 2 with g_i . u = missing_i, N the fit's normal matrix, has u = sum a_j N^-1 g_j with
+    // (g_i . N^-1 g_j) a = missing. The volumes are cubic in the pose, so that it takes a few rounds.
     Eigen::MatrixXd system(count, count);
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j < count; ++j)

@@ -47,7 +47,8 @@ simd::CelestialProblem problemOf(const PointsOf<Dim>& handles,
   problem.locality = options.locality;
   problem.softnessSquared = options.softness * options.softness;
   problem.samePlaceSquared = kSamePlaceUnsoftened * size * kSamePlaceUnsoftened * size;
-  // The error in space is at most the largest D times the relative one, and softness lengthens D.
+  // With w_i = beta_i / D_i and g = sum beta_i q_i the point is missed by sum w_i (v_i - p) / sum w_i =
+  // g / sum (beta_i / D_i), at most max D |g| / sum beta_i. Softness lengthens D: max D^2 <= size^2 + e^2.
   problem.tolerance = kIdentityAimedAt * std::max(1.0, static_cast<double>(handles.rows()) / kManyHandles) *
                       size / std::hypot(size, options.softness);
   return problem;
@@ -102,6 +103,8 @@ std::vector<int> solveTiles(const CelestialFunction& function, const PointsOf<Di
       double in[Dim * TiledWeights::kTile], x[Dim * TiledWeights::kTile];
       gather<Dim>(points, tile, in);
       double* numbers = weights.toFill(tile, room.data());
+      // The x that minimise F(x) = sum m_i phi(q_i . x), and beta_i / D_i with beta_i = m_i phi'(q_i . x),
+      // normalised (celestial_kernels.h).
       const unsigned without = kernel(problem, in, scratch.data(), numbers, x);
       clearPadding(numbers, problem.count, tile, points.rows());
       weights.filled(tile, numbers);

@@ -47,6 +47,8 @@ template <int Dim>
 void rotate(Pack (&full)[Dim][Dim], Pack (&directions)[Dim][Dim], int p, int q) {
   const Pack off = full[p][q];
   const Mask zero = off == 0.0;
+  // The tangent of the turn is the smaller root of t^2 + 2 theta t - 1 = 0, theta = (a_qq - a_pp) / (2 a_pq),
+  // in the form that does not cancel; then a_pp falls by t a_pq and a_qq rises by it.
   const Pack theta = (full[q][q] - full[p][p]) / (2.0 * select(zero, splat(1), off));
   const Pack size = larger(theta, -theta);
   Pack tangent = 1.0 / (size + squareRoot(theta * theta + 1.0));

@@ -106,6 +106,7 @@ void ConvexCell::close(std::vector<Vec3>& rim, const Vec3& normal) {
 double ConvexCell::volume() const {
   if (empty())
     return 0;
+  // V = 1/6 sum det(a - o, b - o, c - o) over the faces' triangles, for any o.
   const Vec3 apex = faces_[0][0]; // Near the cell: the origin may be far from what is left.
   double volume = 0;
   for (const Face& face : faces_)
@@ -154,6 +155,7 @@ private:
     std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
       return squares[a] != squares[b] ? squares[a] < squares[b] : a < b;
     });
+    // The cell of the origin: |x|^2 <= |x - s_i|^2, and so s_i . x <= |s_i|^2 / 2.
     ConvexCell cell(reach);
     std::vector<Eigen::Index> neighbours; // And some whose cut was cut off again later: they take nothing.
     for (const Eigen::Index site : order)
@@ -161,6 +163,8 @@ private:
         neighbours.push_back(site);
     if (cell.reach() >= reach)
       return false;
+    // What site i had of it before, |x - s_i|^2 <= |x - s_j|^2 for all j, which is (s_j - s_i) . x <=
+    // (|s_j|^2 - |s_i|^2) / 2; a_i is this volume over their sum.
     weights.setZero();
     for (const Eigen::Index own : neighbours) {
       ConvexCell taken = cell;

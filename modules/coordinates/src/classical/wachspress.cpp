@@ -64,6 +64,8 @@ public:
 
 private:
   bool add(const Vec3& point, Values& weights, Points* gradients) const {
+    // h_f = n_f . v - n_f . p, the distance of p to the plane of face f; the poles p_f = n_f / h_f are the
+    // corners of the polytope that is dual to the cage around p.
     const Values heights = offsets_ - normals_ * point;
     const double nearest = heights.minCoeff();
     if (nearest < -kConvex * size_ || (gradients && nearest <= kOnFace * size_))
@@ -72,6 +74,7 @@ private:
     const Points poles = normals_.array().colwise() / above.array();
     for (std::size_t corner = 0; corner < fans_.size(); ++corner)
       addCorner(static_cast<Eigen::Index>(corner), poles, weights, gradients);
+    // a_v = w_v / W with W = sum w_v, and so grad a_v = (grad w_v - a_v grad W) / W.
     const double sum = weights.sum();
     if (!(sum > 0))
       return false;
@@ -83,6 +86,9 @@ private:
     return true;
   }
 
+  /// w_v = sum_j det(p_1, p_j, p_j+1), six times the volume between p and the dual's face of v. That face
+  /// lies in the plane q . (v - p) = 1, a distance 1 / |v - p| away, so that w_v (v - p) is twice its area
+  /// vector. The area vectors of a closed surface sum to zero: sum w_v (v - p) = 0.
   void addCorner(Eigen::Index corner, const Points& poles, Values& weights, Points* gradients) const {
     const auto& fan = fans_[static_cast<std::size_t>(corner)];
     for (std::size_t j = 1; j + 1 < fan.size(); ++j) {
@@ -90,7 +96,9 @@ private:
                  c = poles.row(fan[j + 1]).transpose();
       const double volume = a.dot(b.cross(c));
       weights[corner] += volume;
-      if (gradients) // The derivative of a pole is its outer square.
+      // grad h_f = -n_f makes dp_f = p_f (p_f . dp), and with a determinant linear in each column grad
+      // det(p_1, p_j, p_j+1) = det(p_1, p_j, p_j+1) (p_1 + p_j + p_j+1).
+      if (gradients)
         gradients->row(corner) += volume * (a + b + c).transpose();
     }
   }

@@ -22,6 +22,8 @@ CageNormals::Face CageNormals::face(const Points& pose, Eigen::Index t) const {
   face.u = (pose.row(cage_(t, 1)) - pose.row(cage_(t, 0))).transpose();
   face.v = (pose.row(cage_(t, 2)) - pose.row(cage_(t, 0))).transpose();
   face.area = face.u.cross(face.v);
+  // s^2 = (|u'|^2 |v|^2 - 2 (u'.v')(u.v) + |v'|^2 |u|^2) / (8 A^2), primes for the pose, A the triangle's
+  // area at rest: the mean of the squares of the two principal stretches.
   const double square = face.u.dot(face.u) * products_(t, 2) - 2 * face.u.dot(face.v) * products_(t, 1) +
                         face.v.dot(face.v) * products_(t, 0);
   face.stretch = std::sqrt(square / squares_[t]);
@@ -29,6 +31,7 @@ CageNormals::Face CageNormals::face(const Points& pose, Eigen::Index t) const {
 }
 
 Points CageNormals::lift(const Points& pose) const {
+  // Below the pose the rows s n, n = u' x v' / |u' x v'|.
   Points rows = Points::Zero(rowCount(), 3);
   rows.topRows(pose.rows()) = pose;
   for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
@@ -47,7 +50,9 @@ Points CageNormals::pullBack(const Points& pose, const Points& rowGradient) cons
     if (!(twice > 0))
       continue;
     const Vec3 gradient = rowGradient.row(pose.rows() + t).transpose(), normal = now.area / twice;
-    // Of the length, then of the direction.
+    // With g the derivative by the row s n: g . d(s n) = (g.n) ds + s g . dn, where ds = ((|v|^2 u' - (u.v)
+    // v') . du' + (|u|^2 v' - (u.v) u') . dv') / (8 A^2 s) and dn = (I - n n^T)(du' x v' + u' x dv') / |u' x
+    // v'|.
     const double along = gradient.dot(normal) / (squares_[t] * now.stretch);
     const Vec3 across = now.stretch / twice * (gradient - gradient.dot(normal) * normal);
     const Vec3 ofU = along * (products_(t, 2) * now.u - products_(t, 1) * now.v) + now.v.cross(across);

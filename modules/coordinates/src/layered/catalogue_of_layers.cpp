@@ -53,6 +53,8 @@ public:
     const auto around = std::min_element(layer.begin(), layer.end(), [&](const auto& a, const auto& b) {
       return distance(a, at(handle)) < distance(b, at(handle));
     });
+    // The cones from the handle over the faces of a convex polyhedron around it fill it without overlap; the
+    // face a, b, c with the handle h has the outward faces abc, bah, cbh and ach.
     std::vector<Polyhedron> parts;
     for (const auto& [a, b, c] : *around)
       if (height({a, b, c}, at(handle)) < -tolerance_) // Not flat.
@@ -99,6 +101,7 @@ private:
         outer.push_back(face);
     if (outer.size() == both.size())
       return false;
+    // Convex where no corner is above any face: n_f . (v - v_f) <= 0 for all f and v, to the tolerance.
     both = std::move(outer);
     for (const Face& face : both)
       for (const Face& other : both)
@@ -145,6 +148,9 @@ public:
   }
 
   bool solve(const Vec3& point, Values& weights) const override {
+    // a_i = 1/L sum_l a_i^l (thesis 3.2.2), with the mean value coordinates a^l of the cell of layer l that
+    // the point is in. Every layer reproduces the point with unity, and so does their mean; cells are convex,
+    // so nothing is negative but by rounding.
     Values part(weights.size());
     for (const auto& layer : layers_) {
       const Cell* around = nullptr;

@@ -19,6 +19,7 @@ constexpr double kInTriangle = 1e-9;
 bool liesIn(const Corners<double>& corners, Vec3& shares) {
   const Vec3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   for (std::size_t i = 0; i < 3; ++i) {
+    // b_i = (v_i+1 x v_i+2) . n / |n|^2, the signed area opposite to corner i over the whole one.
     shares[static_cast<Eigen::Index>(i)] =
         corners[(i + 1) % 3].cross(corners[(i + 2) % 3]).dot(area) / area.squaredNorm();
     if (shares[static_cast<Eigen::Index>(i)] < -kInTriangle)

@@ -46,6 +46,8 @@ public:
     const Hits hits = hitsFrom(corners);
     if (!(hits.nearness.minCoeff() > 0))
       return false;
+    // w_i = sum over the rays of area b_i / r, for int b_i / r dw over all directions w: r is the distance of
+    // the nearest hit and b_i the barycentric coordinate of corner i there.
     for (Eigen::Index ray = 0; ray < hits.triangles.size(); ++ray)
       for (int i = 0; i < 3; ++i)
         weights[cage_(hits.triangles[ray], i)] += samples_.areas[ray] * hits.shares(i, ray);
@@ -79,6 +81,8 @@ private:
       }
       if (std::abs(frame.determinant()) < kThin * lengths)
         continue;
+      // A ray's direction w = sum shares_i v_i meets the triangle at r w = sum b_i v_i with sum b_i = 1: the
+      // shares are b_i / r, and their sum is 1 / r.
       shares.noalias() = frame.inverse() * samples_.directions;
       for (Eigen::Index ray = 0; ray < rays; ++ray) {
         const double nearness = shares.col(ray).sum();

@@ -92,6 +92,9 @@ using Vector = Eigen::Matrix<Real, 3, 1>;
 template <class Real>
 std::vector<Real> polygonWeights(const std::vector<Vector<Real>>& corners, const Vector<Real>& center,
                                  const Vector<Real>& axis, const std::vector<Real>& distances) {
+  // w_i = (tan(alpha_i-1 / 2) + tan(alpha_i / 2)) / d_i, with alpha_i the angle from corner i to the next as
+  // seen from `center` along `axis`: the mean value coordinates of the plane across `axis`, to which the
+  // corners are projected. Their sum of w_i d_i e_i is zero, e_i the unit vectors to the projected corners.
   using std::atan2, std::tan;
   const std::size_t count = corners.size();
   std::vector<Real> halves(count);
@@ -111,6 +114,9 @@ std::vector<Real> polygonWeights(const std::vector<Vector<Real>>& corners, const
 template <class Real>
 void addFace(const Polygon& face, const Points& units, Values& weights, const Values& distances) {
   using std::atan2;
+  // m = int x dS over the polygon of the unit vectors u_i on the sphere = 1/2 sum_i theta_i n_i, by Stokes:
+  // theta_i is the angle between u_i and u_i+1 and n_i the unit normal of their plane. Over the whole sphere
+  // it is zero, so that faces whose weights have sum w_i (v_i - p) = m are balanced together.
   std::vector<Vector<Real>> corners;
   Vector<Real> middle = Vector<Real>::Zero(), mean = Vector<Real>::Zero();
   for (const int corner : face) {
@@ -126,7 +132,11 @@ void addFace(const Polygon& face, const Points& units, Values& weights, const Va
   const Real size = mean.norm();
   if (!(size > 0))
     return;
+  // The direction c = m / |m|, turned to the side where the polygon is: m itself points away from a face that
+  // is seen from outside.
   const Vector<Real> center = (mean.dot(middle) < 0 ? -mean : mean) / size;
+  // Across c the corner u_i is sin(rho_i) long, rho_i its angle from c. Shares lambda_i of the plane across c
+  // with these distances leave sum lambda_i u_i = (sum lambda_i u_i . c) c.
   std::vector<Real> sines;
   for (const auto& corner : corners)
     sines.push_back(corner.cross(center).norm());
@@ -134,6 +144,8 @@ void addFace(const Polygon& face, const Points& units, Values& weights, const Va
   Real along = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     along += shares[i] * corners[i].dot(center);
+  // Scaled to m: mu_i = lambda_i (m . c) / sum_j lambda_j u_j . c gives sum mu_i u_i = m, and w_i = mu_i /
+  // d_i.
   for (std::size_t i = 0; i < corners.size(); ++i)
     weights[face[i]] += static_cast<double>(shares[i] / along * mean.dot(center)) / distances[face[i]];
 }
@@ -195,6 +207,8 @@ private:
       const Vec3& next = corners[(i + 1) % corners.size()];
       turned += std::atan2(corners[i].cross(next).dot(normals_[index]), corners[i].dot(next));
     }
+    // The signed angles from corner to corner around the point sum to 2 pi inside the face and to 0 beside
+    // it.
     if (turned < 3)
       return false;
     const std::vector<double> shares =

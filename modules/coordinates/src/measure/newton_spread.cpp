@@ -19,12 +19,14 @@ public:
   /// sum exp(psi . q_i) q_i
   Vec3 value(const Vec3& psi) const { return units_.transpose() * (units_ * psi).array().exp().matrix(); }
 
+  /// sum exp(psi . q_i) q_i q_i^T
   Eigen::Matrix3d derivative(const Vec3& psi) const {
     const Values grown = (units_ * psi).array().exp();
     return units_.transpose() * grown.asDiagonal() * units_;
   }
 
-  /// The solution of the equations with 1 + t for exp(t).
+  /// The solution of the equations with 1 + t for exp(t): sum (1 + psi . q_i) q_i = 0, which is
+  /// (sum q_i q_i^T) psi = -sum q_i.
   Vec3 linearised() const {
     const Eigen::Matrix3d matrix = units_.transpose() * units_;
     const Vec3 sum = units_.colwise().sum().transpose();

@@ -58,6 +58,8 @@ Scene cloudScene(int points) {
   scene.name = "cloud";
   scene.handles.positions.resize(kOuterHandles + kInnerHandles, 3);
   Uniform random(kSceneSeed);
+  // Even steps of z are even areas of the sphere, and turns by the golden angle never come near each other:
+  // Fibonacci's lattice.
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int i = 0; i < kOuterHandles; ++i) {
     const double z = 1 - (2 * i + 1.0) / kOuterHandles, r = std::sqrt(1 - z * z);

@@ -47,6 +47,8 @@ PlanarWeights pointByPoint(const PointsOf<2>& handles, const PointsOf<2>& points
 
 /// Whether no half plane holds all directions.
 bool allAround(const PointsOf<2>& units) {
+  // Inside the hull the largest angle between neighbouring directions is below pi; a half plane without any
+  // direction leaves pi or more.
   std::vector<double> angles;
   for (Eigen::Index i = 0; i < units.rows(); ++i)
     angles.push_back(std::atan2(units(i, 1), units(i, 0)));
@@ -83,6 +85,8 @@ bool planarMeanValue(const PointsOf<2>& handles, const Eigen::Vector2d& point, V
   const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
   const PointsOf<2> ways = handles.rowwise() - point.transpose();
   const Values distances = ways.rowwise().norm();
+  // Floater 2003: w_i = (tan(alpha_i-1 / 2) + tan(alpha_i / 2)) / |v_i - p|, with alpha_i the signed angle at
+  // p from v_i to v_i+1.
   Values halves(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index next = (i + 1) % count;
@@ -95,7 +99,8 @@ bool planarMeanValue(const PointsOf<2>& handles, const Eigen::Vector2d& point, V
       weights[next] = along / length;
       return true;
     }
-    // tan of half the angle, without a division by zero where the two are opposite.
+    // tan(alpha / 2) = (1 - cos alpha) / sin alpha, a form without a division by zero where the two are
+    // opposite.
     halves[i] = (distances[i] * distances[next] - a.dot(b)) / cross(a, b);
     if (cross(a, b) == 0)
       halves[i] = 0; // In line on one side: no angle.

@@ -94,6 +94,8 @@ void measure(const double* tile, const double* positions, long handles, const do
       point[axis] = load(points + axis * kTile + first);
     for (long handle = 0; handle < handles; ++handle) {
       const Pack weight = load(tile + handle * kTile + first);
+      // sum a_i (v_i - p), which is sum a_i v_i - p where unity holds, without the digits that large
+      // positions would take from the difference.
       for (int axis = 0; axis < 3; ++axis)
         sum[axis] += weight * (positions[3 * handle + axis] - point[axis]);
       unity += weight;
@@ -117,6 +119,8 @@ void roundTile(double* tile, long handles, float* single) {
       kept += back;
       lost += exact - back;
     }
+    // With a_i rounded to b_i the factor is f = sum a_i / sum b_i = 1 + sum (a_i - b_i) / sum b_i; what is
+    // kept is f - 1, which a single number holds to more digits than f.
     const Pack more = lost / kept;
     const Mask usable =
         (magnitude(lost) < kMostCorrection * magnitude(kept)) & (magnitude(more) >= kLeastSingle);

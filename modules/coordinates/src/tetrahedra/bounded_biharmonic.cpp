@@ -61,6 +61,8 @@ private:
     field_.addValues(*place, weights);
     // A point that rounding puts outside its tetrahedron takes no negative share of it.
     weights.head(count) = weights.head(count).cwiseMax(0) / weights.head(count).cwiseMax(0).sum();
+    // r = p - sum w_i v_i, constant in every pose: p' = sum w_i v_i' + r = p + sum w_i (v_i' - v_i). Its
+    // gradient is I - sum v_i (grad w_i)^T.
     weights.tail<3>() = point - handles_.transpose() * weights.head(count);
     if (gradients) {
       field_.addGradients(*place, *gradients);

@@ -54,6 +54,8 @@ Parameter resolutionParameter(double maximum, double standard) {
 
 Eigen::Matrix<double, 4, 3> barycentricGradients(const SolidMesh& mesh, Eigen::Index tetrahedron) {
   Eigen::Matrix<double, 4, 3> gradients;
+  // x = v_0 + E (lambda_1, lambda_2, lambda_3) with the edges from v_0 as columns of E: the gradients are the
+  // rows of E^-1. The four coordinates sum to 1, so their gradients sum to zero.
   gradients.bottomRows<3>() = edgesOf(mesh, tetrahedron).inverse();
   gradients.row(0) = -gradients.bottomRows<3>().colwise().sum();
   return gradients;
@@ -64,6 +66,8 @@ SparseMatrix stiffness(const SolidMesh& mesh) {
   entries.reserve(16 * static_cast<std::size_t>(mesh.tetrahedra.rows()));
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
     const auto gradients = barycentricGradients(mesh, t);
+    // K_ij = int grad lambda_i . grad lambda_j = sum_t V_t grad lambda_i . grad lambda_j, constant in each
+    // tetrahedron; then u^T K u / 2 is Dirichlet's energy.
     const Eigen::Matrix4d local = volumeOf(mesh, t) * gradients * gradients.transpose();
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
@@ -75,6 +79,8 @@ SparseMatrix stiffness(const SolidMesh& mesh) {
 }
 
 Values lumpedMass(const SolidMesh& mesh) {
+  // M_i = int lambda_i = sum_t V_t / 4: the rows of the full mass matrix int lambda_i lambda_j summed,
+  // because the lambda_j sum to 1.
   Values mass = Values::Zero(mesh.points.rows());
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
     for (int k = 0; k < 4; ++k)
@@ -113,6 +119,7 @@ SplitSystem::SplitSystem(const SparseMatrix& matrix, const std::vector<Eigen::In
 
 Eigen::MatrixXd leastEnergy(const SparseMatrix& energy, const std::vector<Eigen::Index>& fixed,
                             const Eigen::MatrixXd& given, Threads threads, Progress& progress) {
+  // u^T K u / 2 is least over the free values u_f, with the fixed ones u_b given, where K_ff u_f = -K_fb u_b.
   const SplitSystem split(energy, fixed);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(energy.rows(), given.cols());
   for (std::size_t i = 0; i < fixed.size(); ++i)

@@ -53,6 +53,8 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
     const double twice = area.norm();
     if (std::abs(way.dot(area)) > kOnCageFace * size * twice)
       continue;
+    // b_B = ((x - a) x (c - a)) . n / |n|^2 and b_C = ((b - a) x (x - a)) . n / |n|^2, with n = (b - a) x (c
+    // - a).
     const double ofB = way.cross(c - a).dot(area) / (twice * twice);
     const double ofC = (b - a).cross(way).dot(area) / (twice * twice);
     if (std::min({ofB, ofC, 1 - ofB - ofC}) < -kOnCageFace)

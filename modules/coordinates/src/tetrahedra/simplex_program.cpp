@@ -43,6 +43,8 @@ public:
 
   /// One round of the method.
   void step(Progress& progress) {
+    // Boyd 3.1.1, with M the mass in the penalty's norm: x = argmin x^T E x / 2 + rho/2 |x - z + u|_M^2 for
+    // each handle, (E_ff + rho M) x = -E_fb w_b + rho M (z - u). The fixed weights w_b are the identity.
     Eigen::MatrixXd x(z_.rows(), z_.cols());
     parallelRanges(z_.cols(), 1, threads_, [&](Eigen::Index column, Eigen::Index) {
       progress.throwIfCancelled();
@@ -53,6 +55,8 @@ public:
     const Eigen::MatrixXd before = z_;
     parallelRanges(z_.rows(), kRows, threads_, [&](Eigen::Index begin, Eigen::Index end) {
       for (Eigen::Index row = begin; row < end; ++row) {
+        // Boyd 3.4.3 with x - z = 0 for the constraint: x' = alpha x + (1 - alpha) z, then z = P(x' + u) and
+        // u = u + x' - z. M weighs the entries of a row alike, so P is the plain projection.
         const Eigen::RowVectorXd relaxed = kRelaxation * x.row(row) + (1 - kRelaxation) * z_.row(row);
         Eigen::RowVectorXd projected = relaxed + u_.row(row);
         projectOnSimplex(projected);
@@ -60,6 +64,8 @@ public:
         z_.row(row) = projected;
       }
     });
+    // r = x - z is what is left of the constraint, and s = rho M (z - z_before) of the gradient; here s
+    // without rho M, so that both are in units of a weight.
     primal_ = meanSquare(x - z_);
     dual_ = meanSquare(z_ - before);
   }
@@ -73,6 +79,8 @@ public:
   void balance() {
     if (primal_ <= kImbalance * dual_ && dual_ <= kImbalance * primal_)
       return;
+    // Boyd 3.4.1, but in proportion: rho grows by sqrt(|r| / |s|). u is the multipliers over rho, so it
+    // shrinks by as much.
     const double ratio = dual_ > 0 ? std::sqrt(primal_ / dual_) : kMostChange;
     const double change = std::clamp(ratio, 1 / kMostChange, kMostChange);
     penalty_ *= change;
@@ -109,6 +117,9 @@ private:
 } // namespace
 
 void projectOnSimplex(Eigen::Ref<Eigen::RowVectorXd> row) {
+  // min |w - row|^2 with w_i >= 0 and sum w_i = 1 has w_i = max(0, row_i - theta). Descending, theta = (row_1
+  // + ... + row_k - 1) / k with the last k for which row_k > theta. What rounding leaves of the sum goes out
+  // by division.
   Eigen::RowVectorXd sorted = row;
   std::sort(sorted.begin(), sorted.end(), std::greater<>());
   double sum = 0, shift = 0;

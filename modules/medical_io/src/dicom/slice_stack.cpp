@@ -382,6 +382,8 @@ SliceStack stackSlices(const FrameList& list, const SlicePhase& phase) {
     step = (last.position - first.position) / double(steps);
     reportTilt(first, step, steps, stack.findings);
   }
+  // p(i, j, k) = p_0 + i d_c row + j d_r column + k step: the step between slices is as it is, not along the
+  // normal, so that a tilted gantry's shear is kept.
   stack.indexToLps.linear() << first.row * first.betweenColumns, first.column * first.betweenRows, step;
   stack.indexToLps.translation() = first.position;
   stack.indexToLps.makeAffine();

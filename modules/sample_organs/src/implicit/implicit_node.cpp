@@ -43,6 +43,7 @@ Vec3 projected(const ImplicitNode& node, Vec3 point, int steps) {
     if (std::abs(distance) < kOnSurface)
       break;
     const Vec3 slope = gradient(node, point);
+    // Newton for d = 0 along the gradient, -d grad d / |grad d|^2.
     Vec3 move = -distance / std::max(slope.squaredNorm(), kSmallestNodeSlope2) * slope;
     const double length = move.norm();
     if (length > kLongestNodeStep)

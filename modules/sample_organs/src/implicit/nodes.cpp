@@ -18,6 +18,8 @@ public:
         toAxes_(axes.transpose()) {}
 
   double distanceUpTo(const Vec3& point, double /*limit*/) const override {
+    // d = f / |grad f|, right to first order at the surface, for f = |s| - 1 with s = (p - c) / r along the
+    // axes: |grad f| = |s / r| / |s|.
     const Vec3 scaled = (toAxes_ * (point - center_)).cwiseQuotient(radii_);
     const double level = scaled.norm();
     const double slope = scaled.cwiseQuotient(radii_).norm();
@@ -29,6 +31,7 @@ public:
 
 private:
   static Extent extentOf(const Vec3& center, const Vec3& radii, const Eigen::Matrix3d& axes) {
+    // The largest x of the ellipsoid is |(r_1 a_1x, r_2 a_2x, r_3 a_3x)|, a_k its axes; and so for y and z.
     const Vec3 half = (axes * radii.asDiagonal()).rowwise().norm();
     return {Vec3(center - half), Vec3(center + half)};
   }
@@ -158,6 +161,8 @@ public:
       : ImplicitNode(extentOf(*child, placement)), child_(child), placement_(placement) {}
 
   double distanceUpTo(const Vec3& point, double limit) const override {
+    // p = o + s R (m q), with the mirror m by components, turns distances into s times as many:
+    // d(p) = s d_child(q).
     return placement_.scale * child_->distanceUpTo(local(point), limit / placement_.scale);
   }
 
@@ -283,6 +288,7 @@ private:
     const double away = std::abs(distance);
     if (away >= 2 * reach)
       return distance;
+    // sum_k a 2^-k noise(2.03^k p / wavelength) stays below 2 a, however many octaves there are.
     double sum = 0, amplitude = roughness_.amplitude, frequency = 1 / roughness_.wavelength;
     for (int octave = 0; octave < roughness_.octaves; ++octave) {
       sum += amplitude * valueNoise(frequency * point, roughness_.seed + octave);

@@ -20,6 +20,7 @@ double latticeValue(int x, int y, int z, int seed) {
   return static_cast<double>(h) / 2147483647.5 - 1;
 }
 
+/// 6 t^5 - 15 t^4 + 10 t^3: from 0 to 1, with two derivatives that vanish at both ends.
 double quintic(double t) {
   return t * t * t * (t * (6 * t - 15) + 10);
 }
@@ -31,6 +32,8 @@ double mix(double a, double b, double t) {
 } // namespace
 
 double valueNoise(const Vec3& point, int seed) {
+  // Trilinear between the eight corners of the cell, in quintic(x), quintic(y) and quintic(z) instead of x, y
+  // and z: neighbouring cells then meet with two continuous derivatives.
   const Vec3 floor = point.array().floor();
   const int x = static_cast<int>(floor.x()), y = static_cast<int>(floor.y()), z = static_cast<int>(floor.z());
   const double u = quintic(point.x() - floor.x());

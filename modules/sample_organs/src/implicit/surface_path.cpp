@@ -19,6 +19,7 @@ constexpr int kSurfaceSteps = 8;
 /// Moves a point along the surface to where the two nodes are equally far.
 Vec3 intoGroove(const ImplicitNode& base, const NodePtr (&between)[2], Vec3 point) {
   for (int step = 0; step < kGrooveSteps; ++step) {
+    // A Newton step for f = d_0 - d_1 = 0 along its own gradient: -f grad f / |grad f|^2.
     const double difference = between[0]->distance(point) - between[1]->distance(point);
     const Vec3 slope = gradient(*between[0], point) - gradient(*between[1], point);
     Vec3 move = -difference / std::max(slope.squaredNorm(), kSmallestPathSlope2) * slope;

@@ -22,6 +22,8 @@ constexpr double kCrease = 0.0036;
 constexpr double kPouchPower = 0.3;
 
 double pouch(double phase) {
+  // ((sin^2 + c) / (1 + c))^0.3: |sin|^0.6, whose cusp at each constriction c rounds off; 1 in the middle of
+  // a pouch.
   const double s = std::sin(pi * phase);
   return std::pow((s * s + kCrease) / (1 + kCrease), kPouchPower);
 }
@@ -39,6 +41,7 @@ double foldedFactor(const Folds& f, double arc, double angle) {
   const Vec3 place(1.5 * std::cos(angle), 1.5 * std::sin(angle), arc / f.wavelength);
   const double stray = f.wander * valueNoise(place, f.seed);
   const double strength = 0.6 + 0.4 * valueNoise(0.7 * place, f.seed + 1);
+  // r / r_0 = 1 + depth cos(n angle + 2 pi stray), faded at the ends and uneven by noise.
   return 1 + present * strength * f.depth * std::cos(f.count * angle + 2 * pi * stray);
 }
 
@@ -46,6 +49,8 @@ double haustralFactor(const Haustra& h, double arc, double angle) {
   const double present = presence(h.from, h.to, h.period, arc);
   if (present <= 0)
     return 1;
+  // Between two taeniae r / r_0 = 1 - depth (1 - pouch), at one 1 - taeniaDepth; exp(-(a / width)^2) leads
+  // from one to the other, a the angle from the nearest taenia.
   const double turn = angle / (2 * pi) - std::floor(angle / (2 * pi));
   const double row = std::floor(turn * h.taeniae);
   const double withinRow = turn * h.taeniae - row;
@@ -59,6 +64,7 @@ double haustralFactor(const Haustra& h, double arc, double angle) {
   return 1 + (factor - 1) * present;
 }
 
+/// (I + (f - 1) n n^T) p
 Vec3 scaledAlong(const Vec3& point, const Vec3& direction, double factor) {
   return point + (factor - 1) * point.dot(direction) * direction;
 }
@@ -147,6 +153,8 @@ private:
     const Vec3 binormal = from.binormal + nearest.t * (to.binormal - from.binormal);
     const double arc = from.arc + nearest.t * (to.arc - from.arc);
     const double angle = std::atan2(away.dot(binormal), away.dot(normal));
+    // |a| - r factor(arc, angle) in the tube's own polar coordinates: zero on the wall, and near it the
+    // distance but for the relief's slope.
     const double radial = away.norm() - radius * shape_.relief.factor(arc, angle);
     return beyond + trusted * (radial - beyond);
   }
@@ -162,9 +170,13 @@ private:
     // Beyond the end the tube goes on as a cylinder, which the plane then cuts.
     const double side = (above > 0 ? radial - last.radius : distance) + shape_.rim;
     const double top = above + shape_.rim;
+    // The corner of the quarter plane side <= 0, top <= 0, rounded: both are moved inwards by the rim before,
+    // and d = |max(., 0)| + min(max(side, top), 0) - rim moves them out again.
     const double outside = std::hypot(std::max(side, 0.0), std::max(top, 0.0));
     double result = std::min(std::max(side, top), 0.0) + outside - shape_.rim;
     if (const auto& lumen = shape_.lumen[static_cast<std::size_t>(end)]) {
+      // The hole is what is within the wall and above the floor, and -hole is taken from the tube:
+      // max(d, -hole).
       const double hole =
           smoothMax(radial - (last.radius - lumen->wall), -(above + lumen->depth), kLumenCorner);
       result = smoothMax(result, -hole, kLumenEdge);
@@ -177,6 +189,9 @@ private:
     const double length2 = away.squaredNorm();
     if (length2 <= 0)
       return distance * factor;
+    // With F = I + (f - 1) n n^T the stretched field is d(F^-1 p), whose gradient F^-T a is
+    // sqrt(1 - (a.n)^2 + (a.n)^2 / f^2) long for the unit vector a away from the axis: d / |grad d| to first
+    // order.
     const double along2 = std::pow(away.dot(shape_.flattenDirection), 2) / length2;
     return distance / std::sqrt(1 - along2 + along2 / (factor * factor));
   }

@@ -27,6 +27,7 @@ double knotInterval(const Vec3& a, const Vec3& b) {
   return std::sqrt((b - a).norm()) + kTiny;
 }
 
+/// The harmonic mean, 0 at a turn: radii rise and fall where the given ones do, and never beyond them.
 double limitedSlope(double before, double after) {
   return before * after <= 0 ? 0.0 : 2 * before * after / (before + after);
 }
@@ -41,6 +42,9 @@ public:
     const double a = knotInterval(before, from_.position);
     const double b = knotInterval(from_.position, to_.position);
     const double c = knotInterval(to_.position, after);
+    // Catmull and Rom's slopes over the knots before, from, to and after, a, b and c apart, times b for the
+    // parameter 0 to 1: b ((p_1 - p_0) / a - (p_2 - p_0) / (a + b) + (p_2 - p_1) / b), and likewise at the
+    // other end.
     const Vec3 chord = (to_.position - from_.position) / b;
     fromSlope_ = b * ((from_.position - before) / a - (to_.position - before) / (a + b) + chord);
     toSlope_ = b * (chord - (after - from_.position) / (b + c) + (after - to_.position) / c);
@@ -96,6 +100,7 @@ std::vector<AxisSample> sampleAxis(const std::vector<AxisPoint>& points, double 
   Vec3 normal = firstNormal - firstNormal.dot(start) * start;
   if (normal.norm() < kParallel * firstNormal.norm())
     normal = start.unitOrthogonal();
+  // n less its part along the tangent: the frame turns only as far as the axis bends.
   for (AxisSample& sample : samples) {
     normal = (normal - normal.dot(sample.tangent) * sample.tangent).normalized();
     sample.normal = normal;
@@ -114,6 +119,8 @@ SegmentTree::SegmentTree(const std::vector<AxisSample>& samples) {
     cone.direction = (to.position - from.position) / cone.length;
     cone.radius = from.radius;
     cone.rise = to.radius - from.radius;
+    // With k = rise / length, sqrt(away^2 + (along - x)^2) - (r + k x) is least at
+    // x = along + away k / sqrt(1 - k^2): the foot is shifted towards the wide end.
     const double slope = std::clamp(cone.rise / cone.length, -kSteepest, kSteepest);
     cone.shift = slope / std::sqrt(1 - slope * slope);
     cones_.push_back(cone);

@@ -46,6 +46,8 @@ public:
   void fill(const Corner& low, int edge) {
     const Corner high = clipped(low, edge);
     const double halfDiagonal = 0.5 * std::numbers::sqrt3 * edge * grid_.spacing;
+    // |d(x) - d(m)| <= L |x - m| with L the field's steepness, plus what stands out unannounced: farther than
+    // that from zero in the middle, d has one sign in the whole block.
     const double change = kOvershoot * halfDiagonal + kUnannounced;
     const double middle = node_.distanceUpTo(at(low, 0.5 * edge), 2 * change);
     if (!std::isfinite(middle))

@@ -198,6 +198,8 @@ void forEachDerivative(vtkPointSet* set, const double* at, const Vec3& origin, b
       [&](vtkIdType a, vtkIdType b, vtkIdType c) {
         if (solid)
           return;
+        // 6 V = p . (q x r), so that its derivatives are q x r, r x p and p x q; a tetrahedron's first corner
+        // has minus the sum of the others'.
         const Vec3 p = corner(at, a) - origin, q = corner(at, b) - origin, r = corner(at, c) - origin;
         corner_(a, Vec3(q.cross(r)));
         corner_(b, Vec3(r.cross(p)));
