@@ -2234,6 +2234,13 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Bound in %1 ms</source>
         <translation>Vinculat en %1 ms</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>S’ha eliminat %n tirador</numerusform>
+            <numerusform>S’han eliminat %n tiradors</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -3674,6 +3681,20 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>S’ha eliminat %n òrgan</numerusform>
+            <numerusform>S’han eliminat %n òrgans</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>S’han eliminat %n òrgan i tots els tiradors</numerusform>
+            <numerusform>S’han eliminat %n òrgans i tots els tiradors</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6305,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfés</translation>
     </message>
 </context>
 </TS>

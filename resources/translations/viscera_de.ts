@@ -2234,6 +2234,13 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Bound in %1 ms</source>
         <translation>In %1 ms gebunden</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n Griff entfernt</numerusform>
+            <numerusform>%n Griffe entfernt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -3674,6 +3681,20 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n Organ entfernt</numerusform>
+            <numerusform>%n Organe entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n Organ und alle Griffe entfernt</numerusform>
+            <numerusform>%n Organe und alle Griffe entfernt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6305,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 </TS>

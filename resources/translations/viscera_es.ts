@@ -2234,6 +2234,13 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Bound in %1 ms</source>
         <translation>Vinculado en %1 ms</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n tirador quitado</numerusform>
+            <numerusform>%n tiradores quitados</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -3674,6 +3681,20 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Show</source>
         <translation>Mostrar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n órgano quitado</numerusform>
+            <numerusform>%n órganos quitados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n órgano y todos los tiradores quitados</numerusform>
+            <numerusform>%n órganos y todos los tiradores quitados</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6284,6 +6305,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 </TS>

@@ -118,6 +118,25 @@ TEST_F(HandlesMode, RemovingTooManyHandlesSaysWhatIsWrongAndUndoMends) {
             live::BindingStatus::State::bound);
 }
 
+TEST_F(HandlesMode, SaysHowManyHandlesItRemovedAndOffersToUndoThatStepAlone) {
+  const std::size_t handles = document().rig().handles.size();
+  const auto offer = [this] {
+    return window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+  };
+  key(Qt::Key_A, Qt::ControlModifier);
+  key(Qt::Key_Delete);
+  EXPECT_EQ(message(), QStringLiteral("%1 handles removed").arg(handles));
+  ASSERT_NE(offer(), nullptr);
+  offer()->click();
+  settle();
+  EXPECT_EQ(document().rig().handles.size(), handles);
+  EXPECT_EQ(message(), QString());
+  window().workspace().selection().setHandles({document().rig().handles.front().id});
+  key(Qt::Key_Delete);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(message().contains(QStringLiteral("removed"))) << "it is there again";
+}
+
 /// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
 class Cage : public HandlesMode {
 protected:

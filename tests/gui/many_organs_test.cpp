@@ -115,6 +115,27 @@ TEST_F(ManyOrgans, DeleteTakesTheChosenRowsAndNotTheHandlesBehindThem) {
   EXPECT_EQ(document().rig().handles.size(), handles);
 }
 
+TEST_F(ManyOrgans, ThatAreRemovedAreCountedInANoteThatOffersToUndo) {
+  ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
+  settle();
+  list().setFocus();
+  choose({QStringLiteral("spleen"), QStringLiteral("liver"), QStringLiteral("aorta")});
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  EXPECT_EQ(message(), QStringLiteral("3 organs removed"));
+  window().workspace().perform(document::renameOrgan(organ("colon").id, "bowel"));
+  EXPECT_EQ(message(), QString()) << "Undo would take back the new name";
+  list().selectAll();
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_EQ(message(), QStringLiteral("13 organs and all handles removed"));
+  auto* undo = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+  ASSERT_NE(undo, nullptr);
+  undo->click();
+  settle();
+  EXPECT_EQ(document().organs().size(), 13u);
+  EXPECT_FALSE(document().rig().handles.empty());
+}
+
 TEST_F(ManyOrgans, ThatMoveTogetherComeIntoThePictureTogether) {
   ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
   key(Qt::Key_3);
