@@ -243,6 +243,24 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }
 
+/// What was under the mouse is hidden by a key: no name stands over nothing.
+TEST_F(ManyOrgans, TheNameUnderTheMouseLeavesWithTheOrganAndStaysOfWhatIsThere) {
+  auto& name = find<QLabel>("organUnderCursor");
+  QTest::mouseMove(&view(), placeOf("kidney_left") + QPoint(3, 3));
+  QTest::mouseMove(&view(), placeOf("kidney_left"));
+  ASSERT_TRUE(waitUntil([&] { return name.isVisible(); }));
+  window().workspace().selection().setOrgan(organ("kidney_left").id);
+  key(Qt::Key_H, Qt::ControlModifier);
+  QTest::qWait(300); // Longer than the mouse has to rest.
+  EXPECT_FALSE(name.isVisible()) << "over " << name.text().toStdString();
+  key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(waitUntil([&] { return name.isVisible(); })) << "it is there again, and so is the mouse";
+  window().workspace().perform(document::renameOrgan(organ("kidney_left").id, "renal"));
+  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("renal"); }));
+  window().setMode("handles");
+  EXPECT_FALSE(name.isVisible()) << "another mode may show it elsewhere";
+}
+
 TEST_F(ManyOrgans, TheHandlesOfTheOrganUnderTheMouseStandOut) {
   std::vector<document::NewHandle> handlesBeside;
   for (const auto& organ : document().organs())
