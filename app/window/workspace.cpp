@@ -5,6 +5,7 @@
 #include <QMetaObject>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -105,6 +106,14 @@ coordinates::Traits Workspace::systemTraits() const {
 
 std::shared_ptr<const document::Organ> Workspace::currentOrgan() const {
   return presentation::currentOrgan(document_.state(), selection_.organ());
+}
+
+std::shared_ptr<const document::Organ> Workspace::describedOrgan() const {
+  const document::OrganList& organs = document_.organs();
+  const auto whole =
+      std::count_if(organs.begin(), organs.end(), [](const auto& organ) { return !organ->parent; });
+  const auto selected = document_.organ(selection_.organ());
+  return whole > 1 ? selected : currentOrgan();
 }
 
 QString asSentence(const std::string& utf8) {

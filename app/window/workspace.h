@@ -89,6 +89,9 @@ public:
   /// The organ that commands act on: the selected one, else the first that is nobody's cavity; null without
   /// organs.
   std::shared_ptr<const document::Organ> currentOrgan() const;
+  /// The organ that Properties describe: the selected one, else the only one there is beside its cavities;
+  /// null where several could be meant.
+  std::shared_ptr<const document::Organ> describedOrgan() const;
 
 Q_SIGNALS:
   void messageRaised(const viscera::app::Message& message);

@@ -1406,6 +1406,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>cap seleccionat</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Seleccioneu un òrgan a la vista o a la llista per llegir-ne les dades.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2318,6 +2326,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
     </message>
 </context>
 <context>

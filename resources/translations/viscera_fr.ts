@@ -1406,6 +1406,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>aucun sélectionné</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Sélectionnez un organe dans la vue ou dans la liste pour en lire les données.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2318,6 +2326,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
     </message>
 </context>
 <context>

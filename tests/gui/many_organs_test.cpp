@@ -150,6 +150,26 @@ TEST_F(ManyOrgans, ThatMoveTogetherComeIntoThePictureTogether) {
   EXPECT_LT(pictures, 4) << "not once for each of sixteen organs";
 }
 
+TEST_F(ManyOrgans, AreDescribedOnlyWhereOneIsSelected) {
+  const auto& name = find<QLabel>("exploreOrgan");
+  document::Selection& selection = window().workspace().selection();
+  selection.clear();
+  EXPECT_EQ(name.text(), QStringLiteral("none selected"));
+  EXPECT_TRUE(find<QLabel>("exploreRemarks").text().contains(QStringLiteral("Select an organ")));
+  selection.setOrgan(organ("spleen").id);
+  EXPECT_EQ(name.text(), QStringLiteral("spleen"));
+  EXPECT_TRUE(find<QLabel>("exploreRemarks").isHidden());
+  selection.clear();
+  key(Qt::Key_2);
+  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("liver")) << "whose binding it tells of";
+  std::vector<document::OrganId> others;
+  for (const auto& one : document().organs())
+    if (one->name != "spleen")
+      others.push_back(one->id);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(others)));
+  EXPECT_EQ(name.text(), QStringLiteral("spleen")) << "no other can be meant";
+}
+
 TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {
   key(Qt::Key_F, Qt::ControlModifier);
   QTest::keyClicks(&search(), QStringLiteral("RENAL"));
