@@ -138,6 +138,14 @@ TEST_F(HandlesMode, SaysHowManyHandlesItRemovedAndOffersToUndoThatStepAlone) {
 }
 
 /// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
+TEST_F(HandlesMode, HasNoControlForAParameterThatChangesNothing) {
+  ASSERT_EQ(document().system().id, "s-celestial");
+  const auto parameters = window().workspace().registry().find("s-celestial")->parameters();
+  ASSERT_EQ(parameters.size(), 1u) << "the command line takes it";
+  EXPECT_TRUE(parameters.front().withoutEffect);
+  EXPECT_EQ(window().findChild<QWidget*>(QStringLiteral("parameter/lambda")), nullptr);
+}
+
 class Cage : public HandlesMode {
 protected:
   void SetUp() override {
