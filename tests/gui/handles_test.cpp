@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
@@ -137,7 +138,6 @@ TEST_F(HandlesMode, SaysHowManyHandlesItRemovedAndOffersToUndoThatStepAlone) {
   EXPECT_FALSE(message().contains(QStringLiteral("removed"))) << "it is there again";
 }
 
-/// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
 TEST_F(HandlesMode, HasNoControlForAParameterThatChangesNothing) {
   ASSERT_EQ(document().system().id, "s-celestial");
   const auto parameters = window().workspace().registry().find("s-celestial")->parameters();
@@ -146,6 +146,7 @@ TEST_F(HandlesMode, HasNoControlForAParameterThatChangesNothing) {
   EXPECT_EQ(window().findChild<QWidget*>(QStringLiteral("parameter/lambda")), nullptr);
 }
 
+/// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
 class Cage : public HandlesMode {
 protected:
   void SetUp() override {
@@ -249,7 +250,16 @@ TEST_F(Cage, IsOfferedOnlyForCoordinatesThatNeedOne) {
   EXPECT_TRUE(window().actions()["cage.load"]->isEnabled());
   EXPECT_NE(button(QStringLiteral("Load a cage")), nullptr);
   choose("s-celestial");
-  EXPECT_FALSE(window().actions()["cage.load"]->isEnabled());
+  const QAction& load = *window().actions()["cage.load"];
+  EXPECT_FALSE(load.isEnabled());
+  EXPECT_TRUE(load.toolTip().startsWith(QStringLiteral("For coordinates that need a cage"))) << "why not";
+  int menus = 0;
+  for (const QMenu* menu : window().findChildren<QMenu*>())
+    if (menu->actions().contains(window().actions()["cage.load"])) {
+      EXPECT_TRUE(menu->toolTipsVisible()) << menu->title().toStdString();
+      ++menus;
+    }
+  EXPECT_GT(menus, 0);
   EXPECT_EQ(button(QStringLiteral("Load a cage")), nullptr);
   EXPECT_TRUE(hulls().empty());
 }
