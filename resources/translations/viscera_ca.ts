@@ -6092,6 +6092,26 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Show only this</source>
         <translation>Mostra només aquest</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>Arestes dels &amp;triangles</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dibuixa els triangles dels òrgans com a línies</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triangles &amp;plans</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Dona a cada triangle d’un òrgan un sol to, en lloc d’una superfície llisa</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>

@@ -6092,6 +6092,26 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Show only this</source>
         <translation>Nur dieses zeigen</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>&amp;Kanten der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Die Dreiecke der Organe als Linien zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>&amp;Flache Dreiecke</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Jedem Dreieck eines Organs einen einzigen Farbton geben statt einer glatten Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>

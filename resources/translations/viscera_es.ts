@@ -6092,6 +6092,26 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Show only this</source>
         <translation>Mostrar solo este</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>Aristas de los &amp;triángulos</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dibujar los triángulos de los órganos como líneas</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triángulos &amp;planos</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Dar a cada triángulo de un órgano un solo tono, en lugar de una superficie lisa</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>

@@ -6092,6 +6092,26 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Show only this</source>
         <translation>Afficher seulement ceci</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>&amp;Arêtes des triangles</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dessiner les triangles des organes par des lignes</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triangles &amp;plats</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Donner à chaque triangle d’un organe une seule teinte, au lieu d’une surface lisse</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>

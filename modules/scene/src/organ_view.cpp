@@ -122,6 +122,7 @@ struct OrganView::Parts {
   bool held = false; ///< The mouse moves something.
   bool quick = false;
   bool peeling = true;
+  MeshLook meshLook;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
@@ -195,6 +196,7 @@ void OrganView::Parts::prepareFrame() {
   for (const auto& organ : organs) {
     organ->cullBackFaces(eye);
     organ->setCoarse(part);
+    organ->setMeshLook({meshLook.edges && part == 1, meshLook.flat});
   }
   peelOrOrder(eye);
 }
@@ -523,6 +525,14 @@ void OrganView::setFastDrawing(bool quick) {
 
 bool OrganView::isSlow() const {
   return parts_->software && parts_->verticesSeen() > kAllDrawnInMotion;
+}
+
+void OrganView::setMeshLook(const MeshLook& look) {
+  parts_->meshLook = look;
+}
+
+const MeshLook& OrganView::meshLook() const {
+  return parts_->meshLook;
 }
 
 std::optional<SurfacePick> OrganView::pick(double x, double y) const {
