@@ -190,7 +190,7 @@ void MainWindow::connectView() {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
   });
-  auto* pointer = new OrganPointer(workspace_, *picture_, *view, organPanel_->menu(), this);
+  auto* pointer = new OrganPointer({workspace_, view_, *picture_, *view}, organPanel_->menu(), this);
   connect(pointer, &OrganPointer::aloneWanted, actions_["organ.showOnly"], &QAction::trigger);
   connect(pointer, &OrganPointer::allWanted, actions_["organ.showAll"], &QAction::trigger);
 }

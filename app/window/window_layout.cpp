@@ -1,5 +1,6 @@
 #include "window/window_layout.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
@@ -42,7 +43,7 @@ WindowLayout::WindowLayout(QMainWindow& window, Actions& actions) : QObject(&win
   actions.add("view.layout",
               {tr("&Standard layout"), "reset", {}, tr("Restore the first arrangement of all panels")},
               [this] { bringBack(); });
-  actions.addToggle(
+  fullScreen_ = actions.addToggle(
       "view.fullScreen",
       {tr("&Full screen"), nullptr, {QKeySequence(Qt::Key_F11)}, tr("The window takes the whole screen")},
       false, [this](bool on) { setFullScreen(on); });
@@ -166,6 +167,8 @@ void WindowLayout::watchWindow(const QEvent& event) {
       if (known.key()->width() != pressed_.value(known.key(), known.key()->width()))
         known.value() = {known.key()->width(), window_.width()};
     pressed_.clear();
+  } else if (event.type() == QEvent::WindowStateChange) {
+    fullScreen_->setChecked(window_.isFullScreen()); // Also as the settings or a lecture have it.
   }
 }
 

@@ -84,6 +84,7 @@ private:
   };
 
   QMainWindow& window_;
+  QAction* fullScreen_ = nullptr;
   std::vector<PanelDock*> docks_;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;

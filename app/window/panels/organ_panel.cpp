@@ -165,9 +165,16 @@ void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
     return std::find(organs.begin(), organs.end(), id) != organs.end();
   };
   const bool none = std::all_of(all.begin(), all.end(), [&goes](const auto& organ) {
-    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ.
+    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ, and count with it.
   });
-  workspace_.perform(none ? document::combined(command.name, {command, document::replaceRig({})}) : command);
+  const auto count = static_cast<int>(std::count_if(all.begin(), all.end(), [&goes](const auto& organ) {
+    return goes(organ->id) && !goes(organ->parent);
+  }));
+  if (!none || workspace_.document().rig().handles.empty())
+    workspace_.performTelling(command, tr("%n organs removed", nullptr, count));
+  else
+    workspace_.performTelling(document::combined(command.name, {command, document::replaceRig({})}),
+                              tr("%n organs and all handles removed", nullptr, count));
 }
 
 void OrganPanel::editName() {

@@ -1,7 +1,6 @@
 #include "window/widgets/help_cards.h"
 
 #include <QAction>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHideEvent>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "window/widgets/flow_layout.h"
+#include "window/widgets/key_table.h"
 #include "window/widgets/pointing_frame.h"
 #include "window/widgets/ready_made.h"
 
@@ -25,32 +25,6 @@ namespace {
 constexpr int kPartsOfView = 3;
 /// and leaves so much of its width free at the sides.
 constexpr int kBesideCard = 24;
-
-/// Rows of keys and meanings, in two columns.
-QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget* parent) {
-  auto* table = new QWidget(parent);
-  table->setObjectName(QStringLiteral("page"));
-  table->setAttribute(Qt::WA_StyledBackground);
-  auto* grid = makeLayout<QGridLayout>(table, -1, {0, 0, 8, 0});
-  grid->setHorizontalSpacing(12);
-  grid->setVerticalSpacing(4);
-  const int half = static_cast<int>(rows.size() + 1) / 2;
-  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
-    auto* keys = new QLabel(rows[i].first, table);
-    keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* meaning = new QLabel(rows[i].second, table);
-    meaning->setObjectName(QStringLiteral("muted"));
-    meaning->setWordWrap(true);
-    const int column = i < half ? 0 : 3;
-    grid->addWidget(keys, i % half, column);
-    grid->addWidget(meaning, i % half, column + 1);
-  }
-  grid->setColumnMinimumWidth(2, 16);
-  for (const int meanings : {1, 4})
-    grid->setColumnStretch(meanings, 1);
-  grid->setRowStretch(half, 1);
-  return table;
-}
 
 /// Adds the actions with a key, menu by menu, each once.
 void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
@@ -226,7 +200,7 @@ ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(pare
   scroll->setObjectName(QStringLiteral("panelScroll"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(makeTable(rows, scroll));
+  scroll->setWidget(new KeyTable(rows, scroll));
   scroll->setMinimumSize(200, 100);
   column->addWidget(scroll, 1);
   const QSize content = scroll->widget()->sizeHint();
