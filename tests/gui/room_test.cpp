@@ -1,0 +1,115 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QImage>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "play_fixture.h"
+#include "window/modes/stress_mode.h"
+#include "window/timeline/phase_scrubber.h"
+#include "window/widgets/elided_label.h"
+#include "window/widgets/help_cards.h"
+
+/// How the window shares its room between the view and the panels.
+namespace viscera::tests {
+namespace {
+
+/// 1366 x 768 and 1920 x 1200 pixels at twice the scale.
+constexpr QSize kLaptop(683, 384), kSmallDesk(960, 600), kStandard(1280, 800);
+
+class SharedRoom : public PlayMode {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+  void SetUp() override {
+    PlayMode::SetUp();
+    window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  }
+  void resizeTo(const QSize& size) {
+    window().resize(size);
+    settle();
+  }
+  void forEachMode(const std::function<void(const std::string& mode)>& look) {
+    for (const auto& mode : window().modes().all()) {
+      window().setMode(mode->description().id);
+      settle();
+      look(mode->description().id);
+    }
+  }
+  double partOfView() {
+    return double(view().width()) * view().height() / (double(window().width()) * window().height());
+  }
+  bool shown(const char* panel) { return find<QDockWidget>(panel).isVisible(); }
+  app::ElidedLabel& hint() {
+    return *window().statusBar()->findChild<app::ElidedLabel*>(QStringLiteral("muted"));
+  }
+};
+
+TEST_F(SharedRoom, TheViewHasItsPartInEveryModeAndWindow) {
+  const std::pair<QSize, double> windows[] = {{kLaptop, 0.25}, {kSmallDesk, 0.25}, {kStandard, 0.33}};
+  for (const auto& [size, part] : windows) {
+    resizeTo(size);
+    forEachMode([&, wanted = part](const std::string& mode) {
+      EXPECT_GE(partOfView(), wanted) << mode << " in a window " << window().width() << " wide";
+    });
+  }
+}
+
+TEST_F(SharedRoom, PanelsThatFoldInASmallWindowAreBackInALargeOne) {
+  resizeTo(kLaptop);
+  EXPECT_FALSE(shown("organs") || shown("volumes"));
+  EXPECT_TRUE(shown("timeline") && shown("properties"));
+  resizeTo(kStandard);
+  EXPECT_TRUE(shown("organs") && shown("volumes") && shown("timeline") && shown("properties"));
+  find<QDockWidget>("organs").toggleViewAction()->trigger();
+  resizeTo(kLaptop);
+  resizeTo(kStandard);
+  EXPECT_FALSE(shown("organs")) << "the user has hidden it";
+}
+
+TEST_F(SharedRoom, APanelThatTheUserAsksForInASmallWindowStaysAndOthersFoldForIt) {
+  resizeTo(kLaptop);
+  find<QDockWidget>("organs").toggleViewAction()->trigger();
+  settle();
+  EXPECT_TRUE(shown("organs"));
+  EXPECT_FALSE(shown("properties"));
+  EXPECT_GE(partOfView(), 0.2);
+  key(Qt::Key_1);
+  EXPECT_FALSE(shown("organs")) << "another mode";
+  key(Qt::Key_5);
+  EXPECT_TRUE(shown("organs"));
+}
+
+/// What Qt makes of the heights in a small window is not what the user has wished for.
+TEST_F(SharedRoom, TheChartHasItsHeightAgainAfterASmallWindow) {
+  const auto& chart = find<QDockWidget>("volumes");
+  const int height = chart.height();
+  for (const QSize& small : {kLaptop, kSmallDesk}) {
+    resizeTo(small);
+    key(Qt::Key_4);
+    key(Qt::Key_5);
+    resizeTo(kStandard);
+    EXPECT_NEAR(chart.height(), height, 4) << small.width();
+  }
+}
+
+TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
+  auto& phase = find<QWidget>("phase");
+  const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  EXPECT_TRUE(phase.isVisible());
+  resizeTo(kSmallDesk);
+  EXPECT_FALSE(phase.isVisible());
+  EXPECT_GE(scrubber.width(), 300);
+  resizeTo(kLaptop);
+  EXPECT_GE(scrubber.width(), 200);
+  resizeTo(kStandard);
+  EXPECT_TRUE(phase.isVisible());
+}
+
+} // namespace
+} // namespace viscera::tests
