@@ -98,6 +98,32 @@ TEST_F(SharedRoom, TheChartHasItsHeightAgainAfterASmallWindow) {
   }
 }
 
+TEST_F(SharedRoom, OrgansHaveMoreHeightThanHandles) {
+  for (const QSize& size : {kStandard, kSmallDesk}) {
+    resizeTo(size);
+    key(Qt::Key_3);
+    const auto& list = find<QTreeWidget>("organList");
+    EXPECT_GT(find<QDockWidget>("organs").height(), find<QDockWidget>("handles").height());
+    EXPECT_GE(list.viewport()->height(), 5 * list.visualItemRect(list.topLevelItem(0)).height())
+        << "all five of the heart";
+  }
+}
+
+TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
+  key(Qt::Key_3);
+  EXPECT_FALSE(shown("volumes")) << "nothing was dragged";
+  const QPoint at = onScreen(handleInView(reachableHandle()));
+  QTest::mouseMove(&view(), at);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
+  for (int step = 1; step <= 12; ++step) {
+    QTest::mouseMove(&view(), at + QPoint(3 * step, 2 * step));
+    QTest::qWait(30);
+  }
+  EXPECT_FALSE(shown("volumes")) << "the view stays as it is under the mouse";
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at + QPoint(36, 24));
+  EXPECT_TRUE(waitUntil([this] { return shown("volumes"); }));
+}
+
 TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   auto& phase = find<QWidget>("phase");
   const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
