@@ -124,6 +124,19 @@ TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
   EXPECT_TRUE(waitUntil([this] { return shown("volumes"); }));
 }
 
+TEST_F(SharedRoom, AChangeOfVolumeIsOnePercentageBelowTheVolume) {
+  window().playback().seek(0.3);
+  settle();
+  const auto& list = find<QTreeWidget>("organList");
+  constexpr int kVolume = 2;
+  EXPECT_FALSE(list.isColumnHidden(kVolume)) << "beside the names at the standard width";
+  const QTreeWidgetItem* cavity = list.topLevelItem(0)->child(0);
+  const QString change = cavity->data(kVolume, Qt::UserRole).toString();
+  EXPECT_TRUE(change.startsWith(QLatin1Char('-')) && change.endsWith(QLatin1Char('%')))
+      << change.toStdString();
+  EXPECT_FALSE(change.contains(QLatin1Char('\n')));
+}
+
 TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   auto& phase = find<QWidget>("phase");
   const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
