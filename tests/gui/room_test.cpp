@@ -137,6 +137,25 @@ TEST_F(SharedRoom, AChangeOfVolumeIsOnePercentageBelowTheVolume) {
   EXPECT_FALSE(change.contains(QLatin1Char('\n')));
 }
 
+TEST_F(SharedRoom, TheWelcomeKeepsItsCrossInTheFirstRowAndStaysOffTheView) {
+  window().showWelcome(true);
+  const auto& card = *window().findChild<app::WelcomeCard*>();
+  const auto& cross = *card.findChild<QToolButton*>();
+  for (const QSize& size : {kStandard, kSmallDesk, kLaptop}) {
+    resizeTo(size);
+    for (const QWidget* other : card.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      if (other->isVisible()) {
+        EXPECT_LE(cross.y(), other->geometry().bottom()) << size.width();
+      }
+    const QRect there(view().mapFromGlobal(card.mapToGlobal(QPoint(0, 0))), card.size());
+    EXPECT_FALSE(there.intersects(view().rect())) << size.width();
+  }
+  const int before = view().height();
+  window().showWelcome(false);
+  settle();
+  EXPECT_GT(view().height(), before) << "the room of the card is the view's";
+}
+
 TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   auto& phase = find<QWidget>("phase");
   const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
