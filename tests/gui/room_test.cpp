@@ -169,5 +169,33 @@ TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   EXPECT_TRUE(phase.isVisible());
 }
 
+TEST_F(SharedRoom, AHintOfAFewLettersIsLeftOut) {
+  for (int width = 640; width <= 1280; width += 80) {
+    resizeTo({width, 600});
+    EXPECT_TRUE(hint().text().isEmpty() || hint().text().size() > 20) << hint().text().toStdString();
+  }
+  EXPECT_FALSE(hint().text().isEmpty());
+}
+
+TEST(ElidedLabel, EndsWithAWholeEllipsisOrTakesAShorterForm) {
+  app::ElidedLabel label;
+  for (int width = 60; width <= 160; ++width) {
+    label.resize(width, 20);
+    label.setFullText(
+        QStringLiteral("Some text that is too long for %1 pixels, whatever they are").arg(width));
+    EXPECT_LT(label.fontMetrics().horizontalAdvance(label.text()), label.contentsRect().width())
+        << "the label is drawn a pixel narrower";
+  }
+  const QString longer = QStringLiteral("Petersen 2017, doi 10.1186"), shorter = QStringLiteral("Petersen");
+  label.setFullText(longer, {shorter});
+  label.resize(label.widthFor(shorter), 20);
+  label.setFullText(longer + QLatin1Char('/'), {shorter});
+  EXPECT_EQ(label.text(), shorter);
+  EXPECT_EQ(label.toolTip(), longer + QLatin1Char('/'));
+  label.setFullText(QStringLiteral("Zieht an einem Griff"));
+  label.setFewestLetters(20);
+  EXPECT_EQ(label.text(), QString());
+}
+
 } // namespace
 } // namespace viscera::tests
