@@ -124,6 +124,17 @@ TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
   EXPECT_TRUE(waitUntil([this] { return shown("volumes"); }));
 }
 
+TEST_F(SharedRoom, TheSourceOfNormalValuesIsSaidWhole) {
+  const auto& source = find<app::ElidedLabel>("chartSource");
+  for (const QSize& size : {kSmallDesk, kStandard, QSize(1600, 1000)}) {
+    resizeTo(size);
+    EXPECT_TRUE(source.text().contains(QStringLiteral("Petersen 2017 (UK Biobank)")))
+        << source.text().toStdString();
+    EXPECT_FALSE(source.text().contains(QChar(0x2026))) << source.text().toStdString();
+  }
+  EXPECT_TRUE(source.toolTip().contains(QStringLiteral("doi 10.1186"))) << "the rest";
+}
+
 TEST_F(SharedRoom, AChangeOfVolumeIsOnePercentageBelowTheVolume) {
   window().playback().seek(0.3);
   settle();
