@@ -180,6 +180,40 @@ TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   EXPECT_TRUE(phase.isVisible());
 }
 
+TEST_F(SharedRoom, NamesStayBelowTheBarOfTheTimeline) {
+  auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  constexpr int kBesideBar = 6, kBelowBar = 29;
+  for (const double fraction : {0.05, 0.2, 0.97})
+    for (const int width : {120, 150, 200, 260, 400}) {
+      scrubber.setFraction(fraction);
+      scrubber.resize(width, scrubber.sizeHint().height());
+      const QImage drawn = scrubber.grab().toImage();
+      const QRgb ground = drawn.pixel(0, drawn.height() - 1);
+      for (int y = kBelowBar; y < drawn.height(); ++y)
+        for (int x = 0; x < kBesideBar; ++x)
+          ASSERT_TRUE(drawn.pixel(x, y) == ground && drawn.pixel(drawn.width() - 1 - x, y) == ground)
+              << x << ", " << y << " of a bar " << width << " wide at " << fraction;
+    }
+}
+
+TEST_F(SharedRoom, BracketsOfTheTimelineReachBesideTheirNames) {
+  auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  constexpr double kSystole = 0.4025, kBeside = 8;
+  int named = 0;
+  for (int width = 100; width <= 400; ++width) {
+    scrubber.resize(width, scrubber.height());
+    for (const QString& group : scrubber.groupsShown()) {
+      if (!group.startsWith(QStringLiteral("systole")))
+        continue;
+      ++named;
+      EXPECT_GE(kSystole * (width - 2 * app::kPhaseMargin),
+                scrubber.fontMetrics().horizontalAdvance(group) + kBeside)
+          << group.toStdString() << ' ' << width;
+    }
+  }
+  EXPECT_GT(named, 100);
+}
+
 TEST_F(SharedRoom, AHintOfAFewLettersIsLeftOut) {
   for (int width = 640; width <= 1280; width += 80) {
     resizeTo({width, 600});
