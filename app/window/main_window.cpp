@@ -155,6 +155,8 @@ void MainWindow::placePanels() {
                   imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
+  for (const auto& mode : modes_->all())
+    connect(mode.get(), &Mode::panelsChanged, layout_, follow);
   connect(&playback_, &Playback::stateChanged, layout_, follow);
   connect(&playback_, &Playback::advanced, layout_, follow); // The timeline was dragged.
   follow();

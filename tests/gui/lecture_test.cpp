@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QScreen>
 #include <QStatusBar>
 #include <QTest>
 
@@ -18,9 +17,11 @@
 #include "window/compare/comparison.h"
 #include "window/language.h"
 #include "window/lecture/slides.h"
+#include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
+#include "window/window_layout.h"
 
 namespace viscera::tests {
 namespace {
@@ -136,10 +137,19 @@ TEST_F(Room, TheChartKeepsItsHeightFromSequenceToSequenceAndBesideSigns) {
   }
 }
 
+/// Also one of 1366 x 768 pixels at twice the scale, and one of 1920 x 1200.
 TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
-  const QSize screen = window().screen()->availableSize();
-  EXPECT_LE(window().width(), screen.width());
-  EXPECT_LE(window().height(), screen.height());
+  window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  for (const QSize& screen : {QSize(683, 384), QSize(960, 600), QSize(1024, 768), QSize(1280, 800)}) {
+    window().resize(app::firstWindowSize(screen));
+    settle();
+    for (const auto& mode : window().modes().all()) {
+      window().setMode(mode->description().id);
+      settle();
+      EXPECT_LE(window().width(), screen.width()) << window().mode();
+      EXPECT_LE(window().height(), screen.height()) << window().mode();
+    }
+  }
 }
 
 TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {

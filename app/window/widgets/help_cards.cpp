@@ -11,6 +11,7 @@
 #include <QShowEvent>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 #include "window/widgets/flow_layout.h"
@@ -40,8 +41,9 @@ void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
 
 WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("welcomeCard"));
-  auto* row = new FlowLayout(this, 8);
-  row->setContentsMargins(16, 8, 8, 8);
+  auto* outer = makeLayout<QHBoxLayout>(this, 8, {16, 8, 8, 8});
+  auto* row = new FlowLayout(nullptr, 8);
+  outer->addLayout(row, 1);
   auto* title = new QLabel(tr("Welcome"), this);
   embolden(title);
   row->addWidget(title);
@@ -62,7 +64,7 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
       makeIconButton("close", tr("Close this card (Help > Welcome shows it again)"), this, 14);
   closeButton->setAccessibleName(tr("Close this card"));
   closeButton->setMinimumHeight(open->sizeHint().height());
-  row->addWidget(closeButton);
+  outer->addWidget(closeButton, 0, Qt::AlignTop); // In the first row, however many there are.
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -92,8 +94,21 @@ void WelcomeCard::fit() {
   for (QWidget* part : lesser_)
     part->show();
   for (QWidget* part : lesser_)
-    if (layout()->totalHeightForWidth(room.width() - kBesideCard) > room.height() / kPartsOfView)
+    if (heightIn(room.width()) > room.height() / kPartsOfView)
       part->hide();
+  Q_EMIT heightTaken(heightIn(room.width()));
+}
+
+/// As high as the card is in a view of that width.
+int WelcomeCard::heightIn(int width) const {
+  return layout()->totalHeightForWidth(std::min(width - kBesideCard, layout()->totalSizeHint().width()));
+}
+
+/// Not where the window is hidden with all that is in it.
+void WelcomeCard::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  if (isHidden())
+    Q_EMIT heightTaken(0);
 }
 
 TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)
