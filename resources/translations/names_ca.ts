@@ -772,15 +772,15 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
+        <source>Warping the image</source>
         <translation>Es deforma la imatge</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
+        <source>Warping the scan</source>
         <translation>Es deforma l’exploració</translation>
     </message>
     <message>
-        <source>Bent</source>
+        <source>Warped</source>
         <translation>Deformat</translation>
     </message>
     <message>
@@ -2236,24 +2236,24 @@
         <translation>Pàncrees</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Pic del teixit plegat</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Teixit plegat en algun instant</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Pic de l’estirament màxim</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Màxim de l’estirament màxim</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Pic de la tensió rotacional</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Tensió rotacional màxima</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Pic de l’estirament mínim</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Mínim de l’estirament mínim</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Pic de la raó de volums</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Raó de volums extrema</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -7450,8 +7450,8 @@
         <translation>bloquejat</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forma de referència (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forma en repòs (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>Sobre</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Now</source>
@@ -8086,7 +8086,7 @@
         <translation>No hi ha cap exploració per exportar</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
+        <source>There are no handles that could warp the scan</source>
         <translation>No hi ha tiradors que puguin deformar l’exploració</translation>
     </message>
     <message>

@@ -772,16 +772,16 @@
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Bild wird gebogen</translation>
+        <source>Warping the image</source>
+        <translation>Bild wird verformt</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Scan wird gebogen</translation>
+        <source>Warping the scan</source>
+        <translation>Scan wird verformt</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Gebogen</translation>
+        <source>Warped</source>
+        <translation>Verformt</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -893,7 +893,7 @@
     </message>
     <message>
         <source>Change key sequence</source>
-        <translation>Schlüsselfolge ändern</translation>
+        <translation>Schlüsselbildfolge ändern</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -2236,24 +2236,24 @@
         <translation>Bauchspeicheldrüse</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Höchstwert des gefalteten Gewebes</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Zeitweise gefaltetes Gewebe</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Höchstwert der größten Streckung</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Maximum der größten Streckung</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Höchstwert des Rotationsstresses</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Maximaler Rotationsstress</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Höchstwert der kleinsten Streckung</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Minimum der kleinsten Streckung</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Höchstwert des Volumenverhältnisses</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Extremes Volumenverhältnis</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>Replace key sequence</source>
-        <translation>Schlüsselfolge ersetzen</translation>
+        <translation>Schlüsselbildfolge ersetzen</translation>
     </message>
     <message>
         <source>Reproductive system</source>
@@ -7450,7 +7450,7 @@
         <translation>gesperrt</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
+        <source>Rest shape (ml)</source>
         <translation>Ruheform (ml)</translation>
     </message>
     <message>
@@ -7502,7 +7502,7 @@
         <translation>Auf</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -8086,8 +8086,8 @@
         <translation>Es gibt keinen Scan zu exportieren</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>Es gibt keine Griffe, die den Scan biegen könnten</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>Es gibt keine Griffe, die den Scan verformen könnten</translation>
     </message>
     <message>
         <source>Writing the scan</source>

@@ -772,16 +772,16 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Curvando la imagen</translation>
+        <source>Warping the image</source>
+        <translation>Deformando la imagen</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Curvando el estudio</translation>
+        <source>Warping the scan</source>
+        <translation>Deformando el estudio</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Curvado</translation>
+        <source>Warped</source>
+        <translation>Deformado</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -2236,24 +2236,24 @@
         <translation>Páncreas</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Máximo del tejido plegado</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Tejido plegado en algún instante</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
+        <source>Maximum of largest stretch</source>
         <translation>Máximo del estiramiento máximo</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Máximo del estrés rotacional</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Estrés rotacional máximo</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Máximo del estiramiento mínimo</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Mínimo del estiramiento mínimo</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Máximo de la razón de volúmenes</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Razón de volúmenes extrema</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -7450,8 +7450,8 @@
         <translation>bloqueado</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forma de referencia (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forma en reposo (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>En</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referencia</translation>
+        <source>Rest shape</source>
+        <translation>Forma en reposo</translation>
     </message>
     <message>
         <source>Now</source>
@@ -8086,8 +8086,8 @@
         <translation>No hay ningún estudio que exportar</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>No hay tiradores que puedan curvar el estudio</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>No hay tiradores que puedan deformar el estudio</translation>
     </message>
     <message>
         <source>Writing the scan</source>

@@ -772,16 +772,16 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Courbure de l’image</translation>
+        <source>Warping the image</source>
+        <translation>Déformation de l’image</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Courbure de l’examen</translation>
+        <source>Warping the scan</source>
+        <translation>Déformation de l’examen</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Courbé</translation>
+        <source>Warped</source>
+        <translation>Déformé</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -2236,24 +2236,24 @@
         <translation>Pancréas</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Pic du tissu replié</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Tissu replié à un instant</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Pic du plus grand étirement</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Maximum du plus grand étirement</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Pic de la contrainte rotationnelle</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Contrainte rotationnelle maximale</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Pic du plus petit étirement</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Minimum du plus petit étirement</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Pic du rapport de volume</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Rapport de volume extrême</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -7450,8 +7450,8 @@
         <translation>verrouillé</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forme de référence (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forme au repos (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>Sur</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Now</source>
@@ -8086,8 +8086,8 @@
         <translation>Il n’y a pas d’examen à exporter</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>Il n’y a pas de poignées pour courber l’examen</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>Il n’y a pas de poignées pour déformer l’examen</translation>
     </message>
     <message>
         <source>Writing the scan</source>

@@ -591,31 +591,31 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
+        <source>Export the &amp;warped scan...</source>
         <translation>Exporta l’exploració de&amp;formada...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
         <translation>Escriu l’exploració tal com la deforma la postura, amb un mapa d’etiquetes dels òrgans en aquesta postura</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
+        <source>Export the warped scan</source>
         <translation>Exporta l’exploració deformada</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
+        <source>Exporting the warped scan</source>
         <translation>S’exporta l’exploració deformada</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
+        <source>The warped scan was written to %1.</source>
         <translation>S’ha escrit l’exploració deformada a %1.</translation>
     </message>
     <message>
@@ -1029,8 +1029,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Ara</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1356,8 +1356,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Reference volume</source>
-        <translation>Volum de referència</translation>
+        <source>Rest volume</source>
+        <translation>Volum en repòs</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1806,8 +1806,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Fa bategar %1 i les seves cavitats com el cor d’un llibre de text. La forma actual compta com a final de la diàstole. El resultat és una seqüència enregistrada.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Fa bategar %1 i les seves cavitats com el cor d’un llibre de text. La forma actual compta com a final de la diàstole. El resultat és una seqüència de claus.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2155,8 +2155,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Tiradors</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma de referència es manté</translation>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
+        <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma en repòs es manté</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2368,8 +2368,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Deforma</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma de referència.</translation>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
+        <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma en repòs.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2570,8 +2570,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Reprodueix-la</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Reprodueix la seqüència enregistrada</translation>
+        <source>Play the key sequence</source>
+        <translation>Reprodueix la seqüència de claus</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2899,8 +2899,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Ara</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -3153,8 +3153,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Troba el moviment</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència enregistrada amb una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència de claus, una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3668,8 +3668,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Una superfície oberta no tanca cap volum</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 en la forma de referència, %2 (%3) ara</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 en repòs, %2 (%3) ara</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3733,8 +3733,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
-        <translation>qualsevol mida corporal</translation>
+        <source>any body surface area</source>
+        <translation>tota superfície corporal</translation>
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
@@ -3817,8 +3817,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Afegeix la postura actual a la seqüència enregistrada</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Afegeix la postura actual a la seqüència de claus</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3949,8 +3949,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Fixa aquests òrgans en la postura actual en una segona vista i continua aquí</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls corbats.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls deformats.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4036,8 +4036,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Prescriu un volum</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Enregistra una seqüència</translation>
+        <source>Key sequence</source>
+        <translation>Seqüència de claus</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4052,8 +4052,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4068,8 +4068,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4718,11 +4718,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Talls a la &amp;vista 3D</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
+        <source>&amp;Warp the scan</source>
         <translation>&amp;Deforma l’exploració</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Mostra l’exploració tal com la deforma la postura</translation>
     </message>
     <message>
@@ -4995,7 +4995,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
+        <source>The scan cannot be warped: %1</source>
         <translation>L’exploració no es pot deformar: %1</translation>
     </message>
     <message>
@@ -5118,7 +5118,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Tensió rotacional</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>màxima</translation>
     </message>
     <message>
@@ -5308,16 +5308,16 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mostra els valors on el mapa és màxim, i hi secciona l’òrgan</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>&amp;Pic de la seqüència</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Mà&amp;xim de la seqüència</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>El valor més gran que assoleix cada punt en un cicle de la seqüència</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>El valor més extrem que assoleix cada punt en un cicle de la seqüència</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5408,8 +5408,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Al costat d’una altra vista: una sola escala de colors per als dos mapes de tensió, perquè es puguin comparar</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Vés al &amp;moment del pic</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Vés al &amp;moment del màxim</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5470,7 +5470,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Valors</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Mínim</translation>
     </message>
     <message>
@@ -5482,7 +5482,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Màxim</translation>
     </message>
     <message>
@@ -5665,8 +5665,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Sondes</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Moment del pic</translation>
+        <source>Time of the maximum</source>
+        <translation>Moment del màxim</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6012,8 +6012,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mostra els &amp;tiradors en tots els modes</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
-        <translation>&amp;Fantasma de la forma de referència</translation>
+        <source>&amp;Ghost of the rest shape</source>
+        <translation>&amp;Fantasma de la forma en repòs</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6161,8 +6161,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>FE %1 %  VS %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
-        <translation>%1 % de referència</translation>
+        <source>%1 % of rest</source>
+        <translation>%1 % del repòs</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

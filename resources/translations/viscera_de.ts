@@ -591,32 +591,32 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
-        <translation>Ge&amp;bogenen Scan exportieren...</translation>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Verformten S&amp;can exportieren...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
-        <translation>Den Scan so schreiben, wie die Pose ihn biegt, mit einer Labelmap der Organe in dieser Pose</translation>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Den Scan so schreiben, wie die Pose ihn verformt, mit einer Labelmap der Organe in dieser Pose</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
-        <translation>Gebogenen Scan exportieren</translation>
+        <source>Export the warped scan</source>
+        <translation>Verformten Scan exportieren</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
-        <translation>Gebogener Scan wird exportiert</translation>
+        <source>Exporting the warped scan</source>
+        <translation>Verformter Scan wird exportiert</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
-        <translation>Der gebogene Scan wurde in %1 geschrieben.</translation>
+        <source>The warped scan was written to %1.</source>
+        <translation>Der verformte Scan wurde in %1 geschrieben.</translation>
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
@@ -1029,7 +1029,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -1356,7 +1356,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Name</translation>
     </message>
     <message>
-        <source>Reference volume</source>
+        <source>Rest volume</source>
         <translation>Ruhevolumen</translation>
     </message>
     <message>
@@ -1806,8 +1806,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Lässt %1 und seine Höhlen wie ein Lehrbuchherz schlagen. Die jetzige Form gilt als Ende der Diastole. Das Ergebnis ist eine aufgezeichnete Sequenz.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Lässt %1 und seine Höhlen wie ein Lehrbuchherz schlagen. Die jetzige Form gilt als Ende der Diastole. Das Ergebnis ist eine Schlüsselbildfolge.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2155,7 +2155,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Griffe</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Ruheform bleibt</translation>
     </message>
     <message>
@@ -2368,7 +2368,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Verformen</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Ruheform als Umriss.</translation>
     </message>
     <message>
@@ -2570,8 +2570,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Die aufgezeichnete Sequenz abspielen</translation>
+        <source>Play the key sequence</source>
+        <translation>Die Schlüsselbildfolge abspielen</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2899,7 +2899,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -3153,8 +3153,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Bewegung bestimmen</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine aufgezeichnete Sequenz mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine Schlüsselbildfolge mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3668,8 +3668,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Eine offene Oberfläche schließt kein Volumen ein</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 in der Ruheform, jetzt %2 (%3)</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 in Ruhe, jetzt %2 (%3)</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3714,7 +3714,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <name>viscera::app::PersonBox</name>
     <message>
         <source>Women and men</source>
-        <translation>Alle Erwachsenen</translation>
+        <translation>Frauen und Männer</translation>
     </message>
     <message>
         <source>Women</source>
@@ -3733,7 +3733,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
+        <source>any body surface area</source>
         <translation>jede Körperoberfläche</translation>
     </message>
     <message>
@@ -3817,8 +3817,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Die jetzige Pose der aufgezeichneten Sequenz hinzufügen</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Die jetzige Pose der Schlüsselbildfolge hinzufügen</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3949,8 +3949,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Diese Organe in ihrer jetzigen Pose in einer zweiten Ansicht festhalten und hier weiterarbeiten</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine gebogenen Schnitte.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine verformten Schichten.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4036,8 +4036,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Volumen vorgeben</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Sequenz aufzeichnen</translation>
+        <source>Key sequence</source>
+        <translation>Schlüsselbildfolge</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4052,8 +4052,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4068,8 +4068,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4718,11 +4718,11 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Schichten in der 3&amp;D-Ansicht</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
-        <translation>Scan &amp;biegen</translation>
+        <source>&amp;Warp the scan</source>
+        <translation>Scan &amp;verformen</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Den Scan so zeigen, wie die Pose ihn verformt</translation>
     </message>
     <message>
@@ -4995,8 +4995,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
-        <translation>Der Scan kann nicht gebogen werden: %1</translation>
+        <source>The scan cannot be warped: %1</source>
+        <translation>Der Scan kann nicht verformt werden: %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
@@ -5118,7 +5118,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Rotationsstress</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5308,16 +5308,16 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Die Werte zeigen, wo die Karte am größten ist, und das Organ dort aufschneiden</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>Höch&amp;stwert über die Sequenz</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Ma&amp;ximum über die Sequenz</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>Der größte Wert, den jeder Punkt in einem Zyklus der Sequenz erreicht</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>Der extremste Wert, den jeder Punkt in einem Zyklus der Sequenz erreicht</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5408,8 +5408,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Neben einer zweiten Ansicht: ein Farbbereich für beide Stresskarten, damit sie verglichen werden können</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Zum Zei&amp;tpunkt des Höchstwerts gehen</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Zum Zei&amp;tpunkt des Maximums gehen</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5470,7 +5470,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zahlen</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -5482,7 +5482,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>95. Perzentil</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5665,8 +5665,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Sonden</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Zeitpunkt des Höchstwerts</translation>
+        <source>Time of the maximum</source>
+        <translation>Zeitpunkt des Maximums</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6012,7 +6012,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>&amp;Griffe in jedem Modus zeigen</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
+        <source>&amp;Ghost of the rest shape</source>
         <translation>Schatten&amp;bild der Ruheform</translation>
     </message>
     <message>
@@ -6161,7 +6161,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>EF %1 %  SV %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
+        <source>%1 % of rest</source>
         <translation>%1 % der Ruheform</translation>
     </message>
     <message>

@@ -591,32 +591,32 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
-        <translation>Exporter l’examen &amp;courbé...</translation>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Exporter l’&amp;examen déformé...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
-        <translation>Écrire l’examen tel que la pose le courbe, avec une carte d’étiquettes des organes dans cette pose</translation>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
-        <translation>Exporter l’examen courbé</translation>
+        <source>Export the warped scan</source>
+        <translation>Exporter l’examen déformé</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
-        <translation>Exportation de l’examen courbé</translation>
+        <source>Exporting the warped scan</source>
+        <translation>Exportation de l’examen déformé</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
-        <translation>L’examen courbé a été écrit dans %1.</translation>
+        <source>The warped scan was written to %1.</source>
+        <translation>L’examen déformé a été écrit dans %1.</translation>
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
@@ -1029,8 +1029,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Actuel</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1356,8 +1356,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Reference volume</source>
-        <translation>Volume de référence</translation>
+        <source>Rest volume</source>
+        <translation>Volume au repos</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1806,8 +1806,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Fait battre %1 et ses cavités comme le cœur d’un manuel. La forme actuelle compte comme fin de diastole. Le résultat est une séquence enregistrée.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Fait battre %1 et ses cavités comme le cœur d’un manuel. La forme actuelle compte comme fin de diastole. Le résultat est une séquence de clés.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2155,8 +2155,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Poignées</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Cliquez l’organe pour ajouter une poignée, glissez pour la déplacer, Suppr la supprime&#x202f;; la forme de référence reste</translation>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
+        <translation>Cliquez sur l’organe pour ajouter une poignée, faites-la glisser pour la déplacer, Suppr la supprime ; la forme au repos reste</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2368,8 +2368,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Déformer</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme de référence.</translation>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
+        <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme au repos.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2570,8 +2570,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Lire</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Lire la séquence enregistrée</translation>
+        <source>Play the key sequence</source>
+        <translation>Lire la séquence de clés</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2899,8 +2899,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Actuel</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -3153,8 +3153,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Trouver le mouvement</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence enregistrée avec une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts&#x202f;; Annuler les ramène.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3668,8 +3668,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Une surface ouverte n’enferme aucun volume</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 dans la forme de référence, %2 (%3) actuellement</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 au repos, %2 (%3) actuellement</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3733,7 +3733,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
+        <source>any body surface area</source>
         <translation>toute surface corporelle</translation>
     </message>
     <message>
@@ -3817,8 +3817,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Ajouter la pose actuelle à la séquence enregistrée</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Ajouter la pose actuelle à la séquence de clés</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3949,8 +3949,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes courbées.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes déformées.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4036,8 +4036,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Imposer un volume</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Enregistrer une séquence</translation>
+        <source>Key sequence</source>
+        <translation>Séquence de clés</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4052,8 +4052,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4068,8 +4068,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4718,11 +4718,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Coupes dans la vue &amp;3D</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
-        <translation>Cour&amp;ber l’examen</translation>
+        <source>&amp;Warp the scan</source>
+        <translation>&amp;Déformer l’examen</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Montrer l’examen tel que la pose le déforme</translation>
     </message>
     <message>
@@ -4995,8 +4995,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
-        <translation>L’examen ne peut pas être courbé&#x202f;: %1</translation>
+        <source>The scan cannot be warped: %1</source>
+        <translation>L’examen ne peut pas être déformé : %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
@@ -5118,7 +5118,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Contrainte rotationnelle</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>maximum</translation>
     </message>
     <message>
@@ -5308,16 +5308,16 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Montrer les valeurs là où la carte est maximale, et y ouvrir l’organe</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>&amp;Pic sur la séquence</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Ma&amp;ximum sur la séquence</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>La plus grande valeur que chaque point atteint en un cycle de la séquence</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>La valeur la plus extrême que chaque point atteint en un cycle de la séquence</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5408,8 +5408,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>À côté d’une autre vue : une seule échelle de couleurs pour les deux cartes de contrainte, pour les comparer</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Alle&amp;r au moment du pic</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Alle&amp;r au moment du maximum</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5470,7 +5470,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -5482,7 +5482,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>95e centile</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5665,8 +5665,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Sondes</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Moment du pic</translation>
+        <source>Time of the maximum</source>
+        <translation>Moment du maximum</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6012,8 +6012,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Afficher les &amp;poignées dans chaque mode</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
-        <translation>&amp;Fantôme de la forme de référence</translation>
+        <source>&amp;Ghost of the rest shape</source>
+        <translation>&amp;Fantôme de la forme au repos</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6161,8 +6161,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>FE %1 %  VES %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
-        <translation>%1 % de référence</translation>
+        <source>%1 % of rest</source>
+        <translation>%1 % du repos</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

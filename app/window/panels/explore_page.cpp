@@ -43,7 +43,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
     addCheck(actions[id]);
   addSection(tr("Organ"));
   name_ = addFact(tr("Name"));
-  volume_ = addFact(tr("Reference volume"));
+  volume_ = addFact(tr("Rest volume"));
   size_ = addFact(tr("Size"));
   triangles_ = addFact(tr("Triangles"));
   surface_ = addFact(tr("Surface"));

@@ -413,7 +413,7 @@ void OrganPanel::updateVolumes() {
     item->setForeground(kOrganVolume, changed && !systems_.empty() ? colors.link() : colors.text());
     item->setForeground(kOrganChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
-                                       : tr("%1 in the reference shape, %2 (%3) now")
+                                       : tr("%1 at rest, %2 (%3) now")
                                              .arg(formatMilliliters(volume.restMl), formatChange(volume),
                                                   formatRelativeChange(volume));
     item->setToolTip(kOrganVolume, tip);
