@@ -682,15 +682,15 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Precàrrega: sang estressada</translation>
+        <translation>Precàrrega: volum estressat</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcàrrega: cos</translation>
+        <translation>Postcàrrega: sistèmica</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcàrrega: pulmons</translation>
+        <translation>Postcàrrega: pulmonar</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -2377,7 +2377,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Els colors mostren com deforma la postura el teixit interior. Feu clic a l’òrgan per llegir els valors d’un punt; C el secciona, M mostra el mapa següent. Espai reprodueix la seqüència i el mapa la segueix.</translation>
+        <translation>Els colors mostren fins a quin punt la postura distorsiona el teixit interior. Feu clic a l’òrgan per llegir els valors d’un punt; C el secciona, M mostra el mapa següent. Espai reprodueix la seqüència i el mapa la segueix.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2437,7 +2437,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
-        <translation>%1 òrgans: %2 amb errors, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
+        <translation>%1 òrgans: %2 amb defectes, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
     </message>
     <message>
         <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
@@ -2523,7 +2523,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Suavització fins a la clau següent</translation>
+        <translation>Transició fins a la clau següent</translation>
     </message>
     <message>
         <source>Add key</source>
@@ -2802,7 +2802,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1: this view is kept</source>
-        <translation>%1: aquesta vista s&apos;ha desat</translation>
+        <translation>%1: aquesta vista s’ha desat</translation>
     </message>
 </context>
 <context>
@@ -4029,7 +4029,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Record a movie</source>
-        <translation>Enregistra un vídeo</translation>
+        <translation>Enregistra una pel·lícula</translation>
     </message>
     <message>
         <source>Prescribe a volume</source>
@@ -5042,7 +5042,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Guarda la vista actual amb el tall, els noms i els òrgans amagats, i l’instant d’una seqüència en pausa</translation>
+        <translation>Guarda la vista actual amb la secció, els noms i els òrgans amagats, i l’instant d’una seqüència en pausa</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5050,7 +5050,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Mostra, talla i anomena els òrgans com abans de les diapositives</translation>
+        <translation>Mostra, secciona i anomena els òrgans com abans de les diapositives</translation>
     </message>
 </context>
 <context>
@@ -5325,7 +5325,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
-        <translation>Dibuixa el mapa a la superfície de l’òrgan en comptes dels tetraedres exteriors</translation>
+        <translation>Dibuixa el mapa a la superfície de l’òrgan en comptes dels tetràedres exteriors</translation>
     </message>
     <message>
         <source>&amp;Keep the legend&apos;s range</source>
@@ -5507,11 +5507,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
-        <translation>Llisa: a través dels tetraedres</translation>
+        <translation>Llisa: a través dels tetràedres</translation>
     </message>
     <message>
         <source>Crinkle: whole tetrahedra</source>
-        <translation>Irregular: tetraedres sencers</translation>
+        <translation>Irregular: tetràedres sencers</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5643,7 +5643,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>%1 in %2 tetrahedra</source>
-        <translation>%1 en %2 tetraedres</translation>
+        <translation>%1 en %2 tetràedres</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5765,11 +5765,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>tetrahedra</source>
-        <translation>tetraedres</translation>
+        <translation>tetràedres</translation>
     </message>
     <message>
         <source>Fills the organ with tetrahedra first</source>
-        <translation>Primer omple l’òrgan de tetraedres</translation>
+        <translation>Primer omple l’òrgan de tetràedres</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -5796,7 +5796,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>With tetrahedra</source>
-        <translation>Amb tetraedres</translation>
+        <translation>Amb tetràedres</translation>
     </message>
     <message>
         <source>Attempts of the thesis</source>
@@ -5883,7 +5883,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Càmera lenta: com passa de ràpid el temps (S)</translation>
+        <translation>Càmera lenta: velocitat a què passa el temps (S)</translation>
     </message>
     <message>
         <source>1x</source>

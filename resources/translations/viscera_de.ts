@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>Volumes over one cycle: %1</source>
-        <translation>Volumen über einen Zyklus: %1</translation>
+        <translation>Volumina über einen Zyklus: %1</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -245,7 +245,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Which chamber shrinks now?</source>
-        <translation>Welche Kammer wird jetzt kleiner?</translation>
+        <translation>Welche Herzhöhle wird jetzt kleiner?</translation>
     </message>
     <message>
         <source>Both</source>
@@ -442,7 +442,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Welle im Magenkörper</translation>
+        <translation>Welle im Magencorpus</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -686,11 +686,11 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Nachlast: Körper</translation>
+        <translation>Nachlast: Körperkreislauf</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Nachlast: Lunge</translation>
+        <translation>Nachlast: Lungenkreislauf</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -2500,7 +2500,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>To check</source>
-        <translation>Zum Ansehen</translation>
+        <translation>Zu prüfen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2543,7 +2543,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Take pose</source>
-        <translation>Pose holen</translation>
+        <translation>Pose übernehmen</translation>
     </message>
     <message>
         <source>Set the present pose to that of this key</source>
@@ -4029,7 +4029,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Record a movie</source>
-        <translation>Film aufzeichnen</translation>
+        <translation>Film aufnehmen</translation>
     </message>
     <message>
         <source>Prescribe a volume</source>
@@ -4156,7 +4156,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
-        <translation>Diese Organe sind offen und haben keine Volumen, die sich sperren ließen: %1.</translation>
+        <translation>Diese Organe sind offen und haben keine Volumina, die sich sperren ließen: %1.</translation>
     </message>
 </context>
 <context>
@@ -4410,7 +4410,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>cardiac output</source>
-        <translation>Herzzeitvolumen</translation>
+        <translation>Herzminutenvolumen</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>

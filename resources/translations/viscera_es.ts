@@ -1819,7 +1819,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
-        <translation>Ajustar el latido de libro a %1</translation>
+        <translation>Ajustar el latido de manual a %1</translation>
     </message>
 </context>
 <context>
@@ -2377,7 +2377,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Los colores muestran cuánto deforma la pose el tejido interior. Haga clic en el órgano para leer los valores de un punto; C lo corta, M muestra el mapa siguiente. Espacio reproduce la secuencia y el mapa la sigue.</translation>
+        <translation>Los colores muestran cuánto distorsiona la pose el tejido interior. Haga clic en el órgano para leer los valores de un punto; C lo secciona, M muestra el mapa siguiente. Espacio reproduce la secuencia y el mapa la sigue.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2523,7 +2523,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Aceleración hasta el fotograma clave siguiente</translation>
+        <translation>Transición al fotograma clave siguiente</translation>
     </message>
     <message>
         <source>Add key</source>
@@ -3637,7 +3637,7 @@ Doble clic o F2 renombra; un clic en el cuadrado cambia el color</translation>
     </message>
     <message>
         <source>An open surface has no volume to lock; click to close its holes</source>
-        <translation>Una superficie abierta no tiene volumen que bloquear; haga clic para cerrar sus orificios</translation>
+        <translation>Una superficie abierta no tiene volumen que bloquear; haga clic para cerrar sus agujeros</translation>
     </message>
     <message>
         <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
@@ -3726,7 +3726,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Whose normal ranges are shown</source>
-        <translation>De quién son los intervalos normales mostrados</translation>
+        <translation>De quién son los intervalos normales que se muestran</translation>
     </message>
     <message>
         <source> m²</source>
@@ -4148,11 +4148,11 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Close the holes and lock</source>
-        <translation>Cerrar orificios y bloquear</translation>
+        <translation>Cerrar agujeros y bloquear</translation>
     </message>
     <message>
         <source>Close holes and lock volume</source>
-        <translation>Cerrar orificios y bloquear volumen</translation>
+        <translation>Cerrar agujeros y bloquear volumen</translation>
     </message>
     <message>
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
@@ -4310,7 +4310,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Rellenar orificios</translation>
+        <translation>Rellenar agujeros</translation>
     </message>
     <message>
         <source>Keep the largest piece</source>
@@ -4844,7 +4844,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Session that names its organs&apos; files</source>
-        <translation>Sesión que nombra los archivos de sus órganos</translation>
+        <translation>Sesión que enlaza los archivos de sus órganos</translation>
     </message>
     <message>
         <source>Session with all surfaces and the scan inside</source>
@@ -5042,7 +5042,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Conservar la vista actual con su corte, sus nombres y sus órganos ocultos, y el instante de una secuencia en pausa</translation>
+        <translation>Conservar la vista actual con su sección, sus nombres y sus órganos ocultos, y el instante de una secuencia en pausa</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5050,7 +5050,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Mostrar, cortar y nombrar los órganos como antes de las diapositivas</translation>
+        <translation>Mostrar, seccionar y nombrar los órganos como antes de las diapositivas</translation>
     </message>
 </context>
 <context>
@@ -5242,7 +5242,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Write place and values of the pinned probes as a table</source>
-        <translation>Escribir el lugar y los valores de las sondas fijadas como tabla</translation>
+        <translation>Guardar como tabla el lugar y los valores de las sondas fijadas</translation>
     </message>
     <message>
         <source>Export probes</source>
@@ -5258,7 +5258,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Write the values along the lines between probes as a table</source>
-        <translation>Escribir los valores a lo largo de las líneas entre sondas como tabla</translation>
+        <translation>Guardar como tabla los valores a lo largo de las líneas entre sondas</translation>
     </message>
     <message>
         <source>Export profiles</source>
@@ -5883,7 +5883,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Cámara lenta: lo rápido que pasa el tiempo (S)</translation>
+        <translation>Cámara lenta: velocidad a la que pasa el tiempo (S)</translation>
     </message>
     <message>
         <source>1x</source>

@@ -422,7 +422,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Atrial systole</source>
-        <translation>Systole auriculaire</translation>
+        <translation>Systole atriale</translation>
     </message>
     <message>
         <source>Isovolumic contraction</source>
@@ -682,15 +682,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Précharge&#x202f;: sang sous tension</translation>
+        <translation>Précharge : volume contraint</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcharge&#x202f;: corps</translation>
+        <translation>Postcharge : systémique</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcharge&#x202f;: poumons</translation>
+        <translation>Postcharge : pulmonaire</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -940,7 +940,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Reset &amp;pose</source>
-        <translation>Rétablir la &amp;pose</translation>
+        <translation>Réinitialiser la &amp;pose</translation>
     </message>
     <message>
         <source>Ctrl+R</source>
@@ -952,7 +952,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Reset selected handles</source>
-        <translation>Rétablir les poignées sélectionnées</translation>
+        <translation>Réinitialiser la sélection</translation>
     </message>
     <message>
         <source>Ctrl+Shift+R</source>
@@ -1034,7 +1034,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Change</source>
-        <translation>Écart</translation>
+        <translation>Variation</translation>
     </message>
     <message>
         <source>Largest shift</source>
@@ -1222,7 +1222,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; Échap termine</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Measure &amp;distance</source>
@@ -1238,7 +1238,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; Échap termine</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1310,11 +1310,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Drag on a slice from corner to corner; Esc ends</source>
@@ -1795,7 +1795,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>click the organ</source>
-        <translation>cliquez l’organe</translation>
+        <translation>clic sur l’organe</translation>
     </message>
     <message>
         <source>Open a patient&apos;s organ first.</source>
@@ -2059,7 +2059,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>No handles yet.
 Move the slider above to place some, or click the organ in Handles mode (2).</source>
         <translation>Pas encore de poignées.
-Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poignées (2).</translation>
+Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode Poignées (2).</translation>
     </message>
     <message>
         <source>Place automatically</source>
@@ -2129,11 +2129,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Positions of all handles, and the coordinates of a vertex that you click</source>
-        <translation>Positions de toutes les poignées, et coordonnées d’un sommet que vous cliquez</translation>
+        <translation>Positions de toutes les poignées, et coordonnées du sommet sur lequel vous cliquez</translation>
     </message>
     <message>
         <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
-        <translation>Cliquez l’organe dans la vue pour voir les coordonnées du sommet le plus proche.</translation>
+        <translation>Cliquez sur l’organe dans la vue pour voir les coordonnées du sommet le plus proche.</translation>
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
@@ -2345,11 +2345,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
-        <translation>Glissez avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
+        <translation>Faites glisser avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
     </message>
     <message>
         <source>Play a motion</source>
-        <translation>Jouer un mouvement</translation>
+        <translation>Lire un mouvement</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2361,7 +2361,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
-        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez l’organe pour en ajouter une, glissez pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
+        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez sur l’organe pour en ajouter une, faites-la glisser pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
     </message>
     <message>
         <source>Deform</source>
@@ -2377,7 +2377,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Les couleurs montrent combien la pose déforme le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace joue la séquence et la carte suit.</translation>
+        <translation>Les couleurs montrent à quel point la pose distord le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace lit la séquence et la carte suit.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2672,7 +2672,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
-        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez un texte pour le changer.</translation>
+        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez sur un texte pour le changer.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2908,11 +2908,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
-        <translation>Cliquez deux points sur un organe ou une coupe. Échap termine.</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe. Échap termine.</translation>
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième. Échap termine.</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième. Échap termine.</translation>
     </message>
     <message>
         <source>Drag on a slice from corner to corner. Esc ends.</source>
@@ -2946,7 +2946,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
-        <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e percentile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
+        <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e centile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
     </message>
     <message numerus="yes">
         <source>%n phases need attention: see the table below the chart.</source>
@@ -3726,7 +3726,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Whose normal ranges are shown</source>
-        <translation>De qui les intervalles normaux sont montrés</translation>
+        <translation>Personnes dont les intervalles normaux sont affichés</translation>
     </message>
     <message>
         <source> m²</source>
@@ -3806,7 +3806,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>Dans le cœur d’exemple qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
+        <translation>Dans le cœur type qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
     </message>
     <message>
         <source>Record a &amp;key</source>
@@ -4127,8 +4127,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
-            <numerusform>Rétablir %n poignée</numerusform>
-            <numerusform>Rétablir %n poignées</numerusform>
+            <numerusform>Réinitialiser %n poignée</numerusform>
+            <numerusform>Réinitialiser %n poignées</numerusform>
         </translation>
     </message>
     <message>
@@ -4179,7 +4179,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
-        <translation>Aucune poignée n’est sélectionnée. Cliquez-en une dans la vue ou dans la liste.</translation>
+        <translation>Aucune poignée n’est sélectionnée. Cliquez sur l’une d’elles dans la vue ou dans la liste.</translation>
     </message>
     <message>
         <source>Handle %1</source>
@@ -4793,7 +4793,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: shows the sample organ and plays</source>
-        <translation>%1&#x202f;: montre l’organe type et joue</translation>
+        <translation>%1 : montre l’organe type et lit la séquence</translation>
     </message>
 </context>
 <context>
@@ -4844,7 +4844,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Session that names its organs&apos; files</source>
-        <translation>Session qui nomme les fichiers de ses organes</translation>
+        <translation>Session qui renvoie aux fichiers de ses organes</translation>
     </message>
     <message>
         <source>Session with all surfaces and the scan inside</source>
@@ -5042,7 +5042,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Garder la vue actuelle avec sa coupe, ses noms et ses organes masqués, et l’instant d’une séquence en pause</translation>
+        <translation>Garder la vue actuelle avec sa section, ses noms et ses organes masqués, et l’instant d’une séquence en pause</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5050,7 +5050,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Montrer, couper et nommer les organes comme avant les diapositives</translation>
+        <translation>Montrer, sectionner et nommer les organes comme avant les diapositives</translation>
     </message>
 </context>
 <context>
@@ -5285,7 +5285,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
-        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
+        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5627,7 +5627,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Open an organ to see where it is distorted.</source>
-        <translation>Ouvrez un organe pour voir où il est déformé.</translation>
+        <translation>Ouvrez un organe pour voir où il est distordu.</translation>
     </message>
     <message>
         <source>Filling the organ with witness points...</source>
@@ -5639,7 +5639,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Cancelled. Press Try again to go on.</source>
-        <translation>Annulé. Cliquez Réessayer pour continuer.</translation>
+        <translation>Annulé. Cliquez sur Réessayer pour continuer.</translation>
     </message>
     <message>
         <source>%1 in %2 tetrahedra</source>
