@@ -231,6 +231,8 @@ void PlayPage::fillRow(std::size_t line) {
   for (int column = 0; column < kCavityColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment((column == kCavityName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (column == kCavityName) // The column has what the numbers leave.
+      item->setToolTip(cells[column]);
     table_->setItem(static_cast<int>(line), column, item);
   }
 }
