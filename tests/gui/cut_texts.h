@@ -48,9 +48,9 @@ inline bool saysItIsCut(const QString& text, const QWidget& widget) {
   return text.contains(QChar(0x2026)) && !widget.toolTip().isEmpty();
 }
 
-/// Labels that shorten what they say and may: the hint in the status bar says again what the tip of the
-/// mode's button says; where normal ranges come from is a citation of any length; the header of a compared
-/// view has the names of an organ and of a phase and volumes in whatever room two views leave.
+/// Labels that may end with an ellipsis: the hint in the status bar says again what the tip of the mode's
+/// button says; the source of normal ranges has first gone through its shorter forms; the header of a
+/// compared view has the names of an organ and of a phase and volumes in whatever room two views leave.
 inline bool mayShorten(const app::ElidedLabel& label) {
   return qobject_cast<const QStatusBar*>(label.parentWidget()) ||
          label.objectName() == QLatin1String("chartSource") ||
@@ -58,8 +58,11 @@ inline bool mayShorten(const app::ElidedLabel& label) {
 }
 
 inline int lackOf(const QLabel& label) {
-  if (const auto* elided = qobject_cast<const app::ElidedLabel*>(&label))
-    return mayShorten(*elided) ? 0 : std::max(0, elided->widthFor(elided->fullText()) - elided->width());
+  if (const auto* elided = qobject_cast<const app::ElidedLabel*>(&label)) {
+    const bool whole = !elided->text().isEmpty() && !elided->text().contains(QChar(0x2026)); // In some form.
+    return whole || mayShorten(*elided) ? 0
+                                        : std::max(0, elided->widthFor(elided->fullText()) - elided->width());
+  }
   if (label.text().isEmpty() || saysItIsCut(label.text(), label))
     return 0;
   if (label.wordWrap())
