@@ -16,7 +16,7 @@
 namespace viscera::app {
 
 /// Finds a patient's own motion in a series of phases and keeps it: found on a worker, taken into the
-/// document as organs with handles and a key sequence in one undo step, and known here as long as these
+/// document as organs with handles and a recorded sequence in one undo step, and known here as long as these
 /// organs are in the document, with what was measured. While the sequence is shown, the surfaces that were
 /// measured in the nearest phase can stand in the view as glass, and the organs have the distances from them
 /// as colours. A session keeps the numbers: measured volumes and how well each phase fits; the surfaces

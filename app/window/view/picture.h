@@ -55,7 +55,7 @@ public:
   /// Where the valves of the heart are found that is shown beating, whenever the picture is drawn.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
-  /// Whether it has what a movie of the view leaves out: distances, surfaces of others, warped slices.
+  /// Whether it has what a movie of the view leaves out: distances, surfaces of others, bent slices.
   bool hasMoreThanMovies() const;
   /// The organ under the mouse, whose handles stand out among those of other organs; none: all are alike.
   void setPointedOrgan(document::OrganId organ);
