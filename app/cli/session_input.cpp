@@ -156,7 +156,7 @@ live::LiveBend* PosedSession::makeBend() {
   bend_.setWanted(true);
   box_.runUntil([&] { return jobs_.idle(); });
   if (!bend_.problem().empty())
-    throw DataError(bend_.problem(), "the scan cannot be bent");
+    throw DataError(bend_.problem(), "the scan cannot be warped");
   return bend_.map() ? &bend_ : nullptr;
 }
 

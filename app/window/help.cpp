@@ -84,7 +84,7 @@ void Help::startTour() {
             "on "
             "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
             "drags. "
-            "Ctrl+Z undoes any change, G shows the reference shape as an outline."),
+            "Ctrl+Z undoes any change, G shows the rest shape as an outline."),
          {"organs", "statusVolume"},
          [this] { parts_.modes.choose("deform"); }},
         {tr("Stress"),

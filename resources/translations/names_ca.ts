@@ -288,15 +288,15 @@
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
         <translation>
-            <numerusform>%2 trossos, %n vòxel a part del més gran</numerusform>
-            <numerusform>%2 trossos, %n vòxels a part del més gran</numerusform>
+            <numerusform>%2 peces, %n vòxel a part del més gran</numerusform>
+            <numerusform>%2 peces, %n vòxels a part del més gran</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest left out</source>
         <translation>
-            <numerusform>%2 trossos, s’omet %n vòxel a part del més gran</numerusform>
-            <numerusform>%2 trossos, s’ometen %n vòxels a part del més gran</numerusform>
+            <numerusform>%2 peces, s’omet %n vòxel a part del més gran</numerusform>
+            <numerusform>%2 peces, s’ometen %n vòxels a part del més gran</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -772,15 +772,15 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
+        <source>Warping the image</source>
         <translation>Es deforma la imatge</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
+        <source>Warping the scan</source>
         <translation>Es deforma l’exploració</translation>
     </message>
     <message>
-        <source>Bent</source>
+        <source>Warped</source>
         <translation>Deformat</translation>
     </message>
     <message>
@@ -813,7 +813,7 @@
     </message>
     <message>
         <source>Binding the space between the handles</source>
-        <translation>S’enllaça l’espai entre els tiradors</translation>
+        <translation>Es vincula l’espai entre els tiradors</translation>
     </message>
     <message>
         <source>Blend</source>
@@ -1083,11 +1083,11 @@
     </message>
     <message>
         <source>Divisions of the icosahedron: 20 * 4^level rays</source>
-        <translation>Divisions de l’icosaedre: 20 * 4^nivell raigs</translation>
+        <translation>Divisions de l’icosàedre: 20 * 4^nivell raigs</translation>
     </message>
     <message>
         <source>Divisions of the icosahedron: 20 * 4^samples directions</source>
-        <translation>Divisions de l’icosaedre: 20 * 4^mostres direccions</translation>
+        <translation>Divisions de l’icosàedre: 20 * 4^mostres direccions</translation>
     </message>
     <message>
         <source>Dome under the diaphragm</source>
@@ -1107,7 +1107,7 @@
     </message>
     <message>
         <source>Edges of tetrahedra across the handles; more are finer and slower</source>
-        <translation>Arestes de tetraedre entre els tiradors; més és més fi i més lent</translation>
+        <translation>Arestes de tetràedre entre els tiradors; més és més fi i més lent</translation>
     </message>
     <message>
         <source>Ejection fraction</source>
@@ -1953,11 +1953,11 @@
     </message>
     <message>
         <source>Left atrium, scale of the passive filling curve</source>
-        <translation>Aurícula esquerra, escala de la corba relaxada</translation>
+        <translation>Aurícula esquerra, escala de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Left atrium, steepness of the passive filling curve</source>
-        <translation>Aurícula esquerra, pendent de la corba relaxada</translation>
+        <translation>Aurícula esquerra, pendent de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Left atrium, volume without pressure</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Left ventricle, scale of the passive filling curve</source>
-        <translation>Ventricle esquerre, escala de la corba relaxada</translation>
+        <translation>Ventricle esquerre, escala de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Left ventricle, volume without pressure</source>
@@ -2072,7 +2072,7 @@
     </message>
     <message>
         <source>Mean value over all tetrahedra of the handles at once, by directions; positive, with many maxima</source>
-        <translation>Valor mitjà sobre tots els tetraedres dels tiradors alhora, per direccions; positives, amb molts màxims</translation>
+        <translation>Valor mitjà sobre tots els tetràedres dels tiradors alhora, per direccions; positives, amb molts màxims</translation>
     </message>
     <message>
         <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
@@ -2236,24 +2236,24 @@
         <translation>Pàncrees</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Pic del teixit plegat</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Teixit plegat en algun instant</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Pic de l’estirament màxim</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Màxim de l’estirament màxim</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Pic de la tensió rotacional</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Tensió rotacional màxima</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Pic de l’estirament mínim</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Mínim de l’estirament mínim</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Pic de la raó de volums</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Raó de volums extrema</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2390,29 +2390,29 @@
     <message numerus="yes">
         <source>Remove {handle|%n handles}</source>
         <translation>
-            <numerusform>Treu el tirador</numerusform>
-            <numerusform>Treu %n tiradors</numerusform>
+            <numerusform>Elimina el tirador</numerusform>
+            <numerusform>Elimina %n tiradors</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {key|%n keys}</source>
         <translation>
-            <numerusform>Treu la clau</numerusform>
-            <numerusform>Treu %n claus</numerusform>
+            <numerusform>Elimina la clau</numerusform>
+            <numerusform>Elimina %n claus</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {measurement|%n measurements}</source>
         <translation>
-            <numerusform>Treu la mesura</numerusform>
-            <numerusform>Treu %n mesures</numerusform>
+            <numerusform>Elimina la mesura</numerusform>
+            <numerusform>Elimina %n mesures</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {organ|%n organs}</source>
         <translation>
-            <numerusform>Treu l’òrgan</numerusform>
-            <numerusform>Treu %n òrgans</numerusform>
+            <numerusform>Elimina l’òrgan</numerusform>
+            <numerusform>Elimina %n òrgans</numerusform>
         </translation>
     </message>
     <message>
@@ -2493,11 +2493,11 @@
     </message>
     <message>
         <source>Right atrium, scale of the passive filling curve</source>
-        <translation>Aurícula dreta, escala de la corba relaxada</translation>
+        <translation>Aurícula dreta, escala de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Right atrium, steepness of the passive filling curve</source>
-        <translation>Aurícula dreta, pendent de la corba relaxada</translation>
+        <translation>Aurícula dreta, pendent de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Right atrium, volume without pressure</source>
@@ -2529,11 +2529,11 @@
     </message>
     <message>
         <source>Right ventricle, scale of the passive filling curve</source>
-        <translation>Ventricle dret, escala de la corba relaxada</translation>
+        <translation>Ventricle dret, escala de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Right ventricle, steepness of the passive filling curve</source>
-        <translation>Ventricle dret, pendent de la corba relaxada</translation>
+        <translation>Ventricle dret, pendent de la corba d’ompliment passiu</translation>
     </message>
     <message>
         <source>Right ventricle, volume without pressure</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
-        <translation>La mitjana sobre tots els tetraedres de tiradors al voltant d’un punt; salts on en canvia el nombre</translation>
+        <translation>La mitjana sobre tots els tetràedres de tiradors al voltant d’un punt; salts on en canvia el nombre</translation>
     </message>
     <message>
         <source>The mean over the hull and partitions of it by the inner handles; kinks at their faces</source>
@@ -3060,7 +3060,7 @@
     </message>
     <message>
         <source>Turns the directions at random; 0 leaves the icosahedron upright</source>
-        <translation>Gira les direccions a l’atzar; 0 deixa l’icosaedre dret</translation>
+        <translation>Gira les direccions a l’atzar; 0 deixa l’icosàedre dret</translation>
     </message>
     <message>
         <source>Twist</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
-        <translation>una gàbia és una superfície gruixuda: preneu-ne una de %1 vèrtexs com a màxim</translation>
+        <translation>una gàbia és una superfície basta: preneu-ne una de %1 vèrtexs com a màxim</translation>
     </message>
     <message>
         <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
-        <translation>una superfície gruixuda necessita almenys quatre vèrtexs</translation>
+        <translation>una superfície basta necessita almenys quatre vèrtexs</translation>
     </message>
     <message>
         <source>a column</source>
@@ -3351,7 +3351,7 @@
     </message>
     <message>
         <source>a handle of a recorded key</source>
-        <translation>un tirador d’una clau registrada</translation>
+        <translation>un tirador d’una clau enregistrada</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3451,7 +3451,7 @@
     </message>
     <message>
         <source>a recorded key</source>
-        <translation>una clau registrada</translation>
+        <translation>una clau enregistrada</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3495,7 +3495,7 @@
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
-        <translation>un triangle té un tirador en dues cantonades</translation>
+        <translation>un triangle té un tirador en dos vèrtexs</translation>
     </message>
     <message>
         <source>a triangle names a handle that is not there</source>
@@ -3559,7 +3559,7 @@
     </message>
     <message>
         <source>add the enclosing handles, or move handles outward until they surround the organ</source>
-        <translation>afegiu els tiradors envolupants, o moveu tiradors cap enfora fins que envoltin l’òrgan</translation>
+        <translation>afegiu els tiradors envoltants, o moveu tiradors cap enfora fins que envoltin l’òrgan</translation>
     </message>
     <message>
         <source>added by automatic grouping</source>
@@ -3659,7 +3659,7 @@
     </message>
     <message>
         <source>bind by way of the deformation module, or choose another system</source>
-        <translation>enllaceu mitjançant el mòdul deformation, o trieu un altre sistema</translation>
+        <translation>vinculeu mitjançant el mòdul deformation, o trieu un altre sistema</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -3907,7 +3907,7 @@
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>tanqueu altres programes, o treballeu amb menys òrgans o superfícies més gruixudes</translation>
+        <translation>tanqueu altres programes, o treballeu amb menys òrgans o superfícies més bastes</translation>
     </message>
     <message>
         <source>compare it with the example in docs/lessons.md</source>
@@ -4651,7 +4651,7 @@
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
-        <translation>les seves etiquetes són les d’un cor: el múscul i les cambres en formen la superfície exterior, cada cambra és una cavitat</translation>
+        <translation>les seves etiquetes són les d’un cor: el múscul i les cavitats cardíaques en formen la superfície exterior, cadascuna d’aquestes és una cavitat</translation>
     </message>
     <message>
         <source>its layers lie between the axes of space</source>
@@ -4822,7 +4822,7 @@
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
-        <translation>conserveu el més gran, per exemple amb viscera convert ENTRADA SORTIDA --keep-largest</translation>
+        <translation>conserveu la més gran, per exemple amb viscera convert ENTRADA SORTIDA --keep-largest</translation>
     </message>
     <message>
         <source>keeps the piece with the largest area and drops the others</source>
@@ -4990,7 +4990,7 @@
     </message>
     <message>
         <source>centreline</source>
-        <translation>línia mitjana</translation>
+        <translation>línia central</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -5018,7 +5018,7 @@
     </message>
     <message>
         <source>move some off the plane, or add enclosing handles</source>
-        <translation>traieu-ne alguns del pla, o afegiu tiradors envolupants</translation>
+        <translation>traieu-ne alguns del pla, o afegiu tiradors envoltants</translation>
     </message>
     <message>
         <source>move the vertices there apart, or take another cage</source>
@@ -5389,7 +5389,7 @@
     </message>
     <message>
         <source>reset the pose</source>
-        <translation>restabliu la posa</translation>
+        <translation>restabliu la postura</translation>
     </message>
     <message>
         <source>restore its definition from the installation</source>
@@ -5959,7 +5959,7 @@
     </message>
     <message>
         <source>the organ is in %1 pieces</source>
-        <translation>l’òrgan és en %1 trossos</translation>
+        <translation>l’òrgan és en %1 peces</translation>
     </message>
     <message>
         <source>the organ is inside out or flat</source>
@@ -6031,8 +6031,8 @@
     <message numerus="yes">
         <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
         <translation>
-            <numerusform>la postura té %n tirador, l’òrgan està enllaçat a %2</numerusform>
-            <numerusform>la postura té %n tiradors, l’òrgan està enllaçat a %2</numerusform>
+            <numerusform>la postura té %n tirador, l’òrgan està vinculat a %2</numerusform>
+            <numerusform>la postura té %n tiradors, l’òrgan està vinculat a %2</numerusform>
         </translation>
     </message>
     <message>
@@ -6073,7 +6073,7 @@
     </message>
     <message>
         <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>l’òrgan d’exemple no té cap superfície «%1»</translation>
+        <translation>l’òrgan de mostra no té cap superfície «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6835,8 +6835,8 @@
     <message numerus="yes">
         <source>its pose has %n {handle|handles} instead of %2</source>
         <translation>
-            <numerusform>la seva posa té %n tirador en lloc de %2</numerusform>
-            <numerusform>la seva posa té %n tiradors en lloc de %2</numerusform>
+            <numerusform>la seva postura té %n tirador en lloc de %2</numerusform>
+            <numerusform>la seva postura té %n tiradors en lloc de %2</numerusform>
         </translation>
     </message>
     <message>
@@ -6893,7 +6893,7 @@
     </message>
     <message>
         <source>peristalsis after %1 s</source>
-        <translation>peristaltisme després de %1 s</translation>
+        <translation>peristalsi després de %1 s</translation>
     </message>
     <message>
         <source>check the landmarks</source>
@@ -6905,7 +6905,7 @@
     </message>
     <message>
         <source>pose compensation</source>
-        <translation>compensació de la posa</translation>
+        <translation>compensació de la postura</translation>
     </message>
     <message>
         <source>the coordinates do not sum to 1</source>
@@ -7108,8 +7108,8 @@
     <message numerus="yes">
         <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
         <translation>
-            <numerusform>Després de %n batec els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum tensat més gran</numerusform>
-            <numerusform>Després de %n batecs els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum tensat més gran</numerusform>
+            <numerusform>Després de %n batec els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum estressat més gran</numerusform>
+            <numerusform>Després de %n batecs els volums encara canvien %2 ml de batec a batec: s’alternen batecs forts i febles, o la circulació falla; proveu una freqüència més baixa o un volum estressat més gran</numerusform>
         </translation>
     </message>
     <message>
@@ -7303,7 +7303,7 @@
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
-        <translation>el sistema «%1» no ha tornat cap enllaç de la mida correcta</translation>
+        <translation>el sistema «%1» no ha tornat cap vinculació de la mida correcta</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed: %2</source>
@@ -7450,8 +7450,8 @@
         <translation>bloquejat</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forma de referència (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forma en repòs (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>Sobre</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Now</source>
@@ -7734,7 +7734,7 @@
         <translation>Magnitud</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Mínim</translation>
     </message>
     <message>
@@ -7746,12 +7746,8 @@
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Màxim</translation>
-    </message>
-    <message>
         <source>%1, the worst of a cycle</source>
-        <translation>%1, el pitjor d’un cicle</translation>
+        <translation>%1, valor extrem d’un cicle</translation>
     </message>
     <message>
         <source>Points (%)</source>
@@ -8086,7 +8082,7 @@
         <translation>No hi ha cap exploració per exportar</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
+        <source>There are no handles that could warp the scan</source>
         <translation>No hi ha tiradors que puguin deformar l’exploració</translation>
     </message>
     <message>

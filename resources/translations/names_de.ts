@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
-        <translation>%1 berührt den Bildrand in %2 und in anderen nicht, so dass seine Volumina beschnitten wären</translation>
+        <translation>%1 berührt den Bildrand in %2 und in anderen nicht, sodass seine Volumina beschnitten wären</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
@@ -547,7 +547,7 @@
     </message>
     <message>
         <source>A cavity has to come after the organ that it is in</source>
-        <translation>Eine Höhle muss nach dem Organ kommen, in dem sie liegt</translation>
+        <translation>Ein Hohlraum muss nach dem Organ kommen, in dem er liegt</translation>
     </message>
     <message>
         <source>A group names a handle that is not there</source>
@@ -567,7 +567,7 @@
     </message>
     <message>
         <source>A rectangle lies in an axial, coronal or sagittal slice</source>
-        <translation>Ein Rechteck liegt in einem axialen, koronalen oder sagittalen Schnitt</translation>
+        <translation>Ein Rechteck liegt in einer axialen, koronalen oder sagittalen Schicht</translation>
     </message>
     <message>
         <source>A row has four numbers</source>
@@ -772,16 +772,16 @@
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Bild wird gebogen</translation>
+        <source>Warping the image</source>
+        <translation>Bild wird verformt</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Scan wird gebogen</translation>
+        <source>Warping the scan</source>
+        <translation>Scan wird verformt</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Gebogen</translation>
+        <source>Warped</source>
+        <translation>Verformt</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -857,11 +857,11 @@
     </message>
     <message>
         <source>Caecum</source>
-        <translation>Zäkum</translation>
+        <translation>Caecum</translation>
     </message>
     <message>
         <source>Cardia</source>
-        <translation>Kardia</translation>
+        <translation>Cardia</translation>
     </message>
     <message>
         <source>Cardiac output</source>
@@ -893,7 +893,7 @@
     </message>
     <message>
         <source>Change key sequence</source>
-        <translation>Schlüsselfolge ändern</translation>
+        <translation>Schlüsselbildfolge ändern</translation>
     </message>
     <message>
         <source>Checking %1</source>
@@ -1155,7 +1155,7 @@
     </message>
     <message>
         <source>Fluid in the pericardium presses on all chambers: they fill little, and all filling pressures are the same.</source>
-        <translation>Flüssigkeit im Perikard drückt auf alle Kammern: Sie füllen sich wenig, und alle Füllungsdrücke sind gleich.</translation>
+        <translation>Flüssigkeit im Perikard drückt auf alle Herzhöhlen: Sie füllen sich wenig, und alle Füllungsdrücke sind gleich.</translation>
     </message>
     <message>
         <source>Folded</source>
@@ -1268,8 +1268,8 @@
     <message numerus="yes">
         <source>Hide {handle|%n handles}</source>
         <translation>
-            <numerusform>Griff verbergen</numerusform>
-            <numerusform>%n Griffe verbergen</numerusform>
+            <numerusform>Griff ausblenden</numerusform>
+            <numerusform>%n Griffe ausblenden</numerusform>
         </translation>
     </message>
     <message>
@@ -1432,7 +1432,7 @@
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
-        <translation>Die Datei hat %1 Volumen; eine Labelmap hat eines</translation>
+        <translation>Die Datei hat %1 Volumina; eine Labelmap hat eines</translation>
     </message>
     <message numerus="yes">
         <source>It has %n {axis|axes} in space; an image of an organ has three</source>
@@ -1722,7 +1722,7 @@
     </message>
     <message>
         <source>It is not a file of several volumes</source>
-        <translation>Es ist keine Datei mit mehreren Volumen</translation>
+        <translation>Es ist keine Datei mit mehreren Volumina</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -2096,7 +2096,7 @@
     </message>
     <message>
         <source>Mitral regurgitation</source>
-        <translation>Mitralregurgitation</translation>
+        <translation>Mitralinsuffizienz</translation>
     </message>
     <message>
         <source>Mitral valve</source>
@@ -2116,7 +2116,7 @@
     </message>
     <message>
         <source>Move measured point</source>
-        <translation>Messpunkt bewegen</translation>
+        <translation>Punkt einer Messung bewegen</translation>
     </message>
     <message numerus="yes">
         <source>Move {handle|%n handles}</source>
@@ -2178,7 +2178,7 @@
     </message>
     <message>
         <source>Nothing is recorded</source>
-        <translation>Es ist nichts aufgenommen</translation>
+        <translation>Es ist nichts aufgezeichnet</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2236,24 +2236,24 @@
         <translation>Bauchspeicheldrüse</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Höchstwert des gefalteten Gewebes</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Zeitweise gefaltetes Gewebe</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Höchstwert der größten Streckung</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Maximum der größten Streckung</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Höchstwert des Rotationsstresses</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Maximaler Rotationsstress</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Höchstwert der kleinsten Streckung</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Minimum der kleinsten Streckung</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Höchstwert des Volumenverhältnisses</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Extremes Volumenverhältnis</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2369,7 +2369,7 @@
     </message>
     <message>
         <source>Rectum</source>
-        <translation>Rektum</translation>
+        <translation>Rectum</translation>
     </message>
     <message>
         <source>Remove all measurements</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>Replace key sequence</source>
-        <translation>Schlüsselfolge ersetzen</translation>
+        <translation>Schlüsselbildfolge ersetzen</translation>
     </message>
     <message>
         <source>Reproductive system</source>
@@ -2811,7 +2811,7 @@
     </message>
     <message>
         <source>The organ that this cavity is in is not there any more</source>
-        <translation>Das Organ, in dem diese Höhle liegt, ist nicht mehr da</translation>
+        <translation>Das Organ, in dem dieser Hohlraum liegt, ist nicht mehr da</translation>
     </message>
     <message>
         <source>The outlet of the stomach</source>
@@ -2843,7 +2843,7 @@
     </message>
     <message>
         <source>The rate is out of range</source>
-        <translation>Die Rate liegt außerhalb des Bereichs</translation>
+        <translation>Die Frequenz liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>The sequence moves %1 handles, but there are %2</source>
@@ -2977,7 +2977,7 @@
     </message>
     <message>
         <source>There is no sequence whose rate could be set</source>
-        <translation>Es gibt keine Sequenz, deren Rate eingestellt werden könnte</translation>
+        <translation>Es gibt keine Sequenz, deren Frequenz eingestellt werden könnte</translation>
     </message>
     <message>
         <source>There is no series</source>
@@ -3667,7 +3667,7 @@
     </message>
     <message>
         <source>body</source>
-        <translation>Korpus</translation>
+        <translation>Corpus</translation>
     </message>
     <message>
         <source>bounded biharmonic weights</source>
@@ -3707,7 +3707,7 @@
     </message>
     <message>
         <source>cardiac output</source>
-        <translation>Herzzeitvolumen</translation>
+        <translation>Herzminutenvolumen</translation>
     </message>
     <message>
         <source>cell %1 claims %2 points, but %3 numbers are left</source>
@@ -4123,7 +4123,7 @@
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
-        <translation>Fundus, Mittellinie vom Fundus abwärts, dazwischen der Korpus, Pylorus</translation>
+        <translation>Fundus, Mittellinie vom Fundus abwärts, dazwischen der Corpus, Pylorus</translation>
     </message>
     <message>
         <source>give a number from %1 to %2</source>
@@ -4651,7 +4651,7 @@
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
-        <translation>seine Labels sind die eines Herzens: Muskel und Kammern bilden die äußere Oberfläche, jede Kammer ist ein Hohlraum</translation>
+        <translation>seine Labels sind die eines Herzens: Muskel und Herzhöhlen bilden die äußere Oberfläche, jede Herzhöhle ist ein Hohlraum</translation>
     </message>
     <message>
         <source>its layers lie between the axes of space</source>
@@ -5070,7 +5070,7 @@
     </message>
     <message>
         <source>name its files, a folder, or a file of several volumes</source>
-        <translation>geben Sie ihre Dateien, einen Ordner oder eine Datei mit mehreren Volumen an</translation>
+        <translation>geben Sie ihre Dateien, einen Ordner oder eine Datei mit mehreren Volumina an</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5265,7 +5265,7 @@
     </message>
     <message>
         <source>play at the rate that the times are for</source>
-        <translation>spielen Sie mit der Rate ab, für die die Zeiten gelten</translation>
+        <translation>spielen Sie mit der Frequenz ab, für die die Zeiten gelten</translation>
     </message>
     <message>
         <source>point %1 has a coordinate that is not a finite number</source>
@@ -5321,11 +5321,11 @@
     </message>
     <message>
         <source>record a pose first</source>
-        <translation>nehmen Sie zuerst eine Pose auf</translation>
+        <translation>zeichnen Sie zuerst eine Pose auf</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
-        <translation>nehmen Sie die Sequenz neu auf, und speichern Sie sie</translation>
+        <translation>zeichnen Sie die Sequenz neu auf, und speichern Sie sie</translation>
     </message>
     <message>
         <source>rectangle</source>
@@ -5357,7 +5357,7 @@
     </message>
     <message>
         <source>rename it to end in %1</source>
-        <translation>benennen Sie sie um, so dass sie auf %1 endet</translation>
+        <translation>benennen Sie sie um, sodass sie auf %1 endet</translation>
     </message>
     <message>
         <source>repair the surface</source>
@@ -5465,7 +5465,7 @@
     </message>
     <message>
         <source>say it with --period-ms, or the rate with --rate</source>
-        <translation>geben Sie die Dauer eines Zyklus mit --period-ms an, oder die Rate mit --rate</translation>
+        <translation>geben Sie die Dauer eines Zyklus mit --period-ms an, oder die Frequenz mit --rate</translation>
     </message>
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
@@ -5974,7 +5974,7 @@
     </message>
     <message>
         <source>the organ that it is a cavity of is not before it</source>
-        <translation>das Organ, dessen Höhle es ist, steht nicht davor</translation>
+        <translation>das Organ, dessen Hohlraum es ist, steht nicht davor</translation>
     </message>
     <message>
         <source>the outline of %1 vertices cannot follow %2</source>
@@ -6317,7 +6317,7 @@
     </message>
     <message>
         <source>there is no such slice</source>
-        <translation>diesen Schnitt gibt es nicht</translation>
+        <translation>diese Schicht gibt es nicht</translation>
     </message>
     <message>
         <source>there is no surface to write</source>
@@ -6529,7 +6529,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>Welle im Korpus</translation>
+        <translation>Welle im Corpus</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>
@@ -6668,11 +6668,11 @@
     </message>
     <message>
         <source>The volume of a cavity is not a number</source>
-        <translation>Das Volumen einer Höhle ist keine Zahl</translation>
+        <translation>Das Volumen eines Hohlraums ist keine Zahl</translation>
     </message>
     <message>
         <source>check the cavities' surfaces</source>
-        <translation>prüfen Sie die Oberflächen der Höhlen</translation>
+        <translation>prüfen Sie die Oberflächen der Hohlräume</translation>
     </message>
     <message>
         <source>heart with %1 ml left and %2 ml right</source>
@@ -6692,7 +6692,7 @@
     </message>
     <message>
         <source>check that the cavities lie inside the handles of their walls</source>
-        <translation>prüfen Sie, ob die Höhlen innerhalb der Griffe ihrer Wände liegen</translation>
+        <translation>prüfen Sie, ob die Hohlräume innerhalb der Griffe ihrer Wände liegen</translation>
     </message>
     <message>
         <source>a centreline needs at least two points</source>
@@ -6720,7 +6720,7 @@
     </message>
     <message>
         <source>valves and volumes of the heartbeat have different times</source>
-        <translation>Klappen und Volumen des Herzschlags haben verschiedene Zeiten</translation>
+        <translation>Klappen und Volumina des Herzschlags haben verschiedene Zeiten</translation>
     </message>
     <message>
         <source>calibrating the heartbeat</source>
@@ -7108,8 +7108,8 @@
     <message numerus="yes">
         <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
         <translation>
-            <numerusform>Nach %n Schlag ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres gespanntes Volumen</numerusform>
-            <numerusform>Nach %n Schlägen ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres gespanntes Volumen</numerusform>
+            <numerusform>Nach %n Schlag ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres Blutvolumen unter Spannung</numerusform>
+            <numerusform>Nach %n Schlägen ändern sich die Volumina noch um %2 ml von Schlag zu Schlag: starke und schwache Schläge wechseln sich ab, oder der Kreislauf versagt; versuchen Sie eine niedrigere Frequenz oder ein größeres Blutvolumen unter Spannung</numerusform>
         </translation>
     </message>
     <message>
@@ -7450,7 +7450,7 @@
         <translation>gesperrt</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
+        <source>Rest shape (ml)</source>
         <translation>Ruheform (ml)</translation>
     </message>
     <message>
@@ -7502,7 +7502,7 @@
         <translation>Auf</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -7635,7 +7635,7 @@
     </message>
     <message>
         <source>Output (l/min)</source>
-        <translation>Zeitvolumen (l/min)</translation>
+        <translation>Herzminutenvolumen (l/min)</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -7734,7 +7734,7 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -7746,12 +7746,8 @@
         <translation>95. Perzentil</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
         <source>%1, the worst of a cycle</source>
-        <translation>%1, das Schlimmste eines Zyklus</translation>
+        <translation>%1, Extremwert eines Zyklus</translation>
     </message>
     <message>
         <source>Points (%)</source>
@@ -7847,7 +7843,7 @@
     </message>
     <message>
         <source>There is no such normal range</source>
-        <translation>Diesen Normalbereich gibt es nicht</translation>
+        <translation>Diesen Normbereich gibt es nicht</translation>
     </message>
     <message>
         <source>viscera reference names them all</source>
@@ -8086,8 +8082,8 @@
         <translation>Es gibt keinen Scan zu exportieren</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>Es gibt keine Griffe, die den Scan biegen könnten</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>Es gibt keine Griffe, die den Scan verformen könnten</translation>
     </message>
     <message>
         <source>Writing the scan</source>

@@ -657,7 +657,7 @@
     </message>
     <message>
         <source>An angle needs three points, any other measurement two</source>
-        <translation>Un ángulo necesita tres puntos, cualquier otra medida dos</translation>
+        <translation>Un ángulo necesita tres puntos, cualquier otra medición dos</translation>
     </message>
     <message>
         <source>An ejection fraction of %1 is out of range</source>
@@ -772,16 +772,16 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Curvando la imagen</translation>
+        <source>Warping the image</source>
+        <translation>Deformando la imagen</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Curvando el estudio</translation>
+        <source>Warping the scan</source>
+        <translation>Deformando el estudio</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Curvado</translation>
+        <source>Warped</source>
+        <translation>Deformado</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -813,7 +813,7 @@
     </message>
     <message>
         <source>Binding the space between the handles</source>
-        <translation>Enlace del espacio entre los tiradores</translation>
+        <translation>Vinculación del espacio entre los tiradores</translation>
     </message>
     <message>
         <source>Blend</source>
@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>Close holes</source>
-        <translation>Cerrar orificios</translation>
+        <translation>Cerrar agujeros</translation>
     </message>
     <message>
         <source>Close scan</source>
@@ -1953,11 +1953,11 @@
     </message>
     <message>
         <source>Left atrium, scale of the passive filling curve</source>
-        <translation>Aurícula izquierda, escala de la curva relajada</translation>
+        <translation>Aurícula izquierda, escala de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Left atrium, steepness of the passive filling curve</source>
-        <translation>Aurícula izquierda, pendiente de la curva relajada</translation>
+        <translation>Aurícula izquierda, pendiente de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Left atrium, volume without pressure</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Left ventricle, scale of the passive filling curve</source>
-        <translation>Ventrículo izquierdo, escala de la curva relajada</translation>
+        <translation>Ventrículo izquierdo, escala de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Left ventricle, volume without pressure</source>
@@ -2166,7 +2166,7 @@
     </message>
     <message>
         <source>No scan has %1 voxels along an axis</source>
-        <translation>Ningun estudio tiene %1 vóxeles a lo largo de un eje</translation>
+        <translation>Ningún estudio tiene %1 vóxeles a lo largo de un eje</translation>
     </message>
     <message>
         <source>No surface is chosen</source>
@@ -2236,24 +2236,24 @@
         <translation>Páncreas</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Máximo del tejido plegado</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Tejido plegado en algún instante</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
+        <source>Maximum of largest stretch</source>
         <translation>Máximo del estiramiento máximo</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Máximo del estrés rotacional</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Estrés rotacional máximo</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Máximo del estiramiento mínimo</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Mínimo del estiramiento mínimo</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Máximo de la razón de volúmenes</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Razón de volúmenes extrema</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2404,8 +2404,8 @@
     <message numerus="yes">
         <source>Remove {measurement|%n measurements}</source>
         <translation>
-            <numerusform>Quitar la medida</numerusform>
-            <numerusform>Quitar %n medidas</numerusform>
+            <numerusform>Quitar la medición</numerusform>
+            <numerusform>Quitar %n mediciones</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2449,7 +2449,7 @@
     </message>
     <message>
         <source>Replace handles</source>
-        <translation>Reemplazar los tiradores</translation>
+        <translation>Sustituir los tiradores</translation>
     </message>
     <message>
         <source>Replace pose of key</source>
@@ -2493,11 +2493,11 @@
     </message>
     <message>
         <source>Right atrium, scale of the passive filling curve</source>
-        <translation>Aurícula derecha, escala de la curva relajada</translation>
+        <translation>Aurícula derecha, escala de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Right atrium, steepness of the passive filling curve</source>
-        <translation>Aurícula derecha, pendiente de la curva relajada</translation>
+        <translation>Aurícula derecha, pendiente de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Right atrium, volume without pressure</source>
@@ -2529,11 +2529,11 @@
     </message>
     <message>
         <source>Right ventricle, scale of the passive filling curve</source>
-        <translation>Ventrículo derecho, escala de la curva relajada</translation>
+        <translation>Ventrículo derecho, escala de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Right ventricle, steepness of the passive filling curve</source>
-        <translation>Ventrículo derecho, pendiente de la curva relajada</translation>
+        <translation>Ventrículo derecho, pendiente de la curva de llenado pasivo</translation>
     </message>
     <message>
         <source>Right ventricle, volume without pressure</source>
@@ -2743,7 +2743,7 @@
     </message>
     <message>
         <source>Textbook heartbeat</source>
-        <translation>Latido del libro de texto</translation>
+        <translation>Latido de manual</translation>
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
@@ -2941,7 +2941,7 @@
     </message>
     <message>
         <source>There are no handles whose pose could be recorded</source>
-        <translation>No hay tiradores cuya pose se pueda registrar</translation>
+        <translation>No hay tiradores cuya pose se pueda grabar</translation>
     </message>
     <message>
         <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
@@ -2969,7 +2969,7 @@
     </message>
     <message>
         <source>There is no scan to close</source>
-        <translation>No hay ningun estudio que cerrar</translation>
+        <translation>No hay ningún estudio que cerrar</translation>
     </message>
     <message>
         <source>There is no sequence that could move these handles</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
-        <translation>una jaula es una superficie gruesa: elija una de %1 vértices como máximo</translation>
+        <translation>una jaula es una superficie tosca: elija una de %1 vértices como máximo</translation>
     </message>
     <message>
         <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>a coarse surface needs at least four vertices</source>
-        <translation>una superficie gruesa necesita al menos cuatro vértices</translation>
+        <translation>una superficie tosca necesita al menos cuatro vértices</translation>
     </message>
     <message>
         <source>a column</source>
@@ -3307,11 +3307,11 @@
     </message>
     <message>
         <source>a face has fewer corners than it claims</source>
-        <translation>una cara tiene menos esquinas de las que indica</translation>
+        <translation>una cara tiene menos vértices de los que indica</translation>
     </message>
     <message>
         <source>a face has fewer than three corners</source>
-        <translation>una cara tiene menos de tres esquinas</translation>
+        <translation>una cara tiene menos de tres vértices</translation>
     </message>
     <message>
         <source>a face refers to point %1, but there are only %2 before it</source>
@@ -3319,7 +3319,7 @@
     </message>
     <message>
         <source>a face&apos;s number of corners</source>
-        <translation>el número de esquinas de una cara</translation>
+        <translation>el número de vértices de una cara</translation>
     </message>
     <message>
         <source>a frame has no orientation</source>
@@ -3495,7 +3495,7 @@
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
-        <translation>un triángulo tiene un tirador en dos esquinas</translation>
+        <translation>un triángulo tiene un tirador en dos vértices</translation>
     </message>
     <message>
         <source>a triangle names a handle that is not there</source>
@@ -3607,7 +3607,7 @@
     </message>
     <message>
         <source>an angle has three points, any other measurement two</source>
-        <translation>un ángulo tiene tres puntos, cualquier otra medida dos</translation>
+        <translation>un ángulo tiene tres puntos, cualquier otra medición dos</translation>
     </message>
     <message>
         <source>an array&apos;s name</source>
@@ -3659,7 +3659,7 @@
     </message>
     <message>
         <source>bind by way of the deformation module, or choose another system</source>
-        <translation>enlace mediante el módulo deformation, o elija otro sistema</translation>
+        <translation>vincule mediante el módulo deformation, o elija otro sistema</translation>
     </message>
     <message>
         <source>bind it first</source>
@@ -3907,7 +3907,7 @@
     </message>
     <message>
         <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>cierre otros programas, o trabaje con menos órganos o superficies más gruesas</translation>
+        <translation>cierre otros programas, o trabaje con menos órganos o superficies más toscas</translation>
     </message>
     <message>
         <source>compare it with the example in docs/lessons.md</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>diastasis</source>
-        <translation>diastasis</translation>
+        <translation>diástasis</translation>
     </message>
     <message>
         <source>diastole</source>
@@ -4368,7 +4368,7 @@
     </message>
     <message>
         <source>it does not lie within the period</source>
-        <translation>no está dentro del periodo</translation>
+        <translation>no está dentro del período</translation>
     </message>
     <message>
         <source>it does not say how large its voxels are; 1 mm is assumed</source>
@@ -4651,7 +4651,7 @@
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
-        <translation>sus etiquetas son las de un corazón: el músculo y las cámaras forman su superficie exterior, cada cámara es una cavidad</translation>
+        <translation>sus etiquetas son las de un corazón: el músculo y las cavidades cardíacas forman su superficie exterior, cada una de estas es una cavidad</translation>
     </message>
     <message>
         <source>its layers lie between the axes of space</source>
@@ -4822,7 +4822,7 @@
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
-        <translation>conserve la mayor, por ejemplo con viscera convert ENTRADA SALIDA --keep-largest</translation>
+        <translation>conserve el mayor, por ejemplo con viscera convert ENTRADA SALIDA --keep-largest</translation>
     </message>
     <message>
         <source>keeps the piece with the largest area and drops the others</source>
@@ -4878,7 +4878,7 @@
     </message>
     <message>
         <source>lengthen the period first</source>
-        <translation>alargue primero el periodo</translation>
+        <translation>alargue primero el período</translation>
     </message>
     <message>
         <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
@@ -4962,11 +4962,11 @@
     </message>
     <message>
         <source>measurement</source>
-        <translation>medida</translation>
+        <translation>medición</translation>
     </message>
     <message>
         <source>measurement %1</source>
-        <translation>medida %1</translation>
+        <translation>medición %1</translation>
     </message>
     <message>
         <source>mesh %1 has a primitive without attributes</source>
@@ -4990,7 +4990,7 @@
     </message>
     <message>
         <source>centreline</source>
-        <translation>línea media</translation>
+        <translation>línea central</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -5994,7 +5994,7 @@
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
-        <translation>los datos comprimidos ocupan más de %1 MB al descomprimirlos, cosa que no hace ninguna exploración de este tamaño</translation>
+        <translation>los datos comprimidos ocupan más de %1 MB al descomprimirlos, cosa que no hace ningún estudio de este tamaño</translation>
     </message>
     <message>
         <source>the packed data are damaged (%1)</source>
@@ -6010,7 +6010,7 @@
     </message>
     <message>
         <source>the period is not a positive number of seconds</source>
-        <translation>el periodo no es un número positivo de segundos</translation>
+        <translation>el período no es un número positivo de segundos</translation>
     </message>
     <message>
         <source>the picture cannot be written</source>
@@ -6031,8 +6031,8 @@
     <message numerus="yes">
         <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
         <translation>
-            <numerusform>la pose tiene %n tirador, el órgano está enlazado a %2</numerusform>
-            <numerusform>la pose tiene %n tiradores, el órgano está enlazado a %2</numerusform>
+            <numerusform>la pose tiene %n tirador, el órgano está vinculado a %2</numerusform>
+            <numerusform>la pose tiene %n tiradores, el órgano está vinculado a %2</numerusform>
         </translation>
     </message>
     <message>
@@ -6073,7 +6073,7 @@
     </message>
     <message>
         <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>el órgano de ejemplo no tiene ninguna superficie «%1»</translation>
+        <translation>el órgano de muestra no tiene ninguna superficie «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6893,7 +6893,7 @@
     </message>
     <message>
         <source>peristalsis after %1 s</source>
-        <translation>peristalsis tras %1 s</translation>
+        <translation>peristaltismo tras %1 s</translation>
     </message>
     <message>
         <source>check the landmarks</source>
@@ -7108,8 +7108,8 @@
     <message numerus="yes">
         <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
         <translation>
-            <numerusform>Tras %n latido los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen tensado mayor</numerusform>
-            <numerusform>Tras %n latidos los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen tensado mayor</numerusform>
+            <numerusform>Tras %n latido los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen estresado mayor</numerusform>
+            <numerusform>Tras %n latidos los volúmenes aún cambian %2 ml de latido a latido: alternan latidos fuertes y débiles, o la circulación falla; pruebe una frecuencia menor o un volumen estresado mayor</numerusform>
         </translation>
     </message>
     <message>
@@ -7303,7 +7303,7 @@
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
-        <translation>el sistema «%1» no devolvió un enlace del tamaño correcto</translation>
+        <translation>el sistema «%1» no devolvió una vinculación del tamaño correcto</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed: %2</source>
@@ -7450,8 +7450,8 @@
         <translation>bloqueado</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forma de referencia (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forma en reposo (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>En</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referencia</translation>
+        <source>Rest shape</source>
+        <translation>Forma en reposo</translation>
     </message>
     <message>
         <source>Now</source>
@@ -7734,7 +7734,7 @@
         <translation>Magnitud</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Mínimo</translation>
     </message>
     <message>
@@ -7746,12 +7746,8 @@
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Máximo</translation>
-    </message>
-    <message>
         <source>%1, the worst of a cycle</source>
-        <translation>%1, lo peor de un ciclo</translation>
+        <translation>%1, valor extremo de un ciclo</translation>
     </message>
     <message>
         <source>Points (%)</source>
@@ -8086,8 +8082,8 @@
         <translation>No hay ningún estudio que exportar</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>No hay tiradores que puedan curvar el estudio</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>No hay tiradores que puedan deformar el estudio</translation>
     </message>
     <message>
         <source>Writing the scan</source>

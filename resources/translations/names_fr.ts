@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
-        <translation>Un quart du volume sanguin sous tension est perdu ; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
+        <translation>Un quart du volume sanguin contraint est perdu ; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
     </message>
     <message>
         <source>A rectangle lies in an axial, coronal or sagittal slice</source>
@@ -772,16 +772,16 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Bending the image</source>
-        <translation>Courbure de l’image</translation>
+        <source>Warping the image</source>
+        <translation>Déformation de l’image</translation>
     </message>
     <message>
-        <source>Bending the scan</source>
-        <translation>Courbure de l’examen</translation>
+        <source>Warping the scan</source>
+        <translation>Déformation de l’examen</translation>
     </message>
     <message>
-        <source>Bent</source>
-        <translation>Courbé</translation>
+        <source>Warped</source>
+        <translation>Déformé</translation>
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
@@ -877,7 +877,7 @@
     </message>
     <message>
         <source>Centreline</source>
-        <translation>Ligne médiane</translation>
+        <translation>Ligne centrale</translation>
     </message>
     <message>
         <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
@@ -1268,8 +1268,8 @@
     <message numerus="yes">
         <source>Hide {handle|%n handles}</source>
         <translation>
-            <numerusform>Cacher la poignée</numerusform>
-            <numerusform>Cacher %n poignées</numerusform>
+            <numerusform>Masquer la poignée</numerusform>
+            <numerusform>Masquer %n poignées</numerusform>
         </translation>
     </message>
     <message>
@@ -1618,7 +1618,7 @@
     </message>
     <message>
         <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>Il ne contient pas « markups » : ce n’est pas un fichier de marques de 3D Slicer</translation>
+        <translation>Il ne contient pas « markups » : ce n’est pas un fichier de markups de 3D Slicer</translation>
     </message>
     <message>
         <source>It holds no PolyData</source>
@@ -1953,11 +1953,11 @@
     </message>
     <message>
         <source>Left atrium, scale of the passive filling curve</source>
-        <translation>Atrium gauche, échelle de la courbe relâchée</translation>
+        <translation>Atrium gauche, échelle de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Left atrium, steepness of the passive filling curve</source>
-        <translation>Atrium gauche, pente de la courbe relâchée</translation>
+        <translation>Atrium gauche, pente de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Left atrium, volume without pressure</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Left ventricle, scale of the passive filling curve</source>
-        <translation>Ventricule gauche, échelle de la courbe relâchée</translation>
+        <translation>Ventricule gauche, échelle de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Left ventricle, volume without pressure</source>
@@ -2236,24 +2236,24 @@
         <translation>Pancréas</translation>
     </message>
     <message>
-        <source>Peak of folded tissue</source>
-        <translation>Pic du tissu replié</translation>
+        <source>Tissue folded at any instant</source>
+        <translation>Tissu replié à un instant</translation>
     </message>
     <message>
-        <source>Peak of largest stretch</source>
-        <translation>Pic du plus grand étirement</translation>
+        <source>Maximum of largest stretch</source>
+        <translation>Maximum du plus grand étirement</translation>
     </message>
     <message>
-        <source>Peak of rotational stress</source>
-        <translation>Pic de la contrainte rotationnelle</translation>
+        <source>Maximum rotational stress</source>
+        <translation>Contrainte rotationnelle maximale</translation>
     </message>
     <message>
-        <source>Peak of smallest stretch</source>
-        <translation>Pic du plus petit étirement</translation>
+        <source>Minimum of smallest stretch</source>
+        <translation>Minimum du plus petit étirement</translation>
     </message>
     <message>
-        <source>Peak of volume ratio</source>
-        <translation>Pic du rapport de volume</translation>
+        <source>Extreme volume ratio</source>
+        <translation>Rapport de volume extrême</translation>
     </message>
     <message>
         <source>Points along the middle of the stomach, from the fundus down</source>
@@ -2269,7 +2269,7 @@
     </message>
     <message>
         <source>Preload: stressed blood volume</source>
-        <translation>Précharge : volume sanguin sous tension</translation>
+        <translation>Précharge : volume sanguin contraint</translation>
     </message>
     <message>
         <source>Pressure (mmHg)</source>
@@ -2390,29 +2390,29 @@
     <message numerus="yes">
         <source>Remove {handle|%n handles}</source>
         <translation>
-            <numerusform>Retirer la poignée</numerusform>
-            <numerusform>Retirer %n poignées</numerusform>
+            <numerusform>Supprimer la poignée</numerusform>
+            <numerusform>Supprimer %n poignées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {key|%n keys}</source>
         <translation>
-            <numerusform>Retirer la clé</numerusform>
-            <numerusform>Retirer %n clés</numerusform>
+            <numerusform>Supprimer la clé</numerusform>
+            <numerusform>Supprimer %n clés</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {measurement|%n measurements}</source>
         <translation>
-            <numerusform>Retirer la mesure</numerusform>
-            <numerusform>Retirer %n mesures</numerusform>
+            <numerusform>Supprimer la mesure</numerusform>
+            <numerusform>Supprimer %n mesures</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove {organ|%n organs}</source>
         <translation>
-            <numerusform>Retirer l’organe</numerusform>
-            <numerusform>Retirer %n organes</numerusform>
+            <numerusform>Supprimer l’organe</numerusform>
+            <numerusform>Supprimer %n organes</numerusform>
         </translation>
     </message>
     <message>
@@ -2465,7 +2465,7 @@
     </message>
     <message>
         <source>Reset pose</source>
-        <translation>Rétablir la pose</translation>
+        <translation>Réinitialiser la pose</translation>
     </message>
     <message>
         <source>Respiratory system</source>
@@ -2493,11 +2493,11 @@
     </message>
     <message>
         <source>Right atrium, scale of the passive filling curve</source>
-        <translation>Atrium droit, échelle de la courbe relâchée</translation>
+        <translation>Atrium droit, échelle de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Right atrium, steepness of the passive filling curve</source>
-        <translation>Atrium droit, pente de la courbe relâchée</translation>
+        <translation>Atrium droit, pente de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Right atrium, volume without pressure</source>
@@ -2529,11 +2529,11 @@
     </message>
     <message>
         <source>Right ventricle, scale of the passive filling curve</source>
-        <translation>Ventricule droit, échelle de la courbe relâchée</translation>
+        <translation>Ventricule droit, échelle de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Right ventricle, steepness of the passive filling curve</source>
-        <translation>Ventricule droit, pente de la courbe relâchée</translation>
+        <translation>Ventricule droit, pente de la courbe de remplissage passif</translation>
     </message>
     <message>
         <source>Right ventricle, volume without pressure</source>
@@ -3211,7 +3211,7 @@
     </message>
     <message>
         <source>a 3D Slicer markups file</source>
-        <translation>un fichier de marqueurs de 3D Slicer</translation>
+        <translation>un fichier de markups de 3D Slicer</translation>
     </message>
     <message>
         <source>a DICOM file</source>
@@ -3307,11 +3307,11 @@
     </message>
     <message>
         <source>a face has fewer corners than it claims</source>
-        <translation>une face a moins de coins qu’elle ne l’indique</translation>
+        <translation>une face a moins de sommets qu’elle ne l’indique</translation>
     </message>
     <message>
         <source>a face has fewer than three corners</source>
-        <translation>une face a moins de trois coins</translation>
+        <translation>une face a moins de trois sommets</translation>
     </message>
     <message>
         <source>a face refers to point %1, but there are only %2 before it</source>
@@ -3319,7 +3319,7 @@
     </message>
     <message>
         <source>a face&apos;s number of corners</source>
-        <translation>le nombre de coins d’une face</translation>
+        <translation>le nombre de sommets d’une face</translation>
     </message>
     <message>
         <source>a frame has no orientation</source>
@@ -3427,7 +3427,7 @@
     </message>
     <message>
         <source>a point of the centreline lies %1 outside the organ</source>
-        <translation>un point de la ligne médiane est à %1 hors de l’organe</translation>
+        <translation>un point de la ligne centrale est à %1 hors de l’organe</translation>
     </message>
     <message>
         <source>a point of the divided cage is not on the cage</source>
@@ -3495,7 +3495,7 @@
     </message>
     <message>
         <source>a triangle has a handle at two corners</source>
-        <translation>un triangle a une poignée à deux coins</translation>
+        <translation>un triangle a une poignée à deux sommets</translation>
     </message>
     <message>
         <source>a triangle names a handle that is not there</source>
@@ -3655,7 +3655,7 @@
     </message>
     <message>
         <source>atrial systole</source>
-        <translation>systole auriculaire</translation>
+        <translation>systole atriale</translation>
     </message>
     <message>
         <source>bind by way of the deformation module, or choose another system</source>
@@ -4123,7 +4123,7 @@
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
-        <translation>fundus, ligne médiane à partir du fundus, corps entre les deux, pylore</translation>
+        <translation>fundus, ligne centrale à partir du fundus, corps entre les deux, pylore</translation>
     </message>
     <message>
         <source>give a number from %1 to %2</source>
@@ -4175,7 +4175,7 @@
     </message>
     <message>
         <source>give points of the centreline yourself</source>
-        <translation>donnez vous-même des points de la ligne médiane</translation>
+        <translation>donnez vous-même des points de la ligne centrale</translation>
     </message>
     <message>
         <source>give the outer surface the labels of its cavities too, as in EPI=1,2,3</source>
@@ -4455,7 +4455,7 @@
     </message>
     <message>
         <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>son flux JPEG est endommagé : il n&apos;a pas d&apos;en-tête de trame</translation>
+        <translation>son flux JPEG est endommagé : il n’a pas d’en-tête de trame</translation>
     </message>
     <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
@@ -4651,7 +4651,7 @@
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
-        <translation>ses étiquettes sont celles d’un cœur : le muscle et les cavités forment sa surface externe, chaque chambre est une cavité</translation>
+        <translation>ses étiquettes sont celles d’un cœur : le muscle et les cavités cardiaques forment sa surface externe, chacune de celles-ci est une cavité</translation>
     </message>
     <message>
         <source>its layers lie between the axes of space</source>
@@ -4954,7 +4954,7 @@
     </message>
     <message>
         <source>markup list %1 is not a JSON object</source>
-        <translation>la liste de marques %1 n’est pas un objet JSON</translation>
+        <translation>la liste de markups %1 n’est pas un objet JSON</translation>
     </message>
     <message>
         <source>measured motion</source>
@@ -4990,7 +4990,7 @@
     </message>
     <message>
         <source>centreline</source>
-        <translation>ligne médiane</translation>
+        <translation>ligne centrale</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -5325,7 +5325,7 @@
     </message>
     <message>
         <source>record and save the sequence again</source>
-        <translation>enregistrez et sauvegardez la séquence à nouveau</translation>
+        <translation>refaites la séquence et enregistrez-la à nouveau</translation>
     </message>
     <message>
         <source>rectangle</source>
@@ -5871,11 +5871,11 @@
     </message>
     <message>
         <source>the markup %1 of type %2 is not a list of points and was left out</source>
-        <translation>la marque %1 de type %2 n’est pas une liste de points et est omise</translation>
+        <translation>le markup %1 de type %2 n’est pas une liste de points et est omis</translation>
     </message>
     <message>
         <source>the computed centreline leaves the organ</source>
-        <translation>la ligne médiane calculée sort de l’organe</translation>
+        <translation>la ligne centrale calculée sort de l’organe</translation>
     </message>
     <message>
         <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
@@ -6073,7 +6073,7 @@
     </message>
     <message>
         <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>l’organe d’exemple n’a pas de surface « %1 »</translation>
+        <translation>l’organe type n’a pas de surface « %1 »</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6081,7 +6081,7 @@
     </message>
     <message>
         <source>the scan cannot be opened: %1</source>
-        <translation>l’examen ne peut pas être ouverte : %1</translation>
+        <translation>l’examen ne peut pas être ouvert : %1</translation>
     </message>
     <message>
         <source>the size is plausible: %1</source>
@@ -7239,11 +7239,11 @@
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
-        <translation>déverrouillez-le ou prescrivez un volume plus proche de celui au repos</translation>
+        <translation>déverrouillez-le ou imposez un volume plus proche de celui au repos</translation>
     </message>
     <message>
         <source>It is not a rate at which the sequence can be played</source>
-        <translation>La séquence ne peut pas être jouée à cette fréquence</translation>
+        <translation>La séquence ne peut pas être lue à cette fréquence</translation>
     </message>
     <message>
         <source>rates of the lesson</source>
@@ -7450,8 +7450,8 @@
         <translation>verrouillé</translation>
     </message>
     <message>
-        <source>Reference shape (ml)</source>
-        <translation>Forme de référence (ml)</translation>
+        <source>Rest shape (ml)</source>
+        <translation>Forme au repos (ml)</translation>
     </message>
     <message>
         <source>Now (ml)</source>
@@ -7502,8 +7502,8 @@
         <translation>Sur</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Now</source>
@@ -7519,7 +7519,7 @@
     </message>
     <message>
         <source>sample organ &quot;%1&quot;, %2 resolution</source>
-        <translation>organe d’exemple « %1 », résolution %2</translation>
+        <translation>organe type « %1 », résolution %2</translation>
     </message>
     <message>
         <source>low</source>
@@ -7659,7 +7659,7 @@
     </message>
     <message>
         <source>Prescribed</source>
-        <translation>Prescrit</translation>
+        <translation>Imposé</translation>
     </message>
     <message>
         <source>the volume of %1</source>
@@ -7734,7 +7734,7 @@
         <translation>Grandeur</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -7746,12 +7746,8 @@
         <translation>95e centile</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
         <source>%1, the worst of a cycle</source>
-        <translation>%1, le pire d’un cycle</translation>
+        <translation>%1, valeur extrême d’un cycle</translation>
     </message>
     <message>
         <source>Points (%)</source>
@@ -7763,7 +7759,7 @@
     </message>
     <message>
         <source>Rotational stress (deg)</source>
-        <translation>Contrainte de rotation (degrés)</translation>
+        <translation>Contrainte rotationnelle (degrés)</translation>
     </message>
     <message>
         <source>Over one cycle of the sequence</source>
@@ -7795,7 +7791,7 @@
     </message>
     <message>
         <source>Tissue distortion (rotational stress)</source>
-        <translation>Distorsion du tissu (contrainte de rotation)</translation>
+        <translation>Distorsion du tissu (contrainte rotationnelle)</translation>
     </message>
     <message>
         <source>Witness points</source>
@@ -7827,7 +7823,7 @@
     </message>
     <message>
         <source>Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. It measures distortion and is not a pressure.</source>
-        <translation>La contrainte de rotation est le plus grand angle dont une direction tourne quand le tissu est étiré. Elle mesure la distorsion et n’est pas une pression.</translation>
+        <translation>La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré. Elle mesure la distorsion et n’est pas une pression.</translation>
     </message>
     <message>
         <source>± %1, %2 to %3, %4, %5 voxels</source>
@@ -8086,8 +8082,8 @@
         <translation>Il n’y a pas d’examen à exporter</translation>
     </message>
     <message>
-        <source>There are no handles that could bend the scan</source>
-        <translation>Il n’y a pas de poignées pour courber l’examen</translation>
+        <source>There are no handles that could warp the scan</source>
+        <translation>Il n’y a pas de poignées pour déformer l’examen</translation>
     </message>
     <message>
         <source>Writing the scan</source>
@@ -8107,7 +8103,7 @@
     </message>
     <message>
         <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>l’organe d’exemple « %1 » n’existe pas</translation>
+        <translation>l’organe type « %1 » n’existe pas</translation>
     </message>
     <message>
         <source>there is no resolution &quot;%1&quot;</source>
@@ -8119,7 +8115,7 @@
     </message>
     <message>
         <source>the sample organs cannot be listed: %1</source>
-        <translation>les organes d’exemple ne peuvent pas être listés : %1</translation>
+        <translation>les organes types ne peuvent pas être listés : %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>

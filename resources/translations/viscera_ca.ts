@@ -591,31 +591,31 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
+        <source>Export the &amp;warped scan...</source>
         <translation>Exporta l’exploració de&amp;formada...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
         <translation>Escriu l’exploració tal com la deforma la postura, amb un mapa d’etiquetes dels òrgans en aquesta postura</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
+        <source>Export the warped scan</source>
         <translation>Exporta l’exploració deformada</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
+        <source>Exporting the warped scan</source>
         <translation>S’exporta l’exploració deformada</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
+        <source>The warped scan was written to %1.</source>
         <translation>S’ha escrit l’exploració deformada a %1.</translation>
     </message>
     <message>
@@ -682,15 +682,15 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Precàrrega: sang estressada</translation>
+        <translation>Precàrrega: volum estressat</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcàrrega: cos</translation>
+        <translation>Postcàrrega: sistèmica</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcàrrega: pulmons</translation>
+        <translation>Postcàrrega: pulmonar</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -1029,8 +1029,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Ara</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1356,8 +1356,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Reference volume</source>
-        <translation>Volum de referència</translation>
+        <source>Rest volume</source>
+        <translation>Volum en repòs</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1814,8 +1814,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Fa bategar %1 i les seves cavitats com el cor d’un llibre de text. La forma actual compta com a final de la diàstole. El resultat és una seqüència enregistrada.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Fa bategar %1 i les seves cavitats com el cor d’un llibre de text. La forma actual compta com a final de la diàstole. El resultat és una seqüència de claus.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2163,8 +2163,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Tiradors</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma de referència es manté</translation>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
+        <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma en repòs es manté</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2387,8 +2387,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Deforma</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma de referència.</translation>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
+        <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma en repòs.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2396,7 +2396,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Els colors mostren com deforma la postura el teixit interior. Feu clic a l’òrgan per llegir els valors d’un punt; C el secciona, M mostra el mapa següent. Espai reprodueix la seqüència i el mapa la segueix.</translation>
+        <translation>Els colors mostren fins a quin punt la postura distorsiona el teixit interior. Feu clic a l’òrgan per llegir els valors d’un punt; C el secciona, M mostra el mapa següent. Espai reprodueix la seqüència i el mapa la segueix.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2456,7 +2456,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
-        <translation>%1 òrgans: %2 amb errors, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
+        <translation>%1 òrgans: %2 amb defectes, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
     </message>
     <message>
         <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
@@ -2542,7 +2542,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Suavització fins a la clau següent</translation>
+        <translation>Transició fins a la clau següent</translation>
     </message>
     <message>
         <source>Add key</source>
@@ -2589,8 +2589,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Reprodueix-la</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Reprodueix la seqüència enregistrada</translation>
+        <source>Play the key sequence</source>
+        <translation>Reprodueix la seqüència de claus</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2821,7 +2821,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
     <message>
         <source>%1: this view is kept</source>
-        <translation>%1: aquesta vista s&apos;ha desat</translation>
+        <translation>%1: aquesta vista s’ha desat</translation>
     </message>
 </context>
 <context>
@@ -2918,8 +2918,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Ara</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referència</translation>
+        <source>Rest shape</source>
+        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -3172,8 +3172,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Troba el moviment</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència enregistrada amb una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència de claus, una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3687,8 +3687,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Una superfície oberta no tanca cap volum</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 en la forma de referència, %2 (%3) ara</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 en repòs, %2 (%3) ara</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3766,8 +3766,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
-        <translation>qualsevol mida corporal</translation>
+        <source>any body surface area</source>
+        <translation>tota superfície corporal</translation>
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
@@ -3850,8 +3850,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Afegeix la postura actual a la seqüència enregistrada</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Afegeix la postura actual a la seqüència de claus</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3982,8 +3982,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Fixa aquests òrgans en la postura actual en una segona vista i continua aquí</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls corbats.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls deformats.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4062,15 +4062,15 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Record a movie</source>
-        <translation>Enregistra un vídeo</translation>
+        <translation>Enregistra una pel·lícula</translation>
     </message>
     <message>
         <source>Prescribe a volume</source>
         <translation>Prescriu un volum</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Enregistra una seqüència</translation>
+        <source>Key sequence</source>
+        <translation>Seqüència de claus</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4085,8 +4085,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4101,8 +4101,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4751,11 +4751,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Talls a la &amp;vista 3D</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
+        <source>&amp;Warp the scan</source>
         <translation>&amp;Deforma l’exploració</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Mostra l’exploració tal com la deforma la postura</translation>
     </message>
     <message>
@@ -5028,7 +5028,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
+        <source>The scan cannot be warped: %1</source>
         <translation>L’exploració no es pot deformar: %1</translation>
     </message>
     <message>
@@ -5075,7 +5075,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Guarda la vista actual amb el tall, els noms i els òrgans amagats, i l’instant d’una seqüència en pausa</translation>
+        <translation>Guarda la vista actual amb la secció, els noms i els òrgans amagats, i l’instant d’una seqüència en pausa</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5083,7 +5083,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Mostra, talla i anomena els òrgans com abans de les diapositives</translation>
+        <translation>Mostra, secciona i anomena els òrgans com abans de les diapositives</translation>
     </message>
 </context>
 <context>
@@ -5151,7 +5151,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Tensió rotacional</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>màxima</translation>
     </message>
     <message>
@@ -5341,16 +5341,16 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mostra els valors on el mapa és màxim, i hi secciona l’òrgan</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>&amp;Pic de la seqüència</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Mà&amp;xim de la seqüència</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>El valor més gran que assoleix cada punt en un cicle de la seqüència</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>El valor més extrem que assoleix cada punt en un cicle de la seqüència</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5358,7 +5358,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
-        <translation>Dibuixa el mapa a la superfície de l’òrgan en comptes dels tetraedres exteriors</translation>
+        <translation>Dibuixa el mapa a la superfície de l’òrgan en comptes dels tetràedres exteriors</translation>
     </message>
     <message>
         <source>&amp;Keep the legend&apos;s range</source>
@@ -5441,8 +5441,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Al costat d’una altra vista: una sola escala de colors per als dos mapes de tensió, perquè es puguin comparar</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Vés al &amp;moment del pic</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Vés al &amp;moment del màxim</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5503,7 +5503,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Valors</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Mínim</translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Màxim</translation>
     </message>
     <message>
@@ -5540,11 +5540,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
-        <translation>Llisa: a través dels tetraedres</translation>
+        <translation>Llisa: a través dels tetràedres</translation>
     </message>
     <message>
         <source>Crinkle: whole tetrahedra</source>
-        <translation>Irregular: tetraedres sencers</translation>
+        <translation>Irregular: tetràedres sencers</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5676,7 +5676,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>%1 in %2 tetrahedra</source>
-        <translation>%1 en %2 tetraedres</translation>
+        <translation>%1 en %2 tetràedres</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5698,8 +5698,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Sondes</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Moment del pic</translation>
+        <source>Time of the maximum</source>
+        <translation>Moment del màxim</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -5798,11 +5798,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>tetrahedra</source>
-        <translation>tetraedres</translation>
+        <translation>tetràedres</translation>
     </message>
     <message>
         <source>Fills the organ with tetrahedra first</source>
-        <translation>Primer omple l’òrgan de tetraedres</translation>
+        <translation>Primer omple l’òrgan de tetràedres</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -5829,7 +5829,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>With tetrahedra</source>
-        <translation>Amb tetraedres</translation>
+        <translation>Amb tetràedres</translation>
     </message>
     <message>
         <source>Attempts of the thesis</source>
@@ -5916,7 +5916,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Càmera lenta: com passa de ràpid el temps (S)</translation>
+        <translation>Càmera lenta: velocitat a què passa el temps (S)</translation>
     </message>
     <message>
         <source>1x</source>
@@ -6045,8 +6045,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Mostra els &amp;tiradors en tots els modes</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
-        <translation>&amp;Fantasma de la forma de referència</translation>
+        <source>&amp;Ghost of the rest shape</source>
+        <translation>&amp;Fantasma de la forma en repòs</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6214,8 +6214,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>FE %1 %  VS %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
-        <translation>%1 % de referència</translation>
+        <source>%1 % of rest</source>
+        <translation>%1 % del repòs</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

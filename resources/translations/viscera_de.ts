@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>Volumes over one cycle: %1</source>
-        <translation>Volumen über einen Zyklus: %1</translation>
+        <translation>Volumina über einen Zyklus: %1</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -245,7 +245,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Which chamber shrinks now?</source>
-        <translation>Welche Kammer wird jetzt kleiner?</translation>
+        <translation>Welche Herzhöhle wird jetzt kleiner?</translation>
     </message>
     <message>
         <source>Both</source>
@@ -442,7 +442,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Welle im Magenkörper</translation>
+        <translation>Welle im Magencorpus</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -591,32 +591,32 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
-        <translation>Ge&amp;bogenen Scan exportieren...</translation>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Verformten S&amp;can exportieren...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
-        <translation>Den Scan so schreiben, wie die Pose ihn biegt, mit einer Labelmap der Organe in dieser Pose</translation>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Den Scan so schreiben, wie die Pose ihn verformt, mit einer Labelmap der Organe in dieser Pose</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
-        <translation>Gebogenen Scan exportieren</translation>
+        <source>Export the warped scan</source>
+        <translation>Verformten Scan exportieren</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
-        <translation>Gebogener Scan wird exportiert</translation>
+        <source>Exporting the warped scan</source>
+        <translation>Verformter Scan wird exportiert</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
-        <translation>Der gebogene Scan wurde in %1 geschrieben.</translation>
+        <source>The warped scan was written to %1.</source>
+        <translation>Der verformte Scan wurde in %1 geschrieben.</translation>
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
@@ -686,11 +686,11 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Nachlast: Körper</translation>
+        <translation>Nachlast: Körperkreislauf</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Nachlast: Lunge</translation>
+        <translation>Nachlast: Lungenkreislauf</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -1029,7 +1029,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -1356,7 +1356,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Name</translation>
     </message>
     <message>
-        <source>Reference volume</source>
+        <source>Rest volume</source>
         <translation>Ruhevolumen</translation>
     </message>
     <message>
@@ -1814,8 +1814,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Lässt %1 und seine Höhlen wie ein Lehrbuchherz schlagen. Die jetzige Form gilt als Ende der Diastole. Das Ergebnis ist eine aufgezeichnete Sequenz.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Lässt %1 und seine Höhlen wie ein Lehrbuchherz schlagen. Die jetzige Form gilt als Ende der Diastole. Das Ergebnis ist eine Schlüsselbildfolge.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2163,7 +2163,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Griffe</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Ruheform bleibt</translation>
     </message>
     <message>
@@ -2387,7 +2387,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Verformen</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Ruheform als Umriss.</translation>
     </message>
     <message>
@@ -2519,7 +2519,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>To check</source>
-        <translation>Zum Ansehen</translation>
+        <translation>Zu prüfen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2562,7 +2562,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
     <message>
         <source>Take pose</source>
-        <translation>Pose holen</translation>
+        <translation>Pose übernehmen</translation>
     </message>
     <message>
         <source>Set the present pose to that of this key</source>
@@ -2589,8 +2589,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Die aufgezeichnete Sequenz abspielen</translation>
+        <source>Play the key sequence</source>
+        <translation>Die Schlüsselbildfolge abspielen</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2918,7 +2918,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>Reference shape</source>
+        <source>Rest shape</source>
         <translation>Ruheform</translation>
     </message>
     <message>
@@ -3172,8 +3172,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Bewegung bestimmen</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine aufgezeichnete Sequenz mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine Schlüsselbildfolge mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3687,8 +3687,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Eine offene Oberfläche schließt kein Volumen ein</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 in der Ruheform, jetzt %2 (%3)</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 in Ruhe, jetzt %2 (%3)</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3747,7 +3747,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <name>viscera::app::PersonBox</name>
     <message>
         <source>Women and men</source>
-        <translation>Alle Erwachsenen</translation>
+        <translation>Frauen und Männer</translation>
     </message>
     <message>
         <source>Women</source>
@@ -3766,7 +3766,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
+        <source>any body surface area</source>
         <translation>jede Körperoberfläche</translation>
     </message>
     <message>
@@ -3850,8 +3850,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Die jetzige Pose der aufgezeichneten Sequenz hinzufügen</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Die jetzige Pose der Schlüsselbildfolge hinzufügen</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3982,8 +3982,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Diese Organe in ihrer jetzigen Pose in einer zweiten Ansicht festhalten und hier weiterarbeiten</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine gebogenen Schnitte.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine verformten Schichten.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4062,15 +4062,15 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Record a movie</source>
-        <translation>Film aufzeichnen</translation>
+        <translation>Film aufnehmen</translation>
     </message>
     <message>
         <source>Prescribe a volume</source>
         <translation>Volumen vorgeben</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Sequenz aufzeichnen</translation>
+        <source>Key sequence</source>
+        <translation>Schlüsselbildfolge</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4085,8 +4085,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4101,8 +4101,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4189,7 +4189,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
-        <translation>Diese Organe sind offen und haben keine Volumen, die sich sperren ließen: %1.</translation>
+        <translation>Diese Organe sind offen und haben keine Volumina, die sich sperren ließen: %1.</translation>
     </message>
 </context>
 <context>
@@ -4443,7 +4443,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>cardiac output</source>
-        <translation>Herzzeitvolumen</translation>
+        <translation>Herzminutenvolumen</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>
@@ -4751,11 +4751,11 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Schichten in der 3&amp;D-Ansicht</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
-        <translation>Scan &amp;biegen</translation>
+        <source>&amp;Warp the scan</source>
+        <translation>Scan &amp;verformen</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Den Scan so zeigen, wie die Pose ihn verformt</translation>
     </message>
     <message>
@@ -5028,8 +5028,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
-        <translation>Der Scan kann nicht gebogen werden: %1</translation>
+        <source>The scan cannot be warped: %1</source>
+        <translation>Der Scan kann nicht verformt werden: %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
@@ -5151,7 +5151,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Rotationsstress</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5341,16 +5341,16 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Die Werte zeigen, wo die Karte am größten ist, und das Organ dort aufschneiden</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>Höch&amp;stwert über die Sequenz</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Ma&amp;ximum über die Sequenz</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>Der größte Wert, den jeder Punkt in einem Zyklus der Sequenz erreicht</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>Der extremste Wert, den jeder Punkt in einem Zyklus der Sequenz erreicht</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5441,8 +5441,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Neben einer zweiten Ansicht: ein Farbbereich für beide Stresskarten, damit sie verglichen werden können</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Zum Zei&amp;tpunkt des Höchstwerts gehen</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Zum Zei&amp;tpunkt des Maximums gehen</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5503,7 +5503,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zahlen</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>95. Perzentil</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5698,8 +5698,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Sonden</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Zeitpunkt des Höchstwerts</translation>
+        <source>Time of the maximum</source>
+        <translation>Zeitpunkt des Maximums</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6045,7 +6045,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>&amp;Griffe in jedem Modus zeigen</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
+        <source>&amp;Ghost of the rest shape</source>
         <translation>Schatten&amp;bild der Ruheform</translation>
     </message>
     <message>
@@ -6110,7 +6110,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
-        <translation>Jedem Dreieck eines Organs einen einzigen Farbton geben statt einer glatten Oberfläche</translation>
+        <translation>Jedes Dreieck eines Organs in einem einheitlichen Ton zeigen, statt einer glatten Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -6214,7 +6214,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>EF %1 %  SV %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
+        <source>%1 % of rest</source>
         <translation>%1 % der Ruheform</translation>
     </message>
     <message>

@@ -591,32 +591,32 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
-        <translation>Exportar el estudio &amp;curvado...</translation>
+        <source>Export the &amp;warped scan...</source>
+        <translation>&amp;Exportar el estudio deformado...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
-        <translation>Guardar el estudio curvado según la pose, con un mapa de etiquetas de los órganos en esa pose</translation>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Guardar el estudio deformado por la pose, con un mapa de etiquetas de los órganos en esa pose</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
-        <translation>Exportar el estudio curvado</translation>
+        <source>Export the warped scan</source>
+        <translation>Exportar el estudio deformado</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
-        <translation>Exportando el estudio curvado</translation>
+        <source>Exporting the warped scan</source>
+        <translation>Exportando el estudio deformado</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
-        <translation>El estudio curvado se ha guardado en %1.</translation>
+        <source>The warped scan was written to %1.</source>
+        <translation>El estudio deformado se ha guardado en %1.</translation>
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
@@ -1029,8 +1029,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Ahora</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referencia</translation>
+        <source>Rest shape</source>
+        <translation>Forma en reposo</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1356,8 +1356,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>Reference volume</source>
-        <translation>Volumen de referencia</translation>
+        <source>Rest volume</source>
+        <translation>Volumen en reposo</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1412,7 +1412,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Select an organ in the view or in the list to read about it.</source>
-        <translation>Seleccione un órgano en la vista o en la lista para leer sobre él.</translation>
+        <translation>Seleccione un órgano en la vista o en la lista para ver sus datos.</translation>
     </message>
 </context>
 <context>
@@ -1814,8 +1814,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>%1 tiene una superficie abierta; una secuencia necesita una cerrada.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Hace latir %1 y sus cavidades como el corazón de un libro de texto. La forma actual cuenta como final de la diástole. El resultado es una secuencia grabada.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Hace latir %1 y sus cavidades como el corazón de un libro de texto. La forma actual cuenta como final de la diástole. El resultado es una secuencia de fotogramas clave.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1827,7 +1827,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
-        <translation>Ajustar el latido de libro a %1</translation>
+        <translation>Ajustar el latido de manual a %1</translation>
     </message>
 </context>
 <context>
@@ -2163,8 +2163,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Tiradores</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Un clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma de referencia se mantiene</translation>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
+        <translation>Un clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma en reposo se mantiene</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2387,8 +2387,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Deformar</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Arrastre un tirador y el órgano lo sigue; su volumen está en la barra de estado. El candado de la lista de la izquierda (K) mantiene el volumen haga lo que haga. T gira y escala los tiradores seleccionados, M refleja los arrastres. Ctrl+Z deshace cualquier cambio, G muestra la silueta de la forma de referencia.</translation>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
+        <translation>Arrastre un tirador y el órgano lo sigue; su volumen está en la barra de estado. El candado de la lista de la izquierda (K) mantiene el volumen haga lo que haga. T gira y escala los tiradores seleccionados, M refleja los arrastres. Ctrl+Z deshace cualquier cambio, G muestra la silueta de la forma en reposo.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2396,7 +2396,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Los colores muestran cuánto deforma la pose el tejido interior. Haga clic en el órgano para leer los valores de un punto; C lo corta, M muestra el mapa siguiente. Espacio reproduce la secuencia y el mapa la sigue.</translation>
+        <translation>Los colores muestran cuánto distorsiona la pose el tejido interior. Haga clic en el órgano para leer los valores de un punto; C lo secciona, M muestra el mapa siguiente. Espacio reproduce la secuencia y el mapa la sigue.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2542,7 +2542,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Easing to the key after it</source>
-        <translation>Aceleración hasta el fotograma clave siguiente</translation>
+        <translation>Transición al fotograma clave siguiente</translation>
     </message>
     <message>
         <source>Add key</source>
@@ -2589,8 +2589,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Reproducir</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Reproducir la secuencia grabada</translation>
+        <source>Play the key sequence</source>
+        <translation>Reproducir la secuencia de fotogramas clave</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2918,8 +2918,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Ahora</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forma de referencia</translation>
+        <source>Rest shape</source>
+        <translation>Forma en reposo</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -3172,8 +3172,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Hallar el movimiento</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia grabada con un fotograma clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia con un fotograma clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3656,7 +3656,7 @@ Doble clic o F2 renombra; un clic en el cuadrado cambia el color</translation>
     </message>
     <message>
         <source>An open surface has no volume to lock; click to close its holes</source>
-        <translation>Una superficie abierta no tiene volumen que bloquear; haga clic para cerrar sus orificios</translation>
+        <translation>Una superficie abierta no tiene volumen que bloquear; haga clic para cerrar sus agujeros</translation>
     </message>
     <message>
         <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
@@ -3687,8 +3687,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Una superficie abierta no encierra ningún volumen</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 en la forma de referencia, %2 (%3) ahora</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 en reposo, %2 (%3) ahora</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3759,15 +3759,15 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Whose normal ranges are shown</source>
-        <translation>De quién son los intervalos normales mostrados</translation>
+        <translation>De quién son los intervalos normales que se muestran</translation>
     </message>
     <message>
         <source> m²</source>
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
-        <translation>cualquier tamaño</translation>
+        <source>any body surface area</source>
+        <translation>toda superficie corporal</translation>
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
@@ -3850,8 +3850,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Añadir la pose actual a la secuencia grabada</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Añadir la pose actual a la secuencia de fotogramas clave</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3982,8 +3982,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Conservar estos órganos en su pose actual en una segunda vista y seguir aquí</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>La película no muestra distancias, superficies ajenas ni cortes curvados.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>La película no muestra distancias, superficies ajenas ni cortes deformados.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4069,8 +4069,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Prescribir un volumen</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Grabar una secuencia</translation>
+        <source>Key sequence</source>
+        <translation>Secuencia de fotogramas clave</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4085,8 +4085,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4101,8 +4101,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4181,11 +4181,11 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Close the holes and lock</source>
-        <translation>Cerrar orificios y bloquear</translation>
+        <translation>Cerrar agujeros y bloquear</translation>
     </message>
     <message>
         <source>Close holes and lock volume</source>
-        <translation>Cerrar orificios y bloquear volumen</translation>
+        <translation>Cerrar agujeros y bloquear volumen</translation>
     </message>
     <message>
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
@@ -4343,7 +4343,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Rellenar orificios</translation>
+        <translation>Rellenar agujeros</translation>
     </message>
     <message>
         <source>Keep the largest piece</source>
@@ -4751,11 +4751,11 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Cortes en la &amp;vista 3D</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
-        <translation>&amp;Curvar el estudio</translation>
+        <source>&amp;Warp the scan</source>
+        <translation>&amp;Deformar el estudio</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Mostrar el estudio deformado por la pose</translation>
     </message>
     <message>
@@ -4877,7 +4877,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Session that names its organs&apos; files</source>
-        <translation>Sesión que nombra los archivos de sus órganos</translation>
+        <translation>Sesión que enlaza los archivos de sus órganos</translation>
     </message>
     <message>
         <source>Session with all surfaces and the scan inside</source>
@@ -5028,8 +5028,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
-        <translation>El estudio no se puede curvar: %1</translation>
+        <source>The scan cannot be warped: %1</source>
+        <translation>El estudio no se puede deformar: %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
@@ -5075,7 +5075,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Conservar la vista actual con su corte, sus nombres y sus órganos ocultos, y el instante de una secuencia en pausa</translation>
+        <translation>Conservar la vista actual con su sección, sus nombres y sus órganos ocultos, y el instante de una secuencia en pausa</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5083,7 +5083,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Mostrar, cortar y nombrar los órganos como antes de las diapositivas</translation>
+        <translation>Mostrar, seccionar y nombrar los órganos como antes de las diapositivas</translation>
     </message>
 </context>
 <context>
@@ -5151,7 +5151,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Estrés rotacional</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>Máximo</translation>
     </message>
     <message>
@@ -5275,7 +5275,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Write place and values of the pinned probes as a table</source>
-        <translation>Escribir el lugar y los valores de las sondas fijadas como tabla</translation>
+        <translation>Guardar como tabla el lugar y los valores de las sondas fijadas</translation>
     </message>
     <message>
         <source>Export probes</source>
@@ -5291,7 +5291,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Write the values along the lines between probes as a table</source>
-        <translation>Escribir los valores a lo largo de las líneas entre sondas como tabla</translation>
+        <translation>Guardar como tabla los valores a lo largo de las líneas entre sondas</translation>
     </message>
     <message>
         <source>Export profiles</source>
@@ -5341,7 +5341,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Mostrar los valores donde el mapa es máximo y seccionar ahí el órgano</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
+        <source>&amp;Maximum over the sequence</source>
         <translation>Máximo de la se&amp;cuencia</translation>
     </message>
     <message>
@@ -5349,8 +5349,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>El mayor valor que alcanza cada punto en un ciclo de la secuencia</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>El valor más extremo que alcanza cada punto en un ciclo de la secuencia</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5441,7 +5441,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Junto a otra vista: un solo intervalo de colores para ambos mapas de estrés, para poder compararlos</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
+        <source>Go to the &amp;time of the maximum</source>
         <translation>Ir al momento d&amp;el máximo</translation>
     </message>
     <message>
@@ -5503,7 +5503,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Mínimo</translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Máximo</translation>
     </message>
     <message>
@@ -5698,7 +5698,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Sondas</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
+        <source>Time of the maximum</source>
         <translation>Momento del máximo</translation>
     </message>
     <message>
@@ -5916,7 +5916,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Cámara lenta: lo rápido que pasa el tiempo (S)</translation>
+        <translation>Cámara lenta: velocidad a la que pasa el tiempo (S)</translation>
     </message>
     <message>
         <source>1x</source>
@@ -6045,8 +6045,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Mostrar &amp;tiradores en todos los modos</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
-        <translation>Si&amp;lueta de la forma de referencia</translation>
+        <source>&amp;Ghost of the rest shape</source>
+        <translation>Si&amp;lueta de la forma en reposo</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6214,7 +6214,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>FE %1 %  VS %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
+        <source>%1 % of rest</source>
         <translation>%1 % del reposo</translation>
     </message>
     <message>

@@ -422,7 +422,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Atrial systole</source>
-        <translation>Systole auriculaire</translation>
+        <translation>Systole atriale</translation>
     </message>
     <message>
         <source>Isovolumic contraction</source>
@@ -591,32 +591,32 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
 <context>
     <name>viscera::app::BentExport</name>
     <message>
-        <source>Export the &amp;bent scan...</source>
-        <translation>Exporter l’examen &amp;courbé...</translation>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Exporter l’&amp;examen déformé...</translation>
     </message>
     <message>
-        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
-        <translation>Écrire l’examen tel que la pose le courbe, avec une carte d’étiquettes des organes dans cette pose</translation>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
     </message>
     <message>
-        <source>Export the bent scan</source>
-        <translation>Exporter l’examen courbé</translation>
+        <source>Export the warped scan</source>
+        <translation>Exporter l’examen déformé</translation>
     </message>
     <message>
-        <source>/bent.nii.gz</source>
-        <translation>/bent.nii.gz</translation>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
         <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
     </message>
     <message>
-        <source>Exporting the bent scan</source>
-        <translation>Exportation de l’examen courbé</translation>
+        <source>Exporting the warped scan</source>
+        <translation>Exportation de l’examen déformé</translation>
     </message>
     <message>
-        <source>The bent scan was written to %1.</source>
-        <translation>L’examen courbé a été écrit dans %1.</translation>
+        <source>The warped scan was written to %1.</source>
+        <translation>L’examen déformé a été écrit dans %1.</translation>
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
@@ -682,15 +682,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Précharge&#x202f;: sang sous tension</translation>
+        <translation>Précharge : volume contraint</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcharge&#x202f;: corps</translation>
+        <translation>Postcharge : systémique</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcharge&#x202f;: poumons</translation>
+        <translation>Postcharge : pulmonaire</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -940,7 +940,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Reset &amp;pose</source>
-        <translation>Rétablir la &amp;pose</translation>
+        <translation>Réinitialiser la &amp;pose</translation>
     </message>
     <message>
         <source>Ctrl+R</source>
@@ -952,7 +952,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Reset selected handles</source>
-        <translation>Rétablir les poignées sélectionnées</translation>
+        <translation>Réinitialiser la sélection</translation>
     </message>
     <message>
         <source>Ctrl+Shift+R</source>
@@ -1029,12 +1029,12 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Actuel</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation>Écart</translation>
+        <translation>Variation</translation>
     </message>
     <message>
         <source>Largest shift</source>
@@ -1222,7 +1222,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; Échap termine</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Measure &amp;distance</source>
@@ -1238,7 +1238,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; Échap termine</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1310,11 +1310,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Drag on a slice from corner to corner; Esc ends</source>
@@ -1356,8 +1356,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Reference volume</source>
-        <translation>Volume de référence</translation>
+        <source>Rest volume</source>
+        <translation>Volume au repos</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1803,7 +1803,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>click the organ</source>
-        <translation>cliquez l’organe</translation>
+        <translation>clic sur l’organe</translation>
     </message>
     <message>
         <source>Open a patient&apos;s organ first.</source>
@@ -1814,8 +1814,8 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
     </message>
     <message>
-        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a recorded sequence.</source>
-        <translation>Fait battre %1 et ses cavités comme le cœur d’un manuel. La forme actuelle compte comme fin de diastole. Le résultat est une séquence enregistrée.</translation>
+        <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
+        <translation>Fait battre %1 et ses cavités comme le cœur d’un manuel. La forme actuelle compte comme fin de diastole. Le résultat est une séquence de clés.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2067,7 +2067,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>No handles yet.
 Move the slider above to place some, or click the organ in Handles mode (2).</source>
         <translation>Pas encore de poignées.
-Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poignées (2).</translation>
+Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode Poignées (2).</translation>
     </message>
     <message>
         <source>Place automatically</source>
@@ -2137,11 +2137,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Positions of all handles, and the coordinates of a vertex that you click</source>
-        <translation>Positions de toutes les poignées, et coordonnées d’un sommet que vous cliquez</translation>
+        <translation>Positions de toutes les poignées, et coordonnées du sommet sur lequel vous cliquez</translation>
     </message>
     <message>
         <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
-        <translation>Cliquez l’organe dans la vue pour voir les coordonnées du sommet le plus proche.</translation>
+        <translation>Cliquez sur l’organe dans la vue pour voir les coordonnées du sommet le plus proche.</translation>
     </message>
     <message>
         <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
@@ -2163,8 +2163,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Poignées</translation>
     </message>
     <message>
-        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Cliquez l’organe pour ajouter une poignée, glissez pour la déplacer, Suppr la supprime&#x202f;; la forme de référence reste</translation>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
+        <translation>Cliquez sur l’organe pour ajouter une poignée, faites-la glisser pour la déplacer, Suppr la supprime ; la forme au repos reste</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2364,11 +2364,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
-        <translation>Glissez avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
+        <translation>Faites glisser avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
     </message>
     <message>
         <source>Play a motion</source>
-        <translation>Jouer un mouvement</translation>
+        <translation>Lire un mouvement</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2380,15 +2380,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
-        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez l’organe pour en ajouter une, glissez pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
+        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez sur l’organe pour en ajouter une, faites-la glisser pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
     </message>
     <message>
         <source>Deform</source>
         <translation>Déformer</translation>
     </message>
     <message>
-        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme de référence.</translation>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
+        <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme au repos.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2396,7 +2396,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Les couleurs montrent combien la pose déforme le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace joue la séquence et la carte suit.</translation>
+        <translation>Les couleurs montrent à quel point la pose distord le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace lit la séquence et la carte suit.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2589,8 +2589,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Lire</translation>
     </message>
     <message>
-        <source>Play the recorded sequence</source>
-        <translation>Lire la séquence enregistrée</translation>
+        <source>Play the key sequence</source>
+        <translation>Lire la séquence de clés</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -2691,7 +2691,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
-        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez un texte pour le changer.</translation>
+        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez sur un texte pour le changer.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2918,8 +2918,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Actuel</translation>
     </message>
     <message>
-        <source>Reference shape</source>
-        <translation>Forme de référence</translation>
+        <source>Rest shape</source>
+        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -2927,11 +2927,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
-        <translation>Cliquez deux points sur un organe ou une coupe. Échap termine.</translation>
+        <translation>Cliquez sur deux points d’un organe ou d’une coupe. Échap termine.</translation>
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième. Échap termine.</translation>
+        <translation>Cliquez sur trois points d’un organe ou d’une coupe, le sommet de l’angle en deuxième. Échap termine.</translation>
     </message>
     <message>
         <source>Drag on a slice from corner to corner. Esc ends.</source>
@@ -2965,7 +2965,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
-        <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e percentile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
+        <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e centile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
     </message>
     <message numerus="yes">
         <source>%n phases need attention: see the table below the chart.</source>
@@ -3172,8 +3172,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Trouver le mouvement</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence enregistrée avec une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts&#x202f;; Annuler les ramène.</translation>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -3687,8 +3687,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Une surface ouverte n’enferme aucun volume</translation>
     </message>
     <message>
-        <source>%1 in the reference shape, %2 (%3) now</source>
-        <translation>%1 dans la forme de référence, %2 (%3) actuellement</translation>
+        <source>%1 at rest, %2 (%3) now</source>
+        <translation>%1 au repos, %2 (%3) actuellement</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3759,14 +3759,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Whose normal ranges are shown</source>
-        <translation>De qui les intervalles normaux sont montrés</translation>
+        <translation>Personnes dont les intervalles normaux sont affichés</translation>
     </message>
     <message>
         <source> m²</source>
         <translation> m²</translation>
     </message>
     <message>
-        <source>any body size</source>
+        <source>any body surface area</source>
         <translation>toute surface corporelle</translation>
     </message>
     <message>
@@ -3839,7 +3839,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>Dans le cœur d’exemple qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
+        <translation>Dans le cœur type qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
     </message>
     <message>
         <source>Record a &amp;key</source>
@@ -3850,8 +3850,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ctrl+K</translation>
     </message>
     <message>
-        <source>Add the present pose to the recorded sequence</source>
-        <translation>Ajouter la pose actuelle à la séquence enregistrée</translation>
+        <source>Add the present pose to the key sequence</source>
+        <translation>Ajouter la pose actuelle à la séquence de clés</translation>
     </message>
     <message>
         <source>Motion from a ser&amp;ies...</source>
@@ -3982,8 +3982,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
     </message>
     <message>
-        <source>The movie leaves out distances, surfaces of others and bent slices.</source>
-        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes courbées.</translation>
+        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
+        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes déformées.</translation>
     </message>
     <message>
         <source>This sequence says nothing about valves: choose the heartbeat</source>
@@ -4069,8 +4069,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Imposer un volume</translation>
     </message>
     <message>
-        <source>Record a sequence</source>
-        <translation>Enregistrer une séquence</translation>
+        <source>Key sequence</source>
+        <translation>Séquence de clés</translation>
     </message>
     <message>
         <source>Fit a sequence to an organ</source>
@@ -4085,8 +4085,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 %2 (%3 - %4)</source>
-        <translation>%1 %2 (%3 - %4)</translation>
+        <source>%1 %2 (%3–%4)</source>
+        <translation>%1 %2 (%3–%4)</translation>
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
@@ -4101,8 +4101,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 l/min</translation>
     </message>
     <message>
-        <source>%1 %2 - %3 %4</source>
-        <translation>%1 %2 - %3 %4</translation>
+        <source>%1 %2–%3 %4</source>
+        <translation>%1 %2–%3 %4</translation>
     </message>
     <message>
         <source>%</source>
@@ -4160,8 +4160,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
-            <numerusform>Rétablir %n poignée</numerusform>
-            <numerusform>Rétablir %n poignées</numerusform>
+            <numerusform>Réinitialiser %n poignée</numerusform>
+            <numerusform>Réinitialiser %n poignées</numerusform>
         </translation>
     </message>
     <message>
@@ -4212,7 +4212,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
-        <translation>Aucune poignée n’est sélectionnée. Cliquez-en une dans la vue ou dans la liste.</translation>
+        <translation>Aucune poignée n’est sélectionnée. Cliquez sur l’une d’elles dans la vue ou dans la liste.</translation>
     </message>
     <message>
         <source>Handle %1</source>
@@ -4751,11 +4751,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Coupes dans la vue &amp;3D</translation>
     </message>
     <message>
-        <source>&amp;Bend the scan</source>
-        <translation>Cour&amp;ber l’examen</translation>
+        <source>&amp;Warp the scan</source>
+        <translation>&amp;Déformer l’examen</translation>
     </message>
     <message>
-        <source>Show the scan as the pose deforms it</source>
+        <source>Show the scan as the pose warps it</source>
         <translation>Montrer l’examen tel que la pose le déforme</translation>
     </message>
     <message>
@@ -4826,7 +4826,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: shows the sample organ and plays</source>
-        <translation>%1&#x202f;: montre l’organe type et joue</translation>
+        <translation>%1 : montre l’organe type et lit la séquence</translation>
     </message>
 </context>
 <context>
@@ -4877,7 +4877,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Session that names its organs&apos; files</source>
-        <translation>Session qui nomme les fichiers de ses organes</translation>
+        <translation>Session qui renvoie aux fichiers de ses organes</translation>
     </message>
     <message>
         <source>Session with all surfaces and the scan inside</source>
@@ -5028,8 +5028,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::SlicePanes</name>
     <message>
-        <source>The scan cannot be bent: %1</source>
-        <translation>L’examen ne peut pas être courbé&#x202f;: %1</translation>
+        <source>The scan cannot be warped: %1</source>
+        <translation>L’examen ne peut pas être déformé : %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
@@ -5075,7 +5075,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Keep the present view with its cut, names and hidden organs, and the instant of a paused sequence</source>
-        <translation>Garder la vue actuelle avec sa coupe, ses noms et ses organes masqués, et l’instant d’une séquence en pause</translation>
+        <translation>Garder la vue actuelle avec sa section, ses noms et ses organes masqués, et l’instant d’une séquence en pause</translation>
     </message>
     <message>
         <source>&amp;Back from the slides</source>
@@ -5083,7 +5083,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Show, cut and name the organs as before the slides</source>
-        <translation>Montrer, couper et nommer les organes comme avant les diapositives</translation>
+        <translation>Montrer, sectionner et nommer les organes comme avant les diapositives</translation>
     </message>
 </context>
 <context>
@@ -5151,7 +5151,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Contrainte rotationnelle</translation>
     </message>
     <message>
-        <source>largest</source>
+        <source>maximum</source>
         <translation>maximum</translation>
     </message>
     <message>
@@ -5318,7 +5318,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
-        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
+        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5341,16 +5341,16 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Montrer les valeurs là où la carte est maximale, et y ouvrir l’organe</translation>
     </message>
     <message>
-        <source>&amp;Peak over the sequence</source>
-        <translation>&amp;Pic sur la séquence</translation>
+        <source>&amp;Maximum over the sequence</source>
+        <translation>Ma&amp;ximum sur la séquence</translation>
     </message>
     <message>
         <source>Shift+M</source>
         <translation>Shift+M</translation>
     </message>
     <message>
-        <source>The largest value that each point reaches in one cycle of the sequence</source>
-        <translation>La plus grande valeur que chaque point atteint en un cycle de la séquence</translation>
+        <source>The most extreme value that each point reaches in one cycle of the sequence</source>
+        <translation>La valeur la plus extrême que chaque point atteint en un cycle de la séquence</translation>
     </message>
     <message>
         <source>Map on the organ&apos;s &amp;surface</source>
@@ -5441,8 +5441,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>À côté d’une autre vue : une seule échelle de couleurs pour les deux cartes de contrainte, pour les comparer</translation>
     </message>
     <message>
-        <source>Go to the &amp;time of the peak</source>
-        <translation>Alle&amp;r au moment du pic</translation>
+        <source>Go to the &amp;time of the maximum</source>
+        <translation>Alle&amp;r au moment du maximum</translation>
     </message>
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
@@ -5503,7 +5503,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Smallest</source>
+        <source>Minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>95e centile</translation>
     </message>
     <message>
-        <source>Largest</source>
+        <source>Maximum</source>
         <translation>Maximum</translation>
     </message>
     <message>
@@ -5660,7 +5660,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Open an organ to see where it is distorted.</source>
-        <translation>Ouvrez un organe pour voir où il est déformé.</translation>
+        <translation>Ouvrez un organe pour voir où il est distordu.</translation>
     </message>
     <message>
         <source>Filling the organ with witness points...</source>
@@ -5672,7 +5672,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Cancelled. Press Try again to go on.</source>
-        <translation>Annulé. Cliquez Réessayer pour continuer.</translation>
+        <translation>Annulé. Cliquez sur Réessayer pour continuer.</translation>
     </message>
     <message>
         <source>%1 in %2 tetrahedra</source>
@@ -5698,8 +5698,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Sondes</translation>
     </message>
     <message>
-        <source>Time of the peak</source>
-        <translation>Moment du pic</translation>
+        <source>Time of the maximum</source>
+        <translation>Moment du maximum</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6045,8 +6045,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Afficher les &amp;poignées dans chaque mode</translation>
     </message>
     <message>
-        <source>&amp;Ghost of the reference shape</source>
-        <translation>&amp;Fantôme de la forme de référence</translation>
+        <source>&amp;Ghost of the rest shape</source>
+        <translation>&amp;Fantôme de la forme au repos</translation>
     </message>
     <message>
         <source>Cut &amp;open</source>
@@ -6098,7 +6098,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Draw the triangles of organs as lines</source>
-        <translation>Dessiner les triangles des organes par des lignes</translation>
+        <translation>Tracer les triangles des organes sous forme de lignes</translation>
     </message>
     <message>
         <source>&amp;Flat triangles</source>
@@ -6214,8 +6214,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>FE %1 %  VES %2 ml</translation>
     </message>
     <message>
-        <source>%1 % of reference</source>
-        <translation>%1 % de référence</translation>
+        <source>%1 % of rest</source>
+        <translation>%1 % du repos</translation>
     </message>
     <message>
         <source>Part of the cycle</source>

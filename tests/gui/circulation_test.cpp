@@ -355,7 +355,7 @@ TEST_F(PlayedCirculation, TheCommandsMoveTheHeartOfASavedSessionAsTheWindowDoes)
 
 TEST_F(PlayedCirculation, NormalRangesHaveTheNumbersOfTheLanguage) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(app::normalText({1.5, 8, {}}, 1), QStringLiteral("1.5 - 8.0"));
+  EXPECT_EQ(app::normalText({1.5, 8, {}}, 1), QStringLiteral("1.5\u20138.0"));
   EXPECT_EQ(app::normalText({60, kNone, {}}, 0), QStringLiteral("from 60"));
   EXPECT_EQ(app::normalText({-kNone, 5, {}}, 0), QStringLiteral("up to 5"));
 }

@@ -1,22 +1,23 @@
-// What is written fits in every language: labels, buttons and the letters of menus.
+// What is written fits in every language: labels, buttons, numbers, lists and the letters of menus.
 #include <QAbstractButton>
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QRadioButton>
 #include <QScrollArea>
-#include <QStyleOptionComboBox>
+#include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
-#include <QToolButton>
+#include <QTreeWidget>
 
-#include <map>
+#include <algorithm>
+#include <initializer_list>
 #include <set>
-#include <vector>
+#include <string>
 
+#include "cut_texts.h"
 #include "play_fixture.h"
 #include "shapes.h"
 #include "viscera/medical_io/surface_file.h"
@@ -43,96 +44,56 @@ protected:
   app::InstalledLanguage language_{QLatin1String(GetParam())};
 };
 
-/// Whether a text has to be whole: one that gives way says so by an ellipsis, and has its whole in the tip.
-bool mayBeCut(const QString& text, const QWidget& widget) {
-  return text.isEmpty() || (text.contains(QChar(0x2026)) && !widget.toolTip().isEmpty()) ||
-         qobject_cast<const app::ElidedLabel*>(&widget) != nullptr;
-}
-
-/// How many logical pixels a label lacks; 0 when it fits.
-int lackOf(const QLabel& label) {
-  if (mayBeCut(label.text(), label))
-    return 0;
-  if (label.wordWrap())
-    return std::max(0, label.heightForWidth(label.width()) - label.height());
-  return std::max(0, label.sizeHint().width() - label.width());
-}
-
-int lackOf(const QAbstractButton& button) {
-  const auto* tool = qobject_cast<const QToolButton*>(&button);
-  if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
-    return 0;
-  const bool marked = qobject_cast<const QCheckBox*>(&button) || qobject_cast<const QRadioButton*>(&button);
-  const int wide = marked ? button.sizeHint().width()
-                          : button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
-  return mayBeCut(button.text(), button) ? 0 : std::max(0, wide - button.width());
-}
-
-/// Of the entry that a closed list shows. One that shortens its entry leaves some letters, and the tooltip
-/// has the whole.
-int lackOf(const QComboBox& list) {
-  constexpr int kFewestLetters = 3;
-  const auto* system = qobject_cast<const app::SystemCombo*>(&list);
-  if (system && system->shownText().size() > kFewestLetters)
-    return 0;
-  QStyleOptionComboBox option;
-  option.initFrom(&list);
-  option.editable = list.isEditable();
-  const int wide =
-      list.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list).width();
-  const int icon = list.itemIcon(list.currentIndex()).isNull() ? 0 : list.iconSize().width() + 4;
-  return std::max(0, list.fontMetrics().size(0, list.currentText()).width() + icon - wide);
-}
-
-QString textOf(const QLabel& label) {
-  return label.text();
-}
-QString textOf(const QAbstractButton& button) {
-  return button.text();
-}
-QString textOf(const QComboBox& list) {
-  return list.currentText();
-}
-
-/// The texts of a kind of widget that can be seen and are cut off.
-template <class Widget>
-void collectCut(const QWidget& window, const std::string& where, std::set<std::string>& cut) {
-  constexpr int kRounding = 1;
-  for (const auto* widget : window.findChildren<Widget*>())
-    if (widget->isVisible() && lackOf(*widget) > kRounding)
-      cut.insert(where + ": \"" + textOf(*widget).toStdString() + "\" lacks " +
-                 std::to_string(lackOf(*widget)) + " pixels");
-}
-
-/// Labels, buttons and lists of one parent that lie over each other.
-void collectOverlaps(const QWidget& window, const std::string& where, std::set<std::string>& found) {
-  const auto nameOf = [](const QWidget& widget) {
-    const QString name = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();
-    return std::string(widget.metaObject()->className()) + ' ' + name.toStdString();
-  };
-  std::map<const QWidget*, std::vector<const QWidget*>> siblings;
-  for (const auto* widget : window.findChildren<QWidget*>()) {
-    const bool speaks = qobject_cast<const QLabel*>(widget) || qobject_cast<const QAbstractButton*>(widget) ||
-                        qobject_cast<const QComboBox*>(widget);
-    if (!speaks || !widget->isVisible())
-      continue;
-    for (const QWidget* other : siblings[widget->parentWidget()])
-      if (other->geometry().intersects(widget->geometry()))
-        found.insert(where + ": " + nameOf(*other) + " lies over " + nameOf(*widget));
-    siblings[widget->parentWidget()].push_back(widget);
+/// A window with one text of each kind, each in a widget of that width.
+class NarrowTexts : public QWidget {
+public:
+  explicit NarrowTexts(int wide) {
+    auto* number = new QSpinBox(this);
+    number->setSpecialValueText(QStringLiteral("special value"));
+    number->setSuffix(QStringLiteral(" millilitres"));
+    number->setValue(1);
+    auto* label = new app::ElidedLabel(this);
+    label->setFullText(QStringLiteral("shortened label"));
+    auto* tabs = new QTabBar(this);
+    tabs->setElideMode(Qt::ElideRight);
+    tabs->addTab(QStringLiteral("name of a tab"));
+    auto* tree = new QTreeWidget(this);
+    tree->setHeaderLabels({QStringLiteral("name of a column")});
+    tree->header()->setStretchLastSection(true);
+    new QTreeWidgetItem(tree, {QStringLiteral("entry of a list")});
+    (new QTreeWidgetItem(tree, {QStringLiteral("entry with its whole in the tip")}))
+        ->setToolTip(0, QStringLiteral("entry with its whole in the tip"));
+    resize(wide, 300);
+    int top = 0;
+    for (QWidget* part : std::initializer_list<QWidget*>{number, label, tabs, tree}) {
+      part->setGeometry(0, top, wide, part == tree ? 120 : 30);
+      top += 40;
+    }
+    show();
+    QTest::qWait(0);
   }
-}
+};
 
-void collectAll(const QWidget& window, const std::string& where, std::set<std::string>& found) {
-  collectCut<QLabel>(window, where, found);
-  collectCut<QAbstractButton>(window, where, found);
-  collectCut<QComboBox>(window, where, found);
-  collectOverlaps(window, where, found);
+TEST(CutTexts, AreFoundInNumbersShortenedLabelsTabsColumnsAndEntries) {
+  CutTexts cut;
+  collectAll(NarrowTexts(60), "narrow", cut);
+  const auto found = [&cut](const char* text) {
+    return std::any_of(cut.begin(), cut.end(),
+                       [text](const std::string& one) { return one.find(text) != std::string::npos; });
+  };
+  for (const char* text : {"special value", "1 millilitres", "shortened label", "name of a tab",
+                           "name of a column", "entry of a list"})
+    EXPECT_TRUE(found(text)) << text;
+  EXPECT_FALSE(found("in the tip")) << "an entry with a tip may be shortened";
+  CutTexts none;
+  collectAll(NarrowTexts(400), "wide", none);
+  for (const std::string& text : none)
+    ADD_FAILURE() << text;
 }
 
 /// On a small screen, and on one of 1920 x 1200 pixels at 200 %.
 TEST_P(InLanguage, NothingIsCutOffInAnyModeOnASmallScreenOrATwiceAsLargeScale) {
-  std::set<std::string> cut;
+  CutTexts cut;
   for (const QSize& screen : {QSize(1280, 800), QSize(960, 600)}) {
     window().resize(screen);
     for (const auto& mode : window().modes().all()) {
@@ -151,7 +112,7 @@ TEST_P(InLanguage, NothingIsCutOffInAnyModeOnASmallScreenOrATwiceAsLargeScale) {
 TEST_P(InLanguage, NothingIsCutOffInTheDialogsAndTheImport) {
   constexpr int kRoom = 560; // Of a screen of 600 logical pixels, without a frame.
   window().resize(960, 600);
-  std::set<std::string> cut;
+  CutTexts cut;
   const auto look = [&](QDialog& dialog, const char* where) {
     dialog.show();
     settle();
@@ -177,7 +138,7 @@ TEST_P(InLanguage, NothingIsCutOffInTheDialogsAndTheImport) {
 
 TEST_P(InLanguage, NothingIsCutOffInTheMovieTheCirculationTheQuizAndTheLecture) {
   window().resize(960, 600);
-  std::set<std::string> cut;
+  CutTexts cut;
   const auto look = [&](const char* where) {
     settle();
     collectAll(window(), where, cut);
@@ -205,7 +166,7 @@ TEST_P(InLanguage, NothingIsCutOffInTheMovieTheCirculationTheQuizAndTheLecture) 
 
 /// In a low view it is scrolled, downwards only.
 TEST_P(InLanguage, NothingIsCutOffInTheCardOfKeys) {
-  std::set<std::string> cut;
+  CutTexts cut;
   for (const QSize& screen : {QSize(1600, 1000), QSize(1280, 800), QSize(960, 600)}) {
     const std::string where = "keys " + std::to_string(screen.width());
     window().resize(screen);
@@ -228,7 +189,7 @@ TEST_P(InLanguage, NothingIsCutOffInTheCardOfKeys) {
 
 TEST_P(InLanguage, NothingIsCutOffInTheHeadersOfTwoComparedViews) {
   window().resize(960, 600);
-  std::set<std::string> cut;
+  CutTexts cut;
   app::Comparison& comparison = parts().comparison();
   const auto look = [&](const std::string& what) {
     for (const char* mode : {"play", "deform"}) {

@@ -259,7 +259,7 @@ TEST_F(OwnMotion, AHeartBeatsWithItsChambersByTheEjectionFractionThatIsAskedFor)
   settle();
   EXPECT_EQ(window().workspace().undo().position(), steps + 1) << "the fit is one step";
   EXPECT_EQ(document().organs()[0], heart) << "no organ is replaced";
-  ASSERT_FALSE(keySequence().keys.empty()) << "saved and edited as any recorded sequence";
+  ASSERT_FALSE(keySequence().keys.empty()) << "saved and edited as any key sequence";
   const auto leftMl = [&] { return window().workspace().live().volume(left->id).nowMl; };
   window().playback().seek(0);
   const double full = leftMl();

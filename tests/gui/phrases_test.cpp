@@ -194,7 +194,7 @@ TEST(PhraseTranslator, NamesOrgansInSentencesAsTheLanguageDoes) {
     EXPECT_TRUE(
         app::asSentence(doubt).startsWith(QStringLiteral("Eine Leber mit 5 ml ist nicht lebensgroß")));
     EXPECT_EQ(app::inWords(live::describe(live::StressQuantity::rotationalStress).peakName),
-              QStringLiteral("Höchstwert des Rotationsstresses"));
+              QStringLiteral("Maximaler Rotationsstress"));
   }
   const InstalledLanguage spanish(QStringLiteral("es"));
   EXPECT_TRUE(app::asSentence(doubt).startsWith(QStringLiteral("Un hígado de 5 ml no es")));

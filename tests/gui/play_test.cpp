@@ -240,7 +240,7 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
 
   auto* chart = window().findChild<app::VolumePanel*>();
   ASSERT_NE(chart, nullptr);
-  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82 - 230 ml")))
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82\u2013230 ml")))
       << chart->normalsText().toStdString();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("doi")));
   auto* whose = chart->findChild<QComboBox*>(QStringLiteral("rangesOf"));
@@ -248,7 +248,7 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
   ASSERT_TRUE(whose && surface);
   whose->setCurrentIndex(1);
   surface->setValue(1.5);
-  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("75 - 147 ml")))
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("75\u2013147 ml")))
       << "women of 1.5 m2: " << chart->normalsText().toStdString();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("women, mean +- 2")));
   EXPECT_EQ(window().viewModel().state().person, (norms::Person{norms::Sex::women, 1.5}));

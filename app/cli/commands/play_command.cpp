@@ -107,8 +107,7 @@ struct KeptVolume {
   }
   std::string text() const {
     const auto [low, high] = std::minmax_element(ml.begin(), ml.end());
-    return fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, in the reference shape " + fixed(restMl, 1) +
-           " ml";
+    return fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, at rest " + fixed(restMl, 1) + " ml";
   }
 };
 
@@ -140,7 +139,7 @@ void addWalls(const Walls& walls, nlohmann::ordered_json& json, Listing& listing
                                 " to " + fixed(range.high, 0) + ")");
 }
 
-/// Measures at the keys of a recorded sequence: there the volumes are what was recorded.
+/// Measures at the keys of a key sequence: there the volumes are what was recorded.
 void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, double rate,
                  motion::VolumeRecord& record) {
   const auto* keyframes = dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get());
@@ -152,7 +151,7 @@ void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, dou
 }
 
 /// The surface whose ejection fraction is the heart's: the left ventricle, else the first cavity, else the
-/// only surface of a recorded sequence. -1 for none.
+/// only surface of a key sequence. -1 for none.
 int ventricleOf(const PlayedSequence& played) {
   const document::OrganList& organs = *played.document->state().organs;
   for (std::size_t i = 0; i < played.surfaces.size(); ++i) // The sample's, whatever the session calls it.
@@ -289,7 +288,7 @@ private:
   /// What playing has shown.
   struct Measured {
     motion::VolumeRecord volumes; ///< At the frames.
-    motion::VolumeRecord atKeys;  ///< Of a recorded sequence: at its keys, which frames may miss.
+    motion::VolumeRecord atKeys;  ///< Of a key sequence: at its keys, which frames may miss.
     motion::CycleCurves cycle;    ///< The whole cycle, so that no extreme depends on the frames.
     std::optional<Walls> walls;   ///< Of the sample heart.
     /// Of a session: where its locked volumes could not be kept first, in words; else empty.
@@ -441,7 +440,7 @@ private:
     outcome.json["ejectionFraction"] = nullptr;
     const int ventricle = ventricleOf(played);
     for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
-      // Of a recorded sequence its keys are what was measured: the numbers are those of `viscera track`.
+      // Of a key sequence its keys are what was measured: the numbers are those of `viscera track`.
       const bool hasKeys = measured.atKeys.rows() > 0;
       const std::vector<double> values = hasKeys ? measured.atKeys.column(i) : measured.of(i);
       const bool isVentricle = static_cast<int>(i) == ventricle;

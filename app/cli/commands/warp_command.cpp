@@ -27,7 +27,7 @@ struct Bent {
 class WarpCommand final : public Command {
 public:
   std::string name() const override { return "warp"; }
-  std::string summary() const override { return "Bend a scan or label map along with the handles"; }
+  std::string summary() const override { return "Warp a scan or label map along with the handles"; }
 
   void addOptions(CLI::App& options) override {
     scan_.addTo(options);
@@ -38,7 +38,7 @@ public:
         ->type_name("FILE")
         ->required();
     system_.addTo(options);
-    options.add_option("-o,--output", output_, "The bent image (.nii.gz, .nii, .nrrd)")
+    options.add_option("-o,--output", output_, "The warped image (.nii.gz, .nii, .nrrd)")
         ->type_name("FILE")
         ->required();
   }

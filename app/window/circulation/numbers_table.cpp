@@ -73,7 +73,7 @@ QString normalText(const circulation::NormalValues& normal, int decimals) {
     return NumbersTable::tr("from %1").arg(low);
   if (!std::isfinite(normal.low))
     return NumbersTable::tr("up to %1").arg(high);
-  return QStringLiteral("%1 - %2").arg(low, high);
+  return QStringLiteral("%1\u2013%2").arg(low, high);
 }
 
 NumbersTable::NumbersTable(QWidget* parent)

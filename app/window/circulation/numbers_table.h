@@ -7,7 +7,7 @@
 
 namespace viscera::app {
 
-/// A normal range with the numbers of the window's language: "60 - 100", "from 60", "up to 5".
+/// A normal range with the numbers of the window's language: "60–100", "from 60", "up to 5".
 QString normalText(const circulation::NormalValues& normal, int decimals);
 /// What the range means, who was measured, and who says so, in the language of the window.
 QString sourceText(const circulation::NormalValues& normal);

@@ -241,7 +241,7 @@ void FitBox::syncTarget() {
     target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(inWords(organ->name)));
   else if (hollow)
     target_->setText(tr("Makes %1 and its chambers beat like a textbook heart. The present shape counts as "
-                        "the end of diastole. The result is a recorded sequence.")
+                        "the end of diastole. The result is a key sequence.")
                          .arg(inWords(organ->name)));
   else
     target_->setText(

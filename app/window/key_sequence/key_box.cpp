@@ -122,7 +122,7 @@ void KeyBox::makeButtons() {
                     [this] { workspace_.perform(document::replaceKey(selectedKey())); });
   remove_ = button("removeKey", "remove", tr("Remove"), tr("Remove this key"), 1, 0,
                    [this] { workspace_.perform(document::removeKeys({selectedKey()})); });
-  play_ = button("playKeys", "play", tr("Play it"), tr("Play the recorded sequence"), 1, 1, [this] {
+  play_ = button("playKeys", "play", tr("Play it"), tr("Play the key sequence"), 1, 1, [this] {
     playback_.choose(motion_.sequence());
     playback_.toStart();
     playback_.play();

@@ -75,7 +75,7 @@ void MeasureBox::makeList() {
   list_->setObjectName(QStringLiteral("measureList"));
   list_->setAccessibleName(tr("Measurements"));
   list_->setColumnCount(kMeasurementColumns);
-  list_->setHeaderLabels({tr("Name"), tr("Now"), tr("Reference shape")});
+  list_->setHeaderLabels({tr("Name"), tr("Now"), tr("Rest shape")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->header()->setStretchLastSection(false);

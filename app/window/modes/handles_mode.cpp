@@ -15,8 +15,8 @@ namespace viscera::app {
 
 HandlesMode::HandlesMode(const ModeParts& parts, Actions& actions)
     : Mode(parts, {"handles", "handles", 2, tr("Handles"),
-                   tr("Click the organ to add a handle, drag to move it, Delete removes it; the reference "
-                      "shape stays")}) {
+                   tr("Click the organ to add a handle, drag to move it, Delete removes it; the rest shape "
+                      "stays")}) {
   makeRigActions(actions);
   makeViewActions(actions);
 }

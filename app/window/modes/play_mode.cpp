@@ -100,10 +100,9 @@ void PlayMode::makeMotionActions(Actions& actions) {
                             "which valves are open")},
                         &presentation::ViewState::beatSigns);
   makeValvesAction(actions);
-  actions.add(
-      "play.addKey",
-      {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the recorded sequence")},
-      [this] { addKey(); });
+  actions.add("play.addKey",
+              {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the key sequence")},
+              [this] { addKey(); });
   actions.add("play.motionFromSeries",
               {tr("Motion from a ser&ies..."),
                "patient",
@@ -411,7 +410,7 @@ bool PlayMode::record(const MoviePlan& plan) {
   const bool begun = recorder_->start(plan, sources);
   if (begun && std::any_of(sources.begin(), sources.end(),
                            [](const auto& source) { return source.picture.hasMoreThanMovies(); }))
-    parts_.workspace.note(tr("The movie leaves out distances, surfaces of others and bent slices."));
+    parts_.workspace.note(tr("The movie leaves out distances, surfaces of others and warped slices."));
   return begun;
 }
 

@@ -70,16 +70,16 @@ void StressMode::makeActions() {
                 tr("Keep the point that was clicked: its place and value follow the pose in the table")},
                [this] { model_.pinProbe(); });
   actions_.add("stress.peakTime",
-               {tr("Go to the &time of the peak"),
+               {tr("Go to the &time of the maximum"),
                 "chart",
                 {},
                 tr("Show the sequence at the instant at which the rotational stress is largest")},
                [this] { model_.goToPeak(); });
   actions_.addToggle("stress.peak",
-                     {tr("&Peak over the sequence"),
+                     {tr("&Maximum over the sequence"),
                       "chart",
                       {tr("Shift+M")},
-                      tr("The largest value that each point reaches in one cycle of the sequence")},
+                      tr("The most extreme value that each point reaches in one cycle of the sequence")},
                      false, [this](bool on) {
                        model_.setPeakShown(on);
                        syncActions();

@@ -33,7 +33,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   organ_ = addFact(tr("Organ"));
   organ_->setObjectName(QStringLiteral("deformOrgan"));
   now_ = addFact(tr("Now"));
-  rest_ = addFact(tr("Reference shape"));
+  rest_ = addFact(tr("Rest shape"));
   change_ = addFact(tr("Change"));
   farthest_ = addFact(tr("Largest shift"));
   farthest_->setToolTip(tr("The largest distance by which a vertex of the organ has moved from rest"));

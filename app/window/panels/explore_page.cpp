@@ -44,7 +44,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   addSection(tr("Organ"));
   name_ = addFact(tr("Name"));
   name_->setObjectName(QStringLiteral("exploreOrgan"));
-  volume_ = addFact(tr("Reference volume"));
+  volume_ = addFact(tr("Rest volume"));
   size_ = addFact(tr("Size"));
   triangles_ = addFact(tr("Triangles"));
   surface_ = addFact(tr("Surface"));

@@ -258,7 +258,7 @@ void GroupPanel::rebuild() {
     item->setIcon(0, swatch(asColor(group.color)));
     item->setText(1, QString::number(group.handles.size()));
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-    item->setToolTip(0, tr("F2 renames"));
+    item->setToolTip(0, item->text(0) + QLatin1Char('\n') + tr("F2 renames"));
     if (group.handles.size() < kFewestGrouped) {
       item->setIcon(1, icon("warning"));
       item->setToolTip(1, tr("A region needs at least four handles"));

@@ -131,6 +131,7 @@ void HandlePanel::addGroup(const QString& name, const QColor& color,
   auto* parent = new QTreeWidgetItem(list_);
   parent->setText(0, tr("%1 (%2)").arg(name).arg(handles.size()));
   parent->setIcon(0, swatch(color));
+  parent->setToolTip(0, parent->text(0));
   for (const document::Handle* handle : handles) {
     auto* item = new QTreeWidgetItem(parent);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -138,8 +139,9 @@ void HandlePanel::addGroup(const QString& name, const QColor& color,
     item->setText(0, inWords(handle->label));
     if (handle->locked)
       item->setIcon(0, icon("lock"));
-    item->setToolTip(0, handle->description.empty() ? tr("F2 renames, Delete removes")
-                                                    : text(handle->description));
+    item->setToolTip(
+        0, item->text(0) + QLatin1Char('\n') +
+               (handle->description.empty() ? tr("F2 renames, Delete removes") : text(handle->description)));
   }
 }
 

@@ -410,7 +410,7 @@ void OrganPanel::updateVolumes() {
                   changed && few ? formatRelativeChange(volume) : QString());
     item->setForeground(kOrganVolume, changed && !few ? colors.link() : colors.text());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
-                                       : tr("%1 in the reference shape, %2 (%3) now")
+                                       : tr("%1 at rest, %2 (%3) now")
                                              .arg(formatMilliliters(volume.restMl), formatChange(volume),
                                                   formatRelativeChange(volume));
     item->setToolTip(kOrganVolume, tip);

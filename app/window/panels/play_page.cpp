@@ -191,7 +191,7 @@ void PlayPage::makeOwnMotions(const ModeParts& parts) {
   auto* curve = new CurveBox(parts.workspace, playback_, parts.settings, this);
   add(new CollapsibleSection(tr("Prescribe a volume"), curve, false, this));
   auto* keys = new KeyBox(parts.workspace, playback_, mode_.keySequence(), parts.settings, this);
-  add(new CollapsibleSection(tr("Record a sequence"), keys, false, this));
+  add(new CollapsibleSection(tr("Key sequence"), keys, false, this));
   auto* fit = new FitBox(parts.workspace, playback_, parts.picture, *parts.area.view(), this);
   add(new CollapsibleSection(tr("Fit a sequence to an organ"), fit, false, this));
   connect(offer_, &FitOffer::fitChosen, fit, &FitBox::fit);
@@ -231,6 +231,8 @@ void PlayPage::fillRow(std::size_t line) {
   for (int column = 0; column < kCavityColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment((column == kCavityName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (column == kCavityName) // The column has what the numbers leave.
+      item->setToolTip(cells[column]);
     table_->setItem(static_cast<int>(line), column, item);
   }
 }
@@ -260,7 +262,7 @@ void PlayPage::syncWalls() {
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const sequences::WallMotionRange& range = ranges[i];
     setFactShown(walls_[i], wall || !fraction_->isHidden());
-    walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
+    walls_[i]->setText(wall ? tr("%1 %2 (%3\u2013%4)")
                                   .arg(formatNumber((*wall).*range.value, 1))
                                   .arg(inWords(range.unit))
                                   .arg(formatNumber(range.low, 0))
@@ -293,7 +295,7 @@ void PlayPage::syncIndices() {
   if (best < lines.size())
     for (const motion::NormalRange& range : volumes_.normals(best, view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
-      normal.push_back(tr("%1 %2 - %3 %4")
+      normal.push_back(tr("%1 %2\u2013%3 %4")
                            .arg(inWords(range.name))
                            .arg(formatNumber(range.low, 0))
                            .arg(formatNumber(range.high, 0))

@@ -89,10 +89,10 @@ BentExport::BentExport(Workspace& workspace, Settings& settings, QWidget* window
 
 void BentExport::addTo(Actions& actions) {
   actions.add("export.scan",
-              {tr("Export the &bent scan..."),
+              {tr("Export the &warped scan..."),
                "patient",
                {},
-               tr("Write the scan as the pose bends it, with a label map of the posed organs")},
+               tr("Write the scan as the pose warps it, with a label map of the posed organs")},
               [this] { chooseAndExport(); });
   actions.enableWhile({"export.scan"}, [this] { return workspace_.state().scan != nullptr; });
 }
@@ -100,7 +100,7 @@ void BentExport::addTo(Actions& actions) {
 void BentExport::chooseAndExport() {
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString file =
-      QFileDialog::getSaveFileName(window_, tr("Export the bent scan"), folder + tr("/bent.nii.gz"),
+      QFileDialog::getSaveFileName(window_, tr("Export the warped scan"), folder + tr("/warped.nii.gz"),
                                    tr("NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)"));
   if (!file.isEmpty())
     exportScan(file);
@@ -113,7 +113,7 @@ void BentExport::exportScan(const QString& file) {
     if (!state.scan)
       throw UsageError("There is no scan to export", {}, "open one first");
     if (state.rig->handles.empty())
-      throw UsageError("There are no handles that could bend the scan", {}, "place some first");
+      throw UsageError("There are no handles that could warp the scan", {}, "place some first");
     work = {state.scan,
             workspace_.registry().find(state.system->id),
             {state.system->parameters, {}},
@@ -125,11 +125,11 @@ void BentExport::exportScan(const QString& file) {
   if (!can)
     return;
   workspace_.inBackground<Written>(
-      tr("Exporting the bent scan"), Workspace::slotOf(file),
+      tr("Exporting the warped scan"), Workspace::slotOf(file),
       [work](Progress& progress) { return write(work, progress); },
       [this, file](const Written& written) {
         settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
-        QString said = tr("The bent scan was written to %1.").arg(file);
+        QString said = tr("The warped scan was written to %1.").arg(file);
         if (!written.labels.isEmpty())
           said += QLatin1Char(' ') + tr("Its labels are beside it: %1.").arg(written.labels);
         if (written.folded > 0)

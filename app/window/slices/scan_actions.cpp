@@ -184,7 +184,7 @@ void ScanActions::makeSwitches(Actions& actions) {
        &ScanLook::rest},
       {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
       {"scan.bent",
-       {tr("&Bend the scan"), "deform", {}, tr("Show the scan as the pose deforms it")},
+       {tr("&Warp the scan"), "deform", {}, tr("Show the scan as the pose warps it")},
        &ScanLook::bent},
       {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
       {"scan.maximum",

@@ -169,7 +169,7 @@ void SlicePanes::refresh() {
 
 void SlicePanes::followBend() {
   if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
-    workspace_.note(tr("The scan cannot be bent: %1").arg(messageInWords(problem)));
+    workspace_.note(tr("The scan cannot be warped: %1").arg(messageInWords(problem)));
   refresh();
 }
 

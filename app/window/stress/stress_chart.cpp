@@ -45,7 +45,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   chart_->setWindow(window);
   chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Rotational stress").toStdString(),
                   inWords("deg").toStdString());
-  chart_->setLines({{tr("largest").toStdString(), kMaxColor},
+  chart_->setLines({{tr("maximum").toStdString(), kMaxColor},
                     {tr("95th percentile").toStdString(), kPercentileColor},
                     {tr("mean").toStdString(), kMeanColor}});
   connect(&model, &StressModel::updated, this, &StressChart::refresh);

@@ -172,12 +172,12 @@ void StressPage::makeNumbers(const Actions& actions) {
   state_->setObjectName(QStringLiteral("stressState"));
   caution_ = addRemark(QString());
   caution_->setObjectName(QStringLiteral("stressCaution"));
-  min_ = addFact(tr("Smallest"));
+  min_ = addFact(tr("Minimum"));
   mean_ = addFact(tr("Mean"));
   percentile_ = addFact(tr("95th percentile"));
-  max_ = addFact(tr("Largest"));
+  max_ = addFact(tr("Maximum"));
   folded_ = addFact(tr("Folded"));
-  peakTime_ = addFact(tr("Time of the peak"));
+  peakTime_ = addFact(tr("Time of the maximum"));
   peakTime_->setObjectName(QStringLiteral("stressPeakTime"));
   mean_->setObjectName(QStringLiteral("stressMean"));
   max_->setObjectName(QStringLiteral("stressMax"));

@@ -30,7 +30,7 @@ PersonBox::PersonBox(ViewModel& view, QWidget* parent)
   surface_->setSingleStep(kStep);
   surface_->setRange(kAnySize, norms::kLargestBodySurfaceM2);
   surface_->setSuffix(tr(" m\u00b2"));
-  surface_->setSpecialValueText(tr("any body size"));
+  surface_->setSpecialValueText(tr("any body surface area"));
   surface_->setToolTip(
       tr("Body surface area: ranges that the source gives per square metre are scaled by it"));
   row->addWidget(sex_);

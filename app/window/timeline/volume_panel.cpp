@@ -47,7 +47,7 @@ QIcon swatch(const Vec3& color) {
 }
 
 QString rangeText(const motion::NormalRange& range) {
-  return QStringLiteral("%1 - %2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
+  return QStringLiteral("%1\u2013%2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
 }
 
 /// "Petersen 2017 (UK Biobank)", without where it is to be found.
@@ -384,7 +384,7 @@ QString VolumePanel::detailOf(std::size_t line) const {
         .arg(formatNumber(indices->strokeVolumeMl, 0));
   if (shown.restMl <= 0)
     return {};
-  return tr("%1 % of reference").arg(formatNumber(kPercent * shown.nowMl / shown.restMl, 1));
+  return tr("%1 % of rest").arg(formatNumber(kPercent * shown.nowMl / shown.restMl, 1));
 }
 
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty

@@ -96,7 +96,7 @@ bool MotionDialog::event(QEvent* event) {
 
 void MotionDialog::makeFiles(QVBoxLayout& column) {
   column.addWidget(makeRemark(
-      tr("Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a "
+      tr("Turns one organ, given in several phases of a cycle, into handles and a key sequence with a "
          "key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several "
          "volumes. The result replaces the open organs; Undo brings them back."),
       this));

@@ -60,7 +60,7 @@ void ViewActions::makeSwitches(Actions& actions) {
   ViewModel& view = parts_.view;
   view.addToggle(actions, "view.handles", {tr("Show &handles in every mode"), "handles", {Qt::Key_H}, {}},
                  &ViewState::handles);
-  view.addToggle(actions, "view.ghost", {tr("&Ghost of the reference shape"), "ghost", {Qt::Key_G}, {}},
+  view.addToggle(actions, "view.ghost", {tr("&Ghost of the rest shape"), "ghost", {Qt::Key_G}, {}},
                  &ViewState::ghost);
   view.addToggle(actions, "view.cut",
                  {tr("Cut &open"),

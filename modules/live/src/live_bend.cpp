@@ -97,7 +97,7 @@ void LiveBend::Impl::giveUp() {
 void LiveBend::Impl::bind() {
   binding = true;
   jobs.submit<BoundMap>(
-      "Bending the scan", kSlot,
+      "Warping the scan", kSlot,
       [to = *target, first = live.shownPose(), threads = options.threads](Progress& progress) {
         return bindMap(to, first, threads, progress);
       },

@@ -12,13 +12,13 @@ namespace viscera::live {
 const std::vector<StressQuantityDescription>& stressQuantities() {
   static const std::vector<StressQuantityDescription> all = {
       {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress",
-       "Peak of rotational stress", "deg", false, 1},
-      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Peak of volume ratio", "", true, 3},
-      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Peak of largest stretch", "", true,
-       3},
-      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "Peak of smallest stretch", "",
+       "Maximum rotational stress", "deg", false, 1},
+      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Extreme volume ratio", "", true, 3},
+      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Maximum of largest stretch", "",
        true, 3},
-      {StressQuantity::folded, "folded", "Folded tissue", "Peak of folded tissue", "", false, 0}};
+      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "Minimum of smallest stretch", "",
+       true, 3},
+      {StressQuantity::folded, "folded", "Folded tissue", "Tissue folded at any instant", "", false, 0}};
   return all;
 }
 

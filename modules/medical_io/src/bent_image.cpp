@@ -79,7 +79,7 @@ void bendGrid(const Grid& grid, const Bend& bend, BendReport& report, Progress& 
   deformation::RestPoints rest;
   const std::size_t slice = std::size_t(grid.size[0]) * std::size_t(grid.size[1]);
   for (int k = 0; k < grid.size[2]; ++k) {
-    progress.report(static_cast<double>(k) / grid.size[2], "Bending the image");
+    progress.report(static_cast<double>(k) / grid.size[2], "Warping the image");
     progress.throwIfCancelled();
     bend.map.restPlane(grid.slice(k), rest);
     bend.map.refinePlane(bend.system, grid.slice(k), {.toleranceMm = tolerance}, rest, progress);

@@ -22,7 +22,7 @@ using sequences::CardiacCycle;
 /// The ejection fractions with which the sample heart's base descends as far as `HeartExcursions` has it.
 constexpr double kStandardEjection = 0.58;
 constexpr double kStandardRightEjection = 0.547;
-/// What the sample heart's atria hold in the reference shape, ml.
+/// What the sample heart's atria hold in the rest shape, ml.
 constexpr sequences::CavityVolumes kRestAtria{59.9, 56.6};
 /// What can be drawn of an atrium, ml: with less its wall would cross itself, with more it would reach its
 /// neighbours. No scenario comes there (24.5 to 122.1); a circulation of somebody's own may.

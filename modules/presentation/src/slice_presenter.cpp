@@ -188,7 +188,7 @@ void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& di
     picture.note += "  " + over;
   }
   if (slice.with.bent)
-    picture.note += "  " + language.translate("Bent");
+    picture.note += "  " + language.translate("Warped");
   if (slice.values.anyFolded())
     picture.note += ", " + language.translate("folded where it is hatched");
 }

@@ -117,7 +117,7 @@ std::vector<std::string> volumeRow(const ReportSource& source, const document::O
 Section volumes(const ReportSource& source) {
   Table table;
   table.head = {
-      said("Organ"), said("Reference shape (ml)"), said("Now (ml)"), said("Change (ml)"), said("Change (%)"),
+      said("Organ"), said("Rest shape (ml)"),     said("Now (ml)"), said("Change (ml)"), said("Change (%)"),
       said("Lock"),  said("Surface (cm\xC2\xB2)")};
   table.numbers = {false, true, true, true, true, true, true};
   bool open = false;
@@ -159,7 +159,7 @@ Section measurements(const ReportSource& source) {
     return *source.organs->sharedPoints(organ);
   });
   Table table;
-  table.head = {said("Name"), said("What"), said("On"), said("Reference shape"), said("Now"), said("Change")};
+  table.head = {said("Name"), said("What"), said("On"), said("Rest shape"), said("Now"), said("Change")};
   table.numbers = {false, false, false, true, true, true};
   for (const document::MeasurementRow& row : rows) {
     const auto kind = row.measurement.kind;

@@ -71,7 +71,7 @@ PictureGrid volumeChart(std::vector<Line> lines, const motion::CycleCurves& curv
 
 Table volumeTable(const std::vector<Line>& lines) {
   Table table;
-  table.head = {said("Organ"), said("Reference shape (ml)"), said("Smallest (ml)"), said("Largest (ml)"),
+  table.head = {said("Organ"), said("Rest shape (ml)"), said("Smallest (ml)"), said("Largest (ml)"),
                 said("Change (%)")};
   table.numbers = {false, true, true, true, true};
   for (const Line& line : lines) {

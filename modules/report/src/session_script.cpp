@@ -350,7 +350,7 @@ void Writer::writeStress() {
   addMarks(*organ, words);
   command(words);
   if (source_.view.stress.peak)
-    say("The peak over a cycle has no command: the window finds it in the Stress mode.");
+    say("The maximum over a cycle has no command: the window finds it in the Stress mode.");
 }
 
 std::string Writer::landmarksText(const ordered_json& recipe) const {
@@ -446,7 +446,7 @@ bool Writer::playSession(const std::string& reason, const std::string& table, bo
 void Writer::writeKeySequence() {
   if (state_.keySequence->keys.empty() || state_.rig->handles.empty())
     return;
-  paragraph("The recorded sequence, over one cycle.");
+  paragraph("The key sequence, over one cycle.");
   file(kSequence, motion::textOf(motion::sequenceFile(state_)));
   if (playSession(onlyInSession(false), "recorded.csv", false) || !state_.rig->cage.empty())
     return;

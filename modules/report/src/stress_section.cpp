@@ -49,8 +49,8 @@ std::vector<std::string> row(const std::string& name, const live::StressQuantity
 
 Table numbers(const live::StressFrame& frame) {
   Table table;
-  table.head = {said("Quantity"), said("Smallest"),        said("5th percentile"),
-                said("Mean"),     said("95th percentile"), said("Largest")};
+  table.head = {said("Quantity"), said("Minimum"),         said("5th percentile"),
+                said("Mean"),     said("95th percentile"), said("Maximum")};
   table.numbers = {false, true, true, true, true, true};
   Values values;
   const auto add = [&](const deformation::StressMap& map, const live::StressQuantityDescription& quantity,
@@ -131,7 +131,7 @@ PictureGrid cycleChart(const live::CycleStress& cycle) {
   panel.xTitle = said("Time (s)");
   panel.yTitle = said("Rotational stress (deg)");
   panel.legend = true;
-  panel.curves = {{said("Largest"), curveColor(0), {}, {}},
+  panel.curves = {{said("Maximum"), curveColor(0), {}, {}},
                   {said("95th percentile"), curveColor(3), {}, {}},
                   {said("Mean"), curveColor(1), {}, {}}};
   for (const live::StressSample& sample : cycle.closed()) {

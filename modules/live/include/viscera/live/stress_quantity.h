@@ -21,7 +21,7 @@ struct StressQuantityDescription {
   StressQuantity quantity = StressQuantity::rotationalStress;
   std::string id;       ///< "rotational-stress"; as in settings.
   std::string name;     ///< "Rotational stress"
-  std::string peakName; ///< "Peak of rotational stress": whole, for languages that have cases and capitals.
+  std::string peakName; ///< "Maximum rotational stress": whole, for languages that have cases and capitals.
   std::string unit;     ///< "deg" or empty.
   bool ratio = false;   ///< 1 means unchanged.
   int decimals = 2;
