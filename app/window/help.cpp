@@ -18,6 +18,7 @@ Help::Help(const Parts& parts, Actions& actions, QObject* parent) : QObject(pare
 void Help::makeCards(const QMenuBar& menus, QMenu* samples) {
   welcome_ = new WelcomeCard(samples, &parts_.area);
   parts_.area.addCard(welcome_, Qt::AlignTop | Qt::AlignHCenter);
+  connect(welcome_, &WelcomeCard::heightTaken, &parts_.area, &ViewArea::reserveAbove);
   welcome_->hide();
   shortcuts_ = new ShortcutCard(menus, &parts_.area);
   parts_.area.addCard(shortcuts_, Qt::AlignCenter);

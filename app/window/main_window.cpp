@@ -155,6 +155,8 @@ void MainWindow::placePanels() {
                   imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
+  for (const auto& mode : modes_->all())
+    connect(mode.get(), &Mode::panelsChanged, layout_, follow);
   connect(&playback_, &Playback::stateChanged, layout_, follow);
   connect(&playback_, &Playback::advanced, layout_, follow); // The timeline was dragged.
   follow();
@@ -190,7 +192,7 @@ void MainWindow::connectView() {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
   });
-  auto* pointer = new OrganPointer(workspace_, *picture_, *view, organPanel_->menu(), this);
+  auto* pointer = new OrganPointer({workspace_, view_, *picture_, *view}, organPanel_->menu(), this);
   connect(pointer, &OrganPointer::aloneWanted, actions_["organ.showOnly"], &QAction::trigger);
   connect(pointer, &OrganPointer::allWanted, actions_["organ.showAll"], &QAction::trigger);
 }

@@ -15,6 +15,8 @@ namespace viscera::app {
 namespace {
 /// Logical pixels: what a long name of a file may take.
 constexpr int kJobWidth = 360;
+/// Less of a hint says nothing.
+constexpr int kFewestHintLetters = 20;
 } // namespace
 
 StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar)
@@ -25,6 +27,7 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   volume_->setObjectName(QStringLiteral("statusVolume"));
   binding_->setObjectName(QStringLiteral("statusBinding"));
   hint_->setObjectName(QStringLiteral("muted"));
+  hint_->setFewestLetters(kFewestHintLetters);
   volume_->setContentsMargins(8, 0, 12, 0);
   binding_->setContentsMargins(0, 0, 12, 0);
   bar->addWidget(volume_);

@@ -1,5 +1,6 @@
 #include "window/window_layout.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
@@ -20,13 +21,26 @@ namespace {
 
 constexpr int kWindowWidth = 1440;
 constexpr int kWindowHeight = 900;
-constexpr int kLeftWidth = 304;
+constexpr int kLeftWidth = 256;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
 /// A narrower window leaves the panels less than these widths.
 constexpr int kWidthForPanels = 1200;
-constexpr int kDockedChartHeight = 200;
-constexpr int kHandlesHeight = 300;
+constexpr int kDockedChartHeight = 140;
+constexpr int kHandlesHeight = 260;
+/// Of the column of organs and handles: the organs have more.
+constexpr double kHandlesPart = 0.42;
+/// Half a screen of 1366 x 768 pixels, as at twice the scale, is a little larger. What panels ask for does
+/// not keep the window from becoming as small: they fold.
+constexpr QSize kSmallestWindow(600, 320);
+/// The view has that part of the window at least, before panels beside the mode's own page stay;
+constexpr double kPartOfView = 0.26;
+/// for that page it gives up some of it.
+constexpr double kPartBesidePage = 0.2;
+/// A smaller view is none.
+constexpr QSize kSmallestView(160, 120);
+/// The lines between panels.
+constexpr int kBetweenPanels = 4;
 /// What a window manager draws around the window, at most.
 constexpr QSize kWindowFrame(16, 48);
 
@@ -37,12 +51,17 @@ QString nameIn(const std::string& mode, const QDockWidget& dock) {
 
 } // namespace
 
+QSize firstWindowSize(const QSize& available) {
+  return QSize(kWindowWidth, kWindowHeight).boundedTo(available - kWindowFrame);
+}
+
 WindowLayout::WindowLayout(QMainWindow& window, Actions& actions) : QObject(&window), window_(window) {
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks);
+  window.setMinimumSize(kSmallestWindow);
   actions.add("view.layout",
               {tr("&Standard layout"), "reset", {}, tr("Restore the first arrangement of all panels")},
               [this] { bringBack(); });
-  actions.addToggle(
+  fullScreen_ = actions.addToggle(
       "view.fullScreen",
       {tr("&Full screen"), nullptr, {QKeySequence(Qt::Key_F11)}, tr("The window takes the whole screen")},
       false, [this](bool on) { setFullScreen(on); });
@@ -54,8 +73,15 @@ PanelDock* WindowLayout::addDock(const QString& title, const char* id, Qt::DockW
   dock->setContents(contents, scrolling);
   window_.addDockWidget(area, dock);
   docks_.push_back(dock);
-  connect(dock, &PanelDock::chosen, this,
-          [this, dock](bool shown) { chosen_[nameIn(mode_, *dock)] = shown; });
+  connect(dock, &PanelDock::chosen, this, [this, dock](bool shown) {
+    const QString name = nameIn(mode_, *dock);
+    chosen_[name] = shown;
+    kept_.remove(name);
+    if (shown && withoutRoom().contains(dock))
+      kept_.insert(name);
+    folded_.remove(dock);
+    fitSoon(); // Others may fold for it, or have its room.
+  });
   return dock;
 }
 
@@ -74,8 +100,8 @@ void WindowLayout::placeRail(QWidget* rail) {
 
 void WindowLayout::place(const Panels& panels) {
   placeRail(panels.rail);
-  auto* organs = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, panels.organs, true);
-  auto* handles = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, panels.handles, true);
+  auto* organs = organs_ = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, panels.organs, true);
+  auto* handles = handles_ = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, panels.handles, true);
   properties_ = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, panels.properties, false);
   auto* timeline = timeline_ =
       addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
@@ -86,7 +112,7 @@ void WindowLayout::place(const Panels& panels) {
   chart->setTitleBarWidget(new QWidget(chart));
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
   window_.resizeDocks({organs, properties_}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  window_.resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
+  window_.resizeDocks({organs, handles}, {3, 2}, Qt::Vertical);
   window_.resizeDocks({chart}, {kDockedChartHeight}, Qt::Vertical);
   heights_ = {{chart, kDockedChartHeight}, {handles, kHandlesHeight}};
   widths_ = {{organs, {kLeftWidth, kWidthForPanels}}, {properties_, {kRightWidth, kWidthForPanels}}};
@@ -125,16 +151,110 @@ void WindowLayout::follow(const Mode& mode) {
 void WindowLayout::arrange() {
   if (bare_ || mode_.empty())
     return;
+  learnHeights();
+  folded_ = withoutRoom();
+  showPanels();
+  keepHeights();
+}
+
+void WindowLayout::showPanels() {
+  for (PanelDock* dock : docks_)
+    dock->setVisible(isWanted(*dock) && !folded_.contains(dock));
+}
+
+/// By the user, or else by the mode.
+bool WindowLayout::isWanted(const QDockWidget& dock) const {
   const std::map<QString, bool> useful = {{QStringLiteral("organs"), true},
                                           {QStringLiteral("handles"), useful_.handles},
                                           {QStringLiteral("properties"), true},
                                           {QStringLiteral("timeline"), useful_.timeline},
                                           {QStringLiteral("volumes"), useful_.charts},
                                           {QStringLiteral("slides"), false}};
-  learnHeights();
-  for (PanelDock* dock : docks_)
-    dock->setVisible(chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool());
+  return chosen_.value(nameIn(mode_, dock), useful.at(dock.objectName())).toBool();
+}
+
+std::vector<WindowLayout::Fold> WindowLayout::folds() const {
+  const Fold lists{{organs_, handles_}, kPartOfView};
+  const Fold charts{{charts_}, kPartOfView};
+  const Fold page{{properties_}, kPartBesidePage};
+  // Who works with handles has more use for their list than for the chart.
+  return useful_.handles ? std::vector<Fold>{charts, lists, page} : std::vector<Fold>{lists, charts, page};
+}
+
+QSet<QDockWidget*> WindowLayout::withoutRoom() const {
+  QSet<QDockWidget*> folded;
+  if (!restored_)
+    return folded;
+  for (const Fold& fold : folds()) {
+    if (partOfView(folded) >= fold.part)
+      continue;
+    for (QDockWidget* panel : fold.panels)
+      if (isWanted(*panel) && !kept_.contains(nameIn(mode_, *panel)))
+        folded.insert(panel);
+  }
+  return folded;
+}
+
+/// What stays of the window for the view beside the panels, as they will be; not as they are, which has to do
+/// with the size that the window had. 0 where there is no view.
+double WindowLayout::partOfView(const QSet<QDockWidget*>& folded) const {
+  int left = 0, right = 0, high = 0;
+  for (PanelDock* dock : docks_) {
+    if (!isWanted(*dock) || folded.contains(dock) || dock->isFloating())
+      continue;
+    const Qt::DockWidgetArea area = window_.dockWidgetArea(dock);
+    if (area == Qt::LeftDockWidgetArea)
+      left = std::max(left, expectedWidth(*dock) + kBetweenPanels);
+    else if (area == Qt::RightDockWidgetArea)
+      right = std::max(right, expectedWidth(*dock) + kBetweenPanels);
+    else
+      high += expectedHeight(*dock) + kBetweenPanels;
+  }
+  if (importing_ && !imports_->isFloating())
+    right = std::max(right, kImportWidth + kBetweenPanels);
+  const QSize room = roomForAll();
+  const int width = room.width() - left - right, height = room.height() - high;
+  if (width < kSmallestView.width() || height < kSmallestView.height())
+    return 0;
+  return double(width) * height / (double(window_.width()) * window_.height());
+}
+
+/// The window without what is always there.
+QSize WindowLayout::roomForAll() const {
+  return {window_.width() - rail_->sizeHint().width(), window_.height() -
+                                                           window_.menuBar()->sizeHint().height() -
+                                                           window_.statusBar()->sizeHint().height()};
+}
+
+int WindowLayout::expectedWidth(QDockWidget& dock) const {
+  const auto wish = widths_.constFind(&dock);
+  return std::max(dock.minimumSizeHint().width(), wish == widths_.constEnd() ? 0 : widthOf(wish.value()));
+}
+
+int WindowLayout::expectedHeight(QDockWidget& dock) const {
+  return &dock == timeline_ ? timeline_->sizeHint().height()
+                            : std::max(dock.minimumSizeHint().height(), heights_.value(&dock, 0));
+}
+
+/// Once Qt has laid the panels out.
+void WindowLayout::fitSoon() {
+  if (!std::exchange(fitting_, true))
+    QTimer::singleShot(0, this, &WindowLayout::fitPanels);
+}
+
+/// Qt squeezes all panels in a small window and leaves them so in a larger one. Nothing of that is learned as
+/// a wish.
+void WindowLayout::fitPanels() {
+  fitting_ = false;
+  if (bare_ || mode_.empty())
+    return;
+  if (QSet<QDockWidget*> folded = withoutRoom(); folded != folded_) {
+    folded_ = std::move(folded);
+    showPanels();
+  }
+  giveWidths();
   keepHeights();
+  QTimer::singleShot(0, this, &WindowLayout::giveWidths); // Those that were shown just now have their place.
 }
 
 /// The timeline has the height of its rows, of which a sequence has more than another. Qt takes them from the
@@ -152,12 +272,11 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// Qt makes panels narrower in a narrow window and leaves them so. The lines between panels are the window's:
-/// what changes while the mouse is pressed there is the user's wish.
+/// The lines between panels are the window's: what changes while the mouse is pressed there is the user's
+/// wish.
 void WindowLayout::watchWindow(const QEvent& event) {
-  if (event.type() == QEvent::Resize) {
-    if (window_.width() > std::exchange(windowWidth_, window_.width()))
-      QTimer::singleShot(0, this, &WindowLayout::widenPanels); // Qt lays the panels out first.
+  if (event.type() == QEvent::Resize || event.type() == QEvent::Show) {
+    fitSoon();
   } else if (event.type() == QEvent::MouseButtonPress) {
     for (auto known = widths_.constBegin(); known != widths_.constEnd(); ++known)
       pressed_[known.key()] = known.key()->width();
@@ -166,22 +285,28 @@ void WindowLayout::watchWindow(const QEvent& event) {
       if (known.key()->width() != pressed_.value(known.key(), known.key()->width()))
         known.value() = {known.key()->width(), window_.width()};
     pressed_.clear();
+    learnHeights();
+  } else if (event.type() == QEvent::WindowStateChange) {
+    fullScreen_->setChecked(window_.isFullScreen()); // Also as the settings or a lecture have it.
   }
 }
 
-/// In a window that is narrower than the one of the wish they get their part of it.
-void WindowLayout::widenPanels() {
+/// In a window that is narrower than the one of the wish a panel gets its part of it.
+int WindowLayout::widthOf(const Width& wish) const {
+  return std::min(wish.panel, wish.panel * window_.width() / wish.window);
+}
+
+void WindowLayout::giveWidths() {
   QList<QDockWidget*> docks;
   QList<int> widths;
   for (auto known = widths_.constBegin(); known != widths_.constEnd(); ++known) {
-    const Width& wish = known.value();
-    const int wide = std::min(wish.panel, wish.panel * window_.width() / wish.window);
-    if (known.key()->isVisible() && !known.key()->isFloating() && known.key()->width() < wide) {
+    const int width = widthOf(known.value());
+    if (known.key()->isVisible() && !known.key()->isFloating() && known.key()->width() != width) {
       docks.push_back(known.key());
-      widths.push_back(wide);
+      widths.push_back(width);
     }
   }
-  if (!docks.isEmpty())
+  if (!docks.isEmpty() && !importing_) // Its panel has the place of one of them.
     window_.resizeDocks(docks, widths, Qt::Horizontal);
 }
 
@@ -216,15 +341,24 @@ int WindowLayout::heightOf(const QDockWidget& dock) const {
 void WindowLayout::giveHeights() {
   QList<QDockWidget*> docks;
   QList<int> heights;
-  if (timeline_->isVisible()) { // Else the chart pays for its height.
-    docks.push_back(timeline_);
-    heights.push_back(timeline_->sizeHint().height());
+  const auto give = [&](QDockWidget* dock, int height) {
+    docks.push_back(dock);
+    heights.push_back(height);
+  };
+  if (timeline_->isVisible()) // Else the chart pays for its height.
+    give(timeline_, timeline_->sizeHint().height());
+  if (charts_->isVisible() && !chartsBefore_)
+    give(charts_, heights_.value(charts_));
+  if (handles_->isVisible()) {
+    int height = heights_.value(handles_);
+    const bool below = organs_->isVisible() && organs_->x() == handles_->x();
+    const int both = organs_->height() + handles_->height();
+    if (below && height == kHandlesHeight) // Where nobody wished for a height, the organs have more.
+      height = std::min(height, static_cast<int>(kHandlesPart * both));
+    give(handles_, height);
+    if (below && both > height) // Else Qt would take half of what they are too high from each.
+      give(organs_, both - height);
   }
-  for (auto known = heights_.constBegin(); known != heights_.constEnd(); ++known)
-    if (known.key()->isVisible() && !(known.key() == charts_ && chartsBefore_)) {
-      docks.push_back(known.key());
-      heights.push_back(known.value());
-    }
   window_.resizeDocks(docks, heights, Qt::Vertical);
 }
 
@@ -268,6 +402,7 @@ void WindowLayout::fitCharts(std::optional<int> height) {
 
 void WindowLayout::bringBack() {
   chosen_.clear();
+  kept_.clear();
   for (auto known = widths_.begin(); known != widths_.end(); ++known)
     known.value() = {known.key() == properties_ ? kRightWidth : kLeftWidth, kWidthForPanels};
   window_.restoreState(standard_);
@@ -278,7 +413,7 @@ void WindowLayout::bringBack() {
 
 void WindowLayout::restore(const Settings& settings) {
   const QSize room = window_.screen()->availableSize() - kWindowFrame;
-  window_.resize(QSize(kWindowWidth, kWindowHeight).boundedTo(room));
+  window_.resize(firstWindowSize(window_.screen()->availableSize()));
   standard_ = window_.saveState();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   window_.restoreState(settings.value("window/layout").toByteArray());
@@ -289,6 +424,7 @@ void WindowLayout::restore(const Settings& settings) {
   for (auto known = widths_.begin(); known != widths_.end(); ++known)
     if (const QSize wish = widths.value(known.key()->objectName()).toSize(); !wish.isEmpty())
       known.value() = {wish.width(), wish.height()};
+  restored_ = true;
   arrange();
 }
 

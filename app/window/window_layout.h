@@ -4,6 +4,8 @@
 #include <QDockWidget>
 #include <QHash>
 #include <QObject>
+#include <QSet>
+#include <QSize>
 
 #include <optional>
 #include <vector>
@@ -21,7 +23,8 @@ class PanelDock;
 
 /// Arranges the panels around the view as docks that the user may move, and saves their places in the
 /// settings. Panels that a mode does not need are hidden in it, unless the user has shown them there; what
-/// the user has hidden stays hidden.
+/// the user has hidden stays hidden. In a small window panels fold until the view has its part of it, and are
+/// back once there is room; those that the user asks for there stay.
 class WindowLayout final : public QObject {
   Q_OBJECT
 
@@ -67,6 +70,21 @@ private:
   void placeRail(QWidget* rail);
   void bringBack();
   void arrange();
+  void showPanels();
+  bool isWanted(const QDockWidget& dock) const;
+  /// Panels that leave the view their room, those first that are missed least in the mode.
+  struct Fold {
+    std::vector<QDockWidget*> panels;
+    double part; ///< Of the window: as long as the view has less, they fold.
+  };
+  std::vector<Fold> folds() const;
+  QSet<QDockWidget*> withoutRoom() const;
+  double partOfView(const QSet<QDockWidget*>& folded) const;
+  QSize roomForAll() const;
+  int expectedWidth(QDockWidget& dock) const;
+  int expectedHeight(QDockWidget& dock) const;
+  void fitSoon();
+  void fitPanels();
   bool eventFilter(QObject* watched, QEvent* event) override;
   void learnHeights();
   /// Gives them now and once Qt has laid the panels out.
@@ -75,16 +93,20 @@ private:
   int heightOf(const QDockWidget& dock) const;
   void setFullScreen(bool full);
   void watchWindow(const QEvent& event);
-  void widenPanels();
+  void giveWidths();
 
   /// How wide a panel is by the user's wish, in a window of that width.
   struct Width {
     int panel;
     int window;
   };
+  int widthOf(const Width& wish) const;
 
   QMainWindow& window_;
+  QAction* fullScreen_ = nullptr;
   std::vector<PanelDock*> docks_;
+  PanelDock* organs_ = nullptr;
+  PanelDock* handles_ = nullptr;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;
   PanelDock* timeline_ = nullptr;
@@ -98,15 +120,21 @@ private:
   UsefulPanels useful_;
   /// What the user has chosen, by "mode/panel".
   QVariantMap chosen_;
+  QSet<QDockWidget*> folded_;        ///< For want of room.
+  QSet<QString> kept_;               ///< What the user has shown in spite of that, as in `chosen_`.
+  bool restored_ = false;            ///< Before that the window has no size of its own.
+  bool fitting_ = false;             ///< Panels will be fitted to the window.
   QHash<QDockWidget*, int> heights_; ///< Of panels that come and go with the modes, as the user left them.
   QHash<QDockWidget*, int> settled_; ///< What they were once these had been given.
   QHash<QDockWidget*, Width> widths_;
   QHash<QDockWidget*, int> pressed_; ///< Their widths when the mouse was pressed, maybe between two panels.
-  int windowWidth_ = 0;              ///< When its size changed last.
   int timelineHeight_ = 0;           ///< What its rows took when it last had its layout.
   bool resizing_ = false;            ///< Heights are to be given once more: what they are now says nothing.
   std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;
 };
+
+/// How large the window is at its first start on a screen with so much room.
+QSize firstWindowSize(const QSize& available);
 
 } // namespace viscera::app

@@ -5,14 +5,19 @@
 #include <QMetaObject>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 
 namespace viscera::app {
+namespace {
+constexpr int kToldSeconds = 8;
+} // namespace
 
 Workspace::Workspace(plugin::Registry registry, QObject* parent)
     : QObject(parent), undo_(document_), registry_(std::move(registry)),
@@ -20,7 +25,29 @@ Workspace::Workspace(plugin::Registry registry, QObject* parent)
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
-      bend_(document_, live_, registry_, jobs_), selection_(document_) {}
+      bend_(document_, live_, registry_, jobs_), selection_(document_) {
+  // Its offer would undo another step.
+  stepsFollowed_ = undo_.onChange([this] {
+    if (!told_.isEmpty() && undo_.position() != toldAt_)
+      retract(std::exchange(told_, {}));
+  });
+}
+
+bool Workspace::performTelling(const document::Command& command, const QString& said) {
+  told_.clear();
+  // First: what binding has to say of the step counts more.
+  say({Message::Severity::info,
+       said,
+       {{tr("Undo"), [this] { guarded([this] { undo_.undo(); }); }}},
+       kToldSeconds});
+  if (!perform(command)) {
+    retract(said);
+    return false;
+  }
+  told_ = said;
+  toldAt_ = undo_.position();
+  return true;
+}
 
 bool Workspace::guarded(const std::function<void()>& work) {
   try {
@@ -79,6 +106,14 @@ coordinates::Traits Workspace::systemTraits() const {
 
 std::shared_ptr<const document::Organ> Workspace::currentOrgan() const {
   return presentation::currentOrgan(document_.state(), selection_.organ());
+}
+
+std::shared_ptr<const document::Organ> Workspace::describedOrgan() const {
+  const document::OrganList& organs = document_.organs();
+  const auto whole =
+      std::count_if(organs.begin(), organs.end(), [](const auto& organ) { return !organ->parent; });
+  const auto selected = document_.organ(selection_.organ());
+  return whole > 1 ? selected : currentOrgan();
 }
 
 QString asSentence(const std::string& utf8) {

@@ -47,6 +47,9 @@ public:
   bool perform(const document::Command& command) {
     return guarded([&] { undo_.perform(command); });
   }
+  /// Does the command as `perform` does, and says what it did, with an offer to undo it that ends with the
+  /// next step: for what a key may do unseen.
+  bool performTelling(const document::Command& command, const QString& said);
   /// Calls `work`; an error becomes a message and false. The barrier that no exception passes on its way into
   /// Qt.
   bool guarded(const std::function<void()>& work);
@@ -86,6 +89,9 @@ public:
   /// The organ that commands act on: the selected one, else the first that is nobody's cavity; null without
   /// organs.
   std::shared_ptr<const document::Organ> currentOrgan() const;
+  /// The organ that Properties describe: the selected one, else the only one there is beside its cavities;
+  /// null where several could be meant.
+  std::shared_ptr<const document::Organ> describedOrgan() const;
 
 Q_SIGNALS:
   void messageRaised(const viscera::app::Message& message);
@@ -102,6 +108,9 @@ private:
   live::LiveStress stress_;
   live::LiveBend bend_;
   document::Selection selection_;
+  QString told_;               ///< What was said of the last step; empty when another one is the last.
+  std::size_t toldAt_ = 0;     ///< The steps that were done with it.
+  Subscription stepsFollowed_; ///< Ends before what it observes.
 };
 
 /// "83.4 ml", "938 ml": three or four significant digits.

@@ -1406,6 +1406,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>cap seleccionat</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Seleccioneu un òrgan a la vista o a la llista per llegir-ne les dades.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2234,6 +2242,13 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Bound in %1 ms</source>
         <translation>Vinculat en %1 ms</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>S’ha eliminat %n tirador</numerusform>
+            <numerusform>S’han eliminat %n tiradors</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -2311,6 +2326,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
     </message>
 </context>
 <context>
@@ -3674,6 +3693,20 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>S’ha eliminat %n òrgan</numerusform>
+            <numerusform>S’han eliminat %n òrgans</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>S’han eliminat %n òrgan i tots els tiradors</numerusform>
+            <numerusform>S’han eliminat %n òrgans i tots els tiradors</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6059,6 +6092,26 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Show only this</source>
         <translation>Mostra només aquest</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>Arestes dels &amp;triangles</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dibuixa els triangles dels òrgans com a línies</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triangles &amp;plans</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Dona a cada triangle d’un òrgan un sol to, en lloc d’una superfície llisa</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>
@@ -6284,6 +6337,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfés</translation>
     </message>
 </context>
 </TS>

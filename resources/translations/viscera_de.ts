@@ -1406,6 +1406,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>keines ausgewählt</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Wählen Sie ein Organ in der Ansicht oder in der Liste aus, um Angaben dazu zu lesen.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2234,6 +2242,13 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Bound in %1 ms</source>
         <translation>In %1 ms gebunden</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n Griff entfernt</numerusform>
+            <numerusform>%n Griffe entfernt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -2311,6 +2326,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
     </message>
 </context>
 <context>
@@ -3674,6 +3693,20 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n Organ entfernt</numerusform>
+            <numerusform>%n Organe entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n Organ und alle Griffe entfernt</numerusform>
+            <numerusform>%n Organe und alle Griffe entfernt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6059,6 +6092,26 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Show only this</source>
         <translation>Nur dieses zeigen</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>&amp;Kanten der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Die Dreiecke der Organe als Linien zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>&amp;Flache Dreiecke</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Jedem Dreieck eines Organs einen einzigen Farbton geben statt einer glatten Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>
@@ -6284,6 +6337,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 </TS>

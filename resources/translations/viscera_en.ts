@@ -141,6 +141,16 @@
     </message>
 </context>
 <context>
+    <name>viscera::app::HandlesMode</name>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n handle removed</numerusform>
+            <numerusform>%n handles removed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::HandlesPage</name>
     <message numerus="yes">
         <source>%1 ms, %n threads</source>
@@ -234,6 +244,20 @@
 %n triangle</numerusform>
             <numerusform>%1
 %n triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n organ removed</numerusform>
+            <numerusform>%n organs removed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n organ and all handles removed</numerusform>
+            <numerusform>%n organs and all handles removed</numerusform>
         </translation>
     </message>
 </context>

@@ -1406,6 +1406,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>ninguno seleccionado</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Seleccione un órgano en la vista o en la lista para leer sobre él.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2234,6 +2242,13 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Bound in %1 ms</source>
         <translation>Vinculado en %1 ms</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n tirador quitado</numerusform>
+            <numerusform>%n tiradores quitados</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -2311,6 +2326,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Órgano</translation>
     </message>
 </context>
 <context>
@@ -3674,6 +3693,20 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Show</source>
         <translation>Mostrar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n órgano quitado</numerusform>
+            <numerusform>%n órganos quitados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n órgano y todos los tiradores quitados</numerusform>
+            <numerusform>%n órganos y todos los tiradores quitados</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6059,6 +6092,26 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Show only this</source>
         <translation>Mostrar solo este</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>Aristas de los &amp;triángulos</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dibujar los triángulos de los órganos como líneas</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triángulos &amp;planos</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Dar a cada triángulo de un órgano un solo tono, en lugar de una superficie lisa</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>
@@ -6284,6 +6337,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 </TS>

@@ -1406,6 +1406,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>%1 x %2 x %3</source>
         <translation>%1 x %2 x %3</translation>
     </message>
+    <message>
+        <source>none selected</source>
+        <translation>aucun sélectionné</translation>
+    </message>
+    <message>
+        <source>Select an organ in the view or in the list to read about it.</source>
+        <translation>Sélectionnez un organe dans la vue ou dans la liste pour en lire les données.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -2234,6 +2242,13 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <source>Bound in %1 ms</source>
         <translation>Lié en %1 ms</translation>
     </message>
+    <message numerus="yes">
+        <source>%n handles removed</source>
+        <translation>
+            <numerusform>%n poignée supprimée</numerusform>
+            <numerusform>%n poignées supprimées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HandlesPage</name>
@@ -2311,6 +2326,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
     </message>
 </context>
 <context>
@@ -3674,6 +3693,20 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Show</source>
         <translation>Afficher</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs removed</source>
+        <translation>
+            <numerusform>%n organe supprimé</numerusform>
+            <numerusform>%n organes supprimés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs and all handles removed</source>
+        <translation>
+            <numerusform>%n organe et toutes les poignées supprimés</numerusform>
+            <numerusform>%n organes et toutes les poignées supprimés</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6059,6 +6092,26 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Show only this</source>
         <translation>Afficher seulement ceci</translation>
     </message>
+    <message>
+        <source>&amp;Edges of triangles</source>
+        <translation>&amp;Arêtes des triangles</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of organs as lines</source>
+        <translation>Dessiner les triangles des organes par des lignes</translation>
+    </message>
+    <message>
+        <source>&amp;Flat triangles</source>
+        <translation>Triangles &amp;plats</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
+        <translation>Donner à chaque triangle d’un organe une seule teinte, au lieu d’une surface lisse</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::VolumeBox</name>
@@ -6284,6 +6337,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 </TS>

@@ -14,9 +14,11 @@
 
 #include "build_paths.h"
 #include "run_process.h"
+#include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/document/autosave.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/medical_io/surface_file.h"
 #include "window/run_window.h"
 #include "window/session/session_files.h"
 #include "window/session/unasked_exit.h"
@@ -135,6 +137,20 @@ TEST(UnwritablePlaces, OfCacheSettingsAndStateStopNoWindow) {
       test::runProcess({VISCERA_PROGRAM, "--screenshot", picture, "sample:liver"}, options);
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.err, "");
+  EXPECT_GT(std::filesystem::file_size(picture), 50000u);
+}
+
+/// The terminal names what is missing, and the window shows the rest.
+TEST(MissingFiles, AmongOthersStopNoWindow) {
+  const TemporaryFolder folder;
+  const std::filesystem::path good = folder / "good.stl", picture = folder / "window.png";
+  medical_io::writeSurface(good, sphere(3, 60));
+  const test::ProcessResult result = test::runProcess(
+      {VISCERA_PROGRAM, "--screenshot", picture, folder / "first.stl", good, folder / "last.ply"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  for (const char* missing : {"first.stl: There is no such file", "last.ply: There is no such file"})
+    EXPECT_NE(result.err.find(missing), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("good.stl"), std::string::npos) << result.err;
   EXPECT_GT(std::filesystem::file_size(picture), 50000u);
 }
 

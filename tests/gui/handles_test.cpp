@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
@@ -118,6 +119,33 @@ TEST_F(HandlesMode, RemovingTooManyHandlesSaysWhatIsWrongAndUndoMends) {
             live::BindingStatus::State::bound);
 }
 
+TEST_F(HandlesMode, SaysHowManyHandlesItRemovedAndOffersToUndoThatStepAlone) {
+  const std::size_t handles = document().rig().handles.size();
+  const auto offer = [this] {
+    return window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+  };
+  key(Qt::Key_A, Qt::ControlModifier);
+  key(Qt::Key_Delete);
+  EXPECT_EQ(message(), QStringLiteral("%1 handles removed").arg(handles));
+  ASSERT_NE(offer(), nullptr);
+  offer()->click();
+  settle();
+  EXPECT_EQ(document().rig().handles.size(), handles);
+  EXPECT_EQ(message(), QString());
+  window().workspace().selection().setHandles({document().rig().handles.front().id});
+  key(Qt::Key_Delete);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(message().contains(QStringLiteral("removed"))) << "it is there again";
+}
+
+TEST_F(HandlesMode, HasNoControlForAParameterThatChangesNothing) {
+  ASSERT_EQ(document().system().id, "s-celestial");
+  const auto parameters = window().workspace().registry().find("s-celestial")->parameters();
+  ASSERT_EQ(parameters.size(), 1u) << "the command line takes it";
+  EXPECT_TRUE(parameters.front().withoutEffect);
+  EXPECT_EQ(window().findChild<QWidget*>(QStringLiteral("parameter/lambda")), nullptr);
+}
+
 /// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
 class Cage : public HandlesMode {
 protected:
@@ -222,7 +250,16 @@ TEST_F(Cage, IsOfferedOnlyForCoordinatesThatNeedOne) {
   EXPECT_TRUE(window().actions()["cage.load"]->isEnabled());
   EXPECT_NE(button(QStringLiteral("Load a cage")), nullptr);
   choose("s-celestial");
-  EXPECT_FALSE(window().actions()["cage.load"]->isEnabled());
+  const QAction& load = *window().actions()["cage.load"];
+  EXPECT_FALSE(load.isEnabled());
+  EXPECT_TRUE(load.toolTip().startsWith(QStringLiteral("For coordinates that need a cage"))) << "why not";
+  int menus = 0;
+  for (const QMenu* menu : window().findChildren<QMenu*>())
+    if (menu->actions().contains(window().actions()["cage.load"])) {
+      EXPECT_TRUE(menu->toolTipsVisible()) << menu->title().toStdString();
+      ++menus;
+    }
+  EXPECT_GT(menus, 0);
   EXPECT_EQ(button(QStringLiteral("Load a cage")), nullptr);
   EXPECT_TRUE(hulls().empty());
 }

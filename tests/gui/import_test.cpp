@@ -6,13 +6,17 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTest>
 
 #include <algorithm>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "label_files.h"
 #include "session_fixture.h"
@@ -28,6 +32,7 @@
 #include "window/import/arriving_surfaces.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
+#include "window/phrase_translator.h"
 
 namespace viscera::tests {
 namespace {
@@ -259,6 +264,57 @@ TEST_F(Import, RepairsCanBeTakenBackAndARepairThatIsCancelledChangesNothing) {
   settle();
   EXPECT_TRUE(window().imports().draft().organs.at(0).repairs.empty());
   EXPECT_TRUE(importButton()->isEnabled());
+}
+
+/// With faults to repair the bright button would be the wrong one.
+TEST_F(Import, AsItIsIsAQuietButtonUntilNothingIsDoubtful) {
+  const auto groundOf = [](QPushButton& button) {
+    const QImage seen = button.grab().toImage();
+    return seen.pixelColor(6, seen.height() / 2);
+  };
+  const auto ground = [&] { return groundOf(*importButton()); };
+  open(write(geometry::scaled(liver(), 0.001)));
+  ASSERT_TRUE(window().imports().isOpen());
+  EXPECT_EQ(importButton()->text(), QStringLiteral("Import as it is"));
+  EXPECT_TRUE(importButton()->property("quiet").toBool());
+  EXPECT_EQ(ground(), groundOf(*cancelButton())) << "it looks as the others";
+  const QColor quiet = ground();
+  press(repairButton(QStringLiteral("unit-m")));
+  EXPECT_EQ(importButton()->text(), QStringLiteral("Import"));
+  EXPECT_FALSE(importButton()->property("quiet").toBool());
+  EXPECT_NE(ground(), quiet) << "now it is the one to press";
+}
+
+TEST_F(Import, WhatIsWrongWithASurfaceThatIsTakenAsItIsIsSaidOnce) {
+  TriangleMesh mesh = liver();
+  mesh.triangles = mesh.triangles.bottomRows(mesh.triangles.rows() - 64).eval();
+  open(write(mesh));
+  ASSERT_TRUE(window().imports().isOpen());
+  press(importButton());
+  ASSERT_EQ(document().organs().size(), 1u);
+  const std::vector<std::string>& warnings = document().organs().front()->warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(std::set<std::string>(warnings.begin(), warnings.end()).size(), warnings.size());
+  const QString first = app::messageInWords(warnings.front());
+  EXPECT_EQ(find<QLabel>("exploreRemarks").text().count(first), 1);
+  EXPECT_FALSE(message().contains(first)) << "whoever has checked it has read it";
+}
+
+TEST_F(Import, PropertiesHaveTheirRoomAgainWhenItIsOver) {
+  const auto& properties = find<QDockWidget>("properties");
+  const int width = properties.width();
+  open(write(geometry::scaled(liver(), 0.001)));
+  ASSERT_TRUE(window().imports().isOpen());
+  press(repairButton(QStringLiteral("unit-m")));
+  press(importButton());
+  ASSERT_FALSE(window().imports().isOpen());
+  ASSERT_TRUE(properties.isVisible());
+  EXPECT_NEAR(properties.width(), width, 4);
+  for (const auto* area : properties.findChildren<QScrollArea*>())
+    if (area->isVisible() && area->widget()) {
+      EXPECT_LE(area->widget()->width(), area->viewport()->width()) << "its page is cut off";
+      EXPECT_GE(area->widget()->height(), area->widget()->minimumSizeHint().height()) << "it is squashed";
+    }
 }
 
 TEST_F(Import, ASecondFileWaitsUntilTheFirstIsDecided) {

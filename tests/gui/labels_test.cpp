@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRadioButton>
+#include <QScrollArea>
 #include <QStyleOptionComboBox>
 #include <QTest>
 #include <QToolButton>
@@ -29,6 +30,7 @@
 #include "window/lesson/lesson_export.h"
 #include "window/track/motion_dialog.h"
 #include "window/widgets/elided_label.h"
+#include "window/widgets/help_cards.h"
 #include "window/widgets/system_combo.h"
 
 namespace viscera::tests {
@@ -197,6 +199,29 @@ TEST_P(InLanguage, NothingIsCutOffInTheMovieTheCirculationTheQuizAndTheLecture) 
   ASSERT_TRUE(find<QLabel>("lectureCaption").isVisible());
   look("lecture");
   window().actions()["view.lecture"]->trigger();
+  for (const std::string& text : cut)
+    ADD_FAILURE() << text;
+}
+
+/// In a low view it is scrolled, downwards only.
+TEST_P(InLanguage, NothingIsCutOffInTheCardOfKeys) {
+  std::set<std::string> cut;
+  for (const QSize& screen : {QSize(1600, 1000), QSize(1280, 800), QSize(960, 600)}) {
+    const std::string where = "keys " + std::to_string(screen.width());
+    window().resize(screen);
+    settle();
+    window().actions()["help.shortcuts"]->trigger();
+    settle();
+    const auto& card = *window().findChild<app::ShortcutCard*>();
+    ASSERT_TRUE(card.isVisible());
+    collectAll(card, where, cut);
+    const auto& scroll = *card.findChild<QScrollArea*>();
+    EXPECT_LE(scroll.widget()->width(), scroll.viewport()->width()) << where;
+    for (const auto* row : scroll.widget()->findChildren<QLabel*>())
+      EXPECT_TRUE(scroll.widget()->rect().contains(row->geometry()))
+          << where << ": \"" << row->text().toStdString() << "\" lies beside it";
+    window().actions()["help.shortcuts"]->trigger();
+  }
   for (const std::string& text : cut)
     ADD_FAILURE() << text;
 }

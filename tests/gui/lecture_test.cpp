@@ -1,9 +1,9 @@
+#include <QAction>
 #include <QDockWidget>
 #include <QFrame>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QScreen>
 #include <QStatusBar>
 #include <QTest>
 
@@ -17,9 +17,11 @@
 #include "window/compare/comparison.h"
 #include "window/language.h"
 #include "window/lecture/slides.h"
+#include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
+#include "window/window_layout.h"
 
 namespace viscera::tests {
 namespace {
@@ -135,10 +137,19 @@ TEST_F(Room, TheChartKeepsItsHeightFromSequenceToSequenceAndBesideSigns) {
   }
 }
 
+/// Also one of 1366 x 768 pixels at twice the scale, and one of 1920 x 1200.
 TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
-  const QSize screen = window().screen()->availableSize();
-  EXPECT_LE(window().width(), screen.width());
-  EXPECT_LE(window().height(), screen.height());
+  window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  for (const QSize& screen : {QSize(683, 384), QSize(960, 600), QSize(1024, 768), QSize(1280, 800)}) {
+    window().resize(app::firstWindowSize(screen));
+    settle();
+    for (const auto& mode : window().modes().all()) {
+      window().setMode(mode->description().id);
+      settle();
+      EXPECT_LE(window().width(), screen.width()) << window().mode();
+      EXPECT_LE(window().height(), screen.height()) << window().mode();
+    }
+  }
 }
 
 TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
@@ -207,6 +218,50 @@ TEST_F(SpanishRoom, ALectureHasARowOfNumbersForEachViewWhichDoesNotBreak) {
   }
   EXPECT_GT(sizes.back(), 1.15 * window().font().pointSizeF()) << "still large";
   EXPECT_NEAR(sizes.back(), sizes.front(), 0.05 * sizes.front()) << "the same in every phase";
+}
+
+TEST_F(Room, KeyF11TakesTheWholeScreenWithAllPanelsAndGivesItBack) {
+  const QAction& full = *window().actions()["view.fullScreen"];
+  const QSize before = window().size();
+  key(Qt::Key_F11);
+  EXPECT_TRUE(window().isFullScreen() && full.isChecked());
+  EXPECT_FALSE(window().menuBar()->isHidden()) << "it is no lecture";
+  EXPECT_TRUE(shown("organs") && shown("timeline"));
+  key(Qt::Key_F5);
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(window().isFullScreen() && full.isChecked()) << "as before the lecture";
+  key(Qt::Key_F11);
+  EXPECT_FALSE(window().isFullScreen() || full.isChecked());
+  EXPECT_TRUE(waitUntil([&] { return window().size() == before; }));
+}
+
+TEST_F(Room, AWindowThatComesBackOnTheWholeScreenLeavesItByOneKey) {
+  key(Qt::Key_F11);
+  reopenWindow();
+  ASSERT_TRUE(window().isFullScreen()) << "as it was left";
+  EXPECT_TRUE(window().actions()["view.fullScreen"]->isChecked());
+  key(Qt::Key_F11);
+  EXPECT_FALSE(window().isFullScreen());
+}
+
+TEST_F(Room, KeyBDarkensTheScreenOfALectureAndLightensIt) {
+  constexpr int kDark = 16; // Of 255.
+  auto& dark = find<QWidget>("lectureDark");
+  key(Qt::Key_B);
+  EXPECT_FALSE(dark.isVisible()) << "there is no lecture";
+  key(Qt::Key_F5);
+  key(Qt::Key_B);
+  ASSERT_TRUE(dark.isVisible());
+  EXPECT_EQ(dark.geometry(), window().viewArea().rect());
+  EXPECT_EQ(window().viewArea().childAt(dark.geometry().center()), &dark) << "something lies over it";
+  EXPECT_LT(dark.grab().toImage().pixelColor(dark.rect().center()).lightness(), kDark);
+  key(Qt::Key_B);
+  EXPECT_FALSE(dark.isVisible());
+  key(Qt::Key_B);
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(dark.isVisible()) << "it goes with the lecture";
+  key(Qt::Key_F5);
+  EXPECT_FALSE(dark.isVisible()) << "and does not come back with the next one";
 }
 
 TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kAllowedError = 1e-9;
 constexpr int kVolumeColumn = 2;
-constexpr int kLockColumn = 4;
+constexpr int kLockColumn = 3;
 
 class LockedDeform : public WindowTest {
 protected:

@@ -148,6 +148,10 @@ TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   // 1600 x 1000 pixels at 200 % are 800 x 500 logical ones.
   EXPECT_LE(window().minimumSizeHint().width(), 800);
   EXPECT_LE(window().minimumSizeHint().height(), 500);
+  const QSize laptop(683, 384); // 1366 x 768 pixels.
+  window().resize(laptop);
+  settle();
+  EXPECT_EQ(window().size(), laptop);
 }
 
 TEST_F(WindowTest, PanelsThatANarrowWindowMadeNarrowAreAsBeforeInAWideOneAndTheNextTime) {

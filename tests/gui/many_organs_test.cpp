@@ -115,6 +115,27 @@ TEST_F(ManyOrgans, DeleteTakesTheChosenRowsAndNotTheHandlesBehindThem) {
   EXPECT_EQ(document().rig().handles.size(), handles);
 }
 
+TEST_F(ManyOrgans, ThatAreRemovedAreCountedInANoteThatOffersToUndo) {
+  ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
+  settle();
+  list().setFocus();
+  choose({QStringLiteral("spleen"), QStringLiteral("liver"), QStringLiteral("aorta")});
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  EXPECT_EQ(message(), QStringLiteral("3 organs removed"));
+  window().workspace().perform(document::renameOrgan(organ("colon").id, "bowel"));
+  EXPECT_EQ(message(), QString()) << "Undo would take back the new name";
+  list().selectAll();
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_EQ(message(), QStringLiteral("13 organs and all handles removed"));
+  auto* undo = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+  ASSERT_NE(undo, nullptr);
+  undo->click();
+  settle();
+  EXPECT_EQ(document().organs().size(), 13u);
+  EXPECT_FALSE(document().rig().handles.empty());
+}
+
 TEST_F(ManyOrgans, ThatMoveTogetherComeIntoThePictureTogether) {
   ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
   key(Qt::Key_3);
@@ -127,6 +148,26 @@ TEST_F(ManyOrgans, ThatMoveTogetherComeIntoThePictureTogether) {
   QObject::disconnect(counting);
   EXPECT_GE(pictures, 1);
   EXPECT_LT(pictures, 4) << "not once for each of sixteen organs";
+}
+
+TEST_F(ManyOrgans, AreDescribedOnlyWhereOneIsSelected) {
+  const auto& name = find<QLabel>("exploreOrgan");
+  document::Selection& selection = window().workspace().selection();
+  selection.clear();
+  EXPECT_EQ(name.text(), QStringLiteral("none selected"));
+  EXPECT_TRUE(find<QLabel>("exploreRemarks").text().contains(QStringLiteral("Select an organ")));
+  selection.setOrgan(organ("spleen").id);
+  EXPECT_EQ(name.text(), QStringLiteral("spleen"));
+  EXPECT_TRUE(find<QLabel>("exploreRemarks").isHidden());
+  selection.clear();
+  key(Qt::Key_2);
+  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("liver")) << "whose binding it tells of";
+  std::vector<document::OrganId> others;
+  for (const auto& one : document().organs())
+    if (one->name != "spleen")
+      others.push_back(one->id);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(others)));
+  EXPECT_EQ(name.text(), QStringLiteral("spleen")) << "no other can be meant";
 }
 
 TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {
@@ -220,6 +261,24 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   EXPECT_EQ(name->text(), QStringLiteral("kidney_left"));
   QTest::mouseMove(&view(), QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
+}
+
+/// What was under the mouse is hidden by a key: no name stands over nothing.
+TEST_F(ManyOrgans, TheNameUnderTheMouseLeavesWithTheOrganAndStaysOfWhatIsThere) {
+  auto& name = find<QLabel>("organUnderCursor");
+  QTest::mouseMove(&view(), placeOf("kidney_left") + QPoint(3, 3));
+  QTest::mouseMove(&view(), placeOf("kidney_left"));
+  ASSERT_TRUE(waitUntil([&] { return name.isVisible(); }));
+  window().workspace().selection().setOrgan(organ("kidney_left").id);
+  key(Qt::Key_H, Qt::ControlModifier);
+  QTest::qWait(300); // Longer than the mouse has to rest.
+  EXPECT_FALSE(name.isVisible()) << "over " << name.text().toStdString();
+  key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(waitUntil([&] { return name.isVisible(); })) << "it is there again, and so is the mouse";
+  window().workspace().perform(document::renameOrgan(organ("kidney_left").id, "renal"));
+  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("renal"); }));
+  window().setMode("handles");
+  EXPECT_FALSE(name.isVisible()) << "another mode may show it elsewhere";
 }
 
 TEST_F(ManyOrgans, TheHandlesOfTheOrganUnderTheMouseStandOut) {

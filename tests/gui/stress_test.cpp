@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -25,12 +26,14 @@
 #include "viscera/live/stress_quantity.h"
 #include "viscera/presentation/stress_values.h"
 #include "window/compare/comparison.h"
+#include "window/language.h"
 #include "window/modes/play_mode.h"
 #include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
 #include "window/stress/histogram.h"
 #include "window/stress/profile_chart.h"
 #include "window/stress/stress_export.h"
+#include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
 namespace {
@@ -152,6 +155,38 @@ TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
   settle();
   EXPECT_TRUE(drawn().glyphs().visible());
   EXPECT_GT(drawn().glyphs().count(), 50);
+}
+
+TEST_F(StressModeTest, LimitAndGlyphsAreOnThePageAndByKeysAndNoHabitOfTheNextStart) {
+  constexpr int kMostGlyphs = 300;
+  enter();
+  dragAHandle();
+  auto& limit = *find<app::ValueSlider>("stressLimit");
+  auto& side = *find<QComboBox>("stressSide");
+  EXPECT_TRUE(limit.isHidden() && side.isHidden()) << "there is no limit";
+  key(Qt::Key_T);
+  EXPECT_FALSE(limit.isHidden() || side.isHidden());
+  EXPECT_EQ(limit.findChild<QDoubleSpinBox*>()->suffix().trimmed().toStdString(),
+            app::inWords(live::describe(model().look().quantity).unit).toStdString());
+  EXPECT_NEAR(limit.value(), model().shown().summary().mean, 0.1) << "the mean at first";
+  const int above = drawn().tissue()->shownTetrahedra();
+  Q_EMIT side.activated(1);
+  settle();
+  EXPECT_TRUE(model().look().below);
+  EXPECT_NE(drawn().tissue()->shownTetrahedra(), above);
+  key(Qt::Key_M);
+  EXPECT_FALSE(model().look().threshold) << "it was meant for the other numbers";
+  for (const app::GlyphChoice choice : {app::GlyphChoice::ellipsoids, app::GlyphChoice::crosses}) {
+    key(Qt::Key_G, Qt::ShiftModifier);
+    EXPECT_EQ(model().look().glyphs, choice);
+    EXPECT_EQ(find<QComboBox>("stressGlyphs")->currentIndex(), static_cast<int>(choice));
+    EXPECT_TRUE(drawn().glyphs().visible());
+    EXPECT_LE(drawn().glyphs().count(), kMostGlyphs);
+  }
+  key(Qt::Key_T);
+  reopenWindow();
+  EXPECT_EQ(model().look().glyphs, app::GlyphChoice::none) << "they would stand there without tissue";
+  EXPECT_FALSE(model().look().threshold);
 }
 
 TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {

@@ -1,9 +1,11 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QTest>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -27,6 +29,7 @@
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/style/theme.h"
+#include "window/widgets/help_cards.h"
 #include "window_probe.h"
 
 namespace viscera::tests {
@@ -326,6 +329,27 @@ TEST_F(ViewTest, TheGhostIsALineWhereTheOrganWasAtRest) {
   EXPECT_GT(contrast(), 30);
   key(Qt::Key_G);
   EXPECT_LT(contrast(), 5);
+}
+
+TEST_F(ViewTest, KeysShowTheEdgesOfTrianglesAndEachOfThemFlat) {
+  const auto picture = [this] { return grab(window()); };
+  const auto smooth = picture();
+  key(Qt::Key_W);
+  EXPECT_TRUE(window().actions()["view.edges"]->isChecked());
+  const auto edges = picture();
+  EXPECT_GT(scene::comparePictures(smooth, edges, 30).differing, 0.02);
+  key(Qt::Key_W, Qt::ShiftModifier);
+  EXPECT_TRUE(window().actions()["view.flat"]->isChecked());
+  EXPECT_GT(scene::comparePictures(edges, picture(), 2).differing, 0.005);
+  key(Qt::Key_W);
+  key(Qt::Key_W, Qt::ShiftModifier);
+  EXPECT_EQ(scene::comparePictures(smooth, picture(), 0).differing, 0) << "and back";
+  const auto& card = *window().findChild<app::ShortcutCard*>();
+  const auto labels = card.findChildren<QLabel*>();
+  for (const char* keys : {"W", "Shift+W"})
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+      return label->text() == QLatin1String(keys);
+    })) << keys;
 }
 
 } // namespace

@@ -48,7 +48,8 @@ struct Comparison::Second {
         view(new ViewWidget),
         picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {
     picture->setValves([this] { return playback.valves(); });
-    names = std::make_unique<OrganPointer>(workspace, *picture, *view, nullptr);
+    names =
+        std::make_unique<OrganPointer>(OrganPointer::Parts{workspace, first.view, *picture, *view}, nullptr);
   }
 
   Workspace workspace;

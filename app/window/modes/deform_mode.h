@@ -19,13 +19,16 @@ public:
     return {.handles = true, .movable = true, .compensating = true, .tools = true};
   }
   motion::WantedPose pose() const override { return motion::WantedPose::document; }
-  UsefulPanels panels() const override { return {true, false, true}; }
+  UsefulPanels panels() const override { return {true, false, dragged_}; }
 
 private:
+  void syncChart();
   void makePoseActions(Actions& actions);
   void makeVolumeActions(Actions& actions);
   void makeCompensate(Actions& actions);
   void makeMirrorActions(Actions& actions);
+
+  bool dragged_ = false; ///< There are drags to chart.
 };
 
 } // namespace viscera::app

@@ -32,7 +32,7 @@ void HandlesMode::makeRigActions(Actions& actions) {
       [this] { workspace_.perform(document::addEnclosingHandles()); });
   actions.add("handles.remove",
               {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
-              [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
+              [this] { removeSelected(); });
   actions.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}},
               [this] { selectAll(); });
   actions.add("cage.hull",
@@ -52,6 +52,12 @@ void HandlesMode::makeRigActions(Actions& actions) {
   actions.enableWhile({"cage.hull"}, [this] {
     return workspace_.systemTraits().needsCage && !workspace_.document().rig().cage.empty();
   });
+}
+
+void HandlesMode::removeSelected() {
+  const std::vector<document::HandleId> handles = workspace_.selection().handles();
+  workspace_.performTelling(document::removeHandles(handles),
+                            tr("%n handles removed", nullptr, static_cast<int>(handles.size())));
 }
 
 /// The key is meant for the list that has the focus, else for the handles.

@@ -31,6 +31,7 @@ private:
   void makeRigActions(Actions& actions);
   void makeViewActions(Actions& actions);
   void selectAll();
+  void removeSelected();
 
   QMetaObject::Connection bound_;
 };

@@ -90,7 +90,8 @@ public:
   /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
   virtual presentation::Shown shown() const = 0;
   virtual motion::WantedPose pose() const = 0;
-  /// Asked when the mode begins, and when another sequence is there or none.
+  /// Asked when the mode begins, and when another sequence is there or none; `panelsChanged` tells that it is
+  /// otherwise.
   virtual UsefulPanels panels() const = 0;
   /// What the mouse does; `hintChanged` tells that it is something else.
   virtual QString hint() const { return description_.hint; }
@@ -119,6 +120,7 @@ Q_SIGNALS:
   void shownChanged();
   void hintChanged();
   void chartWantedChanged();
+  void panelsChanged();
 
 protected:
   const ModeParts parts_;

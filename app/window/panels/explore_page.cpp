@@ -43,12 +43,14 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
     addCheck(actions[id]);
   addSection(tr("Organ"));
   name_ = addFact(tr("Name"));
+  name_->setObjectName(QStringLiteral("exploreOrgan"));
   volume_ = addFact(tr("Reference volume"));
   size_ = addFact(tr("Size"));
   triangles_ = addFact(tr("Triangles"));
   surface_ = addFact(tr("Surface"));
   file_ = addFact(tr("File"));
   warnings_ = addRemark(QString());
+  warnings_->setObjectName(QStringLiteral("exploreRemarks"));
   addSection(tr("Scan"));
   scanName_ = addFact(tr("Name"));
   scanVoxels_ = addFact(tr("Voxels"));
@@ -85,9 +87,10 @@ QWidget* ExplorePage::makeViews(const Actions& actions) {
 }
 
 void ExplorePage::sync() {
-  const auto organ = workspace_.currentOrgan();
+  const auto organ = workspace_.describedOrgan();
+  const bool several = !organ && !workspace_.document().organs().empty();
   const QString none = QStringLiteral("-");
-  name_->setText(organ ? inWords(presentation::labelOf(*organ)) : none);
+  name_->setText(organ ? inWords(presentation::labelOf(*organ)) : several ? tr("none selected") : none);
   volume_->setText(organ && organ->closed() ? formatMilliliters(organ->restVolumeMm3 / kMm3PerMl) : none);
   triangles_->setText(organ ? locale().toString(static_cast<int>(organ->mesh->triangles.rows())) : none);
   surface_->setText(!organ            ? none
@@ -105,6 +108,8 @@ void ExplorePage::sync() {
                        .arg(formatNumber(size.z(), 0)));
   }
   QStringList lines;
+  if (several)
+    lines.push_back(tr("Select an organ in the view or in the list to read about it."));
   if (organ)
     for (const std::string& warning : organ->warnings)
       lines.push_back(messageInWords(warning));

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/panels/group_panel.h"
 #include "window/panels/position_box.h"
@@ -43,6 +44,8 @@ HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* 
   for (const char* shown : {"handles.regions", "handles.zones", "handles.superRegions"})
     addCheck(actions[shown]);
   addSection(tr("Binding"));
+  organ_ = addFact(tr("Organ"));
+  organ_->setObjectName(QStringLiteral("boundOrgan"));
   state_ = addFact(tr("State"));
   time_ = addFact(tr("Time"));
   identity_ = addFact(tr("Rest error"));
@@ -87,6 +90,9 @@ void HandlesPage::sync() {
     status = workspace_.live().status(organ->id);
   const bool bound = organ && workspace_.live().deformer(organ->id);
   const QString none = QStringLiteral("-");
+  setFactShown(organ_,
+               workspace_.document().organs().size() > 1); // Else it is clear whose numbers these are.
+  organ_->setText(organ ? inWords(presentation::labelOf(*organ)) : none);
   state_->setText(nameOf(status.state));
   time_->setText(bound ? tr("%1 ms, %n threads", nullptr, status.report.threads)
                              .arg(formatNumber(1000 * status.report.seconds, 1))

@@ -21,6 +21,7 @@ private:
   Workspace& workspace_;
   QLabel* cage_ = nullptr;
   std::vector<QWidget*> cageButtons_;
+  QLabel* organ_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* time_ = nullptr;
   QLabel* identity_ = nullptr;

@@ -17,6 +17,7 @@
 #include "window/language.h"
 #include "window/organ_looks.h"
 #include "window/panels/color_palette.h"
+#include "window/panels/volume_column.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
 #include "window/widgets/list_keys.h"
@@ -26,12 +27,10 @@
 namespace viscera::app {
 namespace {
 
-enum OrganColumn { kOrganEye, kOrganName, kOrganVolume, kOrganChange, kOrganLock, kOrganColumns };
+enum OrganColumn { kOrganEye, kOrganName, kOrganVolume, kOrganLock, kOrganColumns };
 constexpr int kSwatchWidth = 24;
 /// A change above this is shown in the accent's colour, relative.
 constexpr double kNoticed = 5e-4;
-constexpr double kSmall = 0.85;
-constexpr int kRowMargin = 2;
 constexpr int kOrganIconSize = 16;
 /// More organs than that stand under the systems of the body, and can be searched.
 constexpr std::size_t kFew = 12;
@@ -55,11 +54,11 @@ QTreeWidget* makeList(QWidget* parent) {
   list->header()->setSectionResizeMode(kOrganEye, QHeaderView::Fixed);
   list->header()->setSectionResizeMode(kOrganName, QHeaderView::Stretch);
   list->header()->setSectionResizeMode(kOrganVolume, QHeaderView::ResizeToContents);
-  list->header()->setSectionResizeMode(kOrganChange, QHeaderView::ResizeToContents);
   list->header()->setSectionResizeMode(kOrganLock, QHeaderView::Fixed);
   list->setColumnWidth(kOrganEye, 32);
   list->setColumnWidth(kOrganLock, 30);
-  list->setMinimumHeight(84);
+  list->setItemDelegateForColumn(kOrganVolume, new VolumeColumn(list));
+  list->setMinimumHeight(56);
   return list;
 }
 
@@ -165,9 +164,16 @@ void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
     return std::find(organs.begin(), organs.end(), id) != organs.end();
   };
   const bool none = std::all_of(all.begin(), all.end(), [&goes](const auto& organ) {
-    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ.
+    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ, and count with it.
   });
-  workspace_.perform(none ? document::combined(command.name, {command, document::replaceRig({})}) : command);
+  const auto count = static_cast<int>(std::count_if(all.begin(), all.end(), [&goes](const auto& organ) {
+    return goes(organ->id) && !goes(organ->parent);
+  }));
+  if (!none || workspace_.document().rig().handles.empty())
+    workspace_.performTelling(command, tr("%n organs removed", nullptr, count));
+  else
+    workspace_.performTelling(document::combined(command.name, {command, document::replaceRig({})}),
+                              tr("%n organs and all handles removed", nullptr, count));
 }
 
 void OrganPanel::editName() {
@@ -218,12 +224,9 @@ bool OrganPanel::sameRows() const {
 QTreeWidgetItem* OrganPanel::rowUnder(QTreeWidgetItem* parent) {
   auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(list_);
   item->setTextAlignment(kOrganVolume, Qt::AlignRight | Qt::AlignVCenter);
-  item->setTextAlignment(kOrganChange, Qt::AlignRight | Qt::AlignVCenter);
-  QFont small = list_->font();
-  small.setPointSizeF(kSmall * small.pointSizeF());
-  item->setFont(kOrganChange, small);
-  // All rows are as high as the first: two small lines have to fit also where there is none yet.
-  item->setSizeHint(kOrganEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
+  // All rows are as high as the first: a change has to fit also where there is none yet.
+  if (!list_->rootIsDecorated())
+    item->setSizeHint(kOrganEye, QSize(0, VolumeColumn::rowHeight(list_->font())));
   return item;
 }
 
@@ -246,8 +249,7 @@ void OrganPanel::makeRows() {
   systems_.clear();
   list_->clear();
   list_->setRootIsDecorated(grouped);
-  list_->setColumnHidden(kOrganChange, grouped); // Among many organs the room goes to their names.
-  if (grouped)                                   // In the order of the body's systems, not in that of a file.
+  if (grouped) // In the order of the body's systems, not in that of a file.
     for (const std::string& system : document::organSystems())
       if (std::any_of(organs.begin(), organs.end(), [&system](const auto& organ) {
             return !organ->parent && document::organSystem(organ->name) == system;
@@ -292,7 +294,7 @@ void OrganPanel::rebuild() {
 /// Numbers give way where names would be cut: a wider panel has room for both, and tips and the status bar
 /// tell them, too.
 void OrganPanel::giveNamesRoom() {
-  widestVolume_ = widestChange_ = 0;
+  widestVolume_ = 0;
   leaveNumbersOut();
 }
 
@@ -300,7 +302,7 @@ void OrganPanel::giveNamesRoom() {
 /// that were there, so that the columns do not come and go with a beat.
 void OrganPanel::leaveNumbersOut() {
   constexpr int kPadding = 12; // Around a name and its square.
-  constexpr int kLetters = 8, kLettersBesideChange = 4;
+  constexpr int kLetters = 8;
   const QFontMetrics metrics(list_->font());
   int widest = 0;
   int indented = 0;
@@ -309,21 +311,15 @@ void OrganPanel::leaveNumbersOut() {
     indented = std::max(indented, (steps - 1) * list_->indentation());
     widest =
         std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kOrganName)));
-    widestVolume_ = std::max(widestVolume_, metrics.horizontalAdvance(item->text(kOrganVolume)));
-    const QString change = item->text(kOrganChange);
-    if (!change.isEmpty())
-      widestChange_ =
-          std::max(widestChange_, kPadding + QFontMetrics(item->font(kOrganChange)).size(0, change).width());
+    const QString change = item->data(kOrganVolume, VolumeColumn::kChangeRole).toString();
+    widestVolume_ =
+        std::max(widestVolume_, VolumeColumn::textWidth(list_->font(), item->text(kOrganVolume), change));
   }
-  const bool many = !systems_.empty();
-  const auto name = [&](int letters) {
-    return many ? widest : std::min(widest, indented + letters * metrics.averageCharWidth());
-  };
+  const int name =
+      systems_.empty() ? std::min(widest, indented + kLetters * metrics.averageCharWidth()) : widest;
   const int room = list_->viewport()->width() - list_->columnWidth(kOrganEye) -
                    list_->columnWidth(kOrganLock) - kSwatchWidth - 2 * kPadding - widestVolume_;
-  list_->setColumnHidden(kOrganVolume, name(kLetters) > room);
-  list_->setColumnHidden(kOrganChange,
-                         many || name(kLettersBesideChange) + widestChange_ > room + 2 * kPadding);
+  list_->setColumnHidden(kOrganVolume, name > room);
 }
 
 /// Also where a list that was hidden gets its place, or a scroll bar.
@@ -405,19 +401,19 @@ void OrganPanel::updateVolumes() {
     QTreeWidgetItem* item = found->second;
     item->setText(kOrganVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
     const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
-    item->setText(kOrganChange, changed
-                                    ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
-                                    : QString());
     const QPalette& colors = list_->palette();
-    // Where the change has no column, the tip tells it.
-    item->setForeground(kOrganVolume, changed && !systems_.empty() ? colors.link() : colors.text());
-    item->setForeground(kOrganChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
+    // Among many organs rows have one line, and the tip tells the change.
+    const bool few = systems_.empty();
+    item->setData(kOrganVolume, VolumeColumn::kChangeColorRole,
+                  (organ->volumeLocked ? colors.placeholderText() : colors.link()).color());
+    item->setData(kOrganVolume, VolumeColumn::kChangeRole,
+                  changed && few ? formatRelativeChange(volume) : QString());
+    item->setForeground(kOrganVolume, changed && !few ? colors.link() : colors.text());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
                                        : tr("%1 in the reference shape, %2 (%3) now")
                                              .arg(formatMilliliters(volume.restMl), formatChange(volume),
                                                   formatRelativeChange(volume));
     item->setToolTip(kOrganVolume, tip);
-    item->setToolTip(kOrganChange, tip);
   }
   if (systems_.empty())
     leaveNumbersOut();

@@ -20,7 +20,7 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// A panel with the organs of the document: eye, colour, name, volume and its change, padlock, and the
+/// A panel with the organs of the document: eye, colour, name, volume with its change below, padlock, and the
 /// opacity of the selected ones. Cavities stand under their organ; many organs stand under the systems of the
 /// body, and can be searched for. Several can be chosen: what is done to organs' looks is done to all of
 /// them.
@@ -81,7 +81,6 @@ private:
   OrganMenu* menu_;                                 ///< What can be done to the chosen organs.
   bool updating_ = false;
   int widestVolume_ = 0; ///< Of the numbers since the panel or its rows were others last, in pixels.
-  int widestChange_ = 0;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -122,7 +122,8 @@ void SystemBox::rebuildParameters() {
   parameterBox_ = new QWidget(this);
   auto* column = makeLayout<QVBoxLayout>(parameterBox_, 8, {0, 4, 0, 0});
   for (const coordinates::Parameter& parameter : workspace_.registry().find(shownSystem_)->parameters())
-    column->addWidget(editorFor(parameter));
+    if (!parameter.withoutEffect)
+      column->addWidget(editorFor(parameter));
   column_->addWidget(parameterBox_);
   parameterBox_->show();
 }

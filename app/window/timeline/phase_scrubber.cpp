@@ -20,6 +20,8 @@ namespace {
 constexpr double kStripHeight = 18;
 constexpr double kBelow = 4; ///< Between the strip and the names.
 constexpr double kBetweenNames = 10;
+constexpr double kBesideGroup = 4;        ///< Between a group's name and its bracket,
+constexpr double kBracketEnd = 6;         ///< which has so much at each side at least.
 constexpr std::size_t kMostDistinct = 12; ///< More phases than that are numbered keys.
 constexpr double kMarkRadius = 3;         ///< Of the faintest mark; the strongest is as much larger again.
 constexpr double kPartAKeyPress = 0.01;
@@ -170,7 +172,8 @@ bool PhaseScrubber::place(std::vector<Name>& names) const {
     centers.push_back(name.at);
     sizes.push_back(fontMetrics().horizontalAdvance(name.text));
   }
-  const auto placed = scene::spreadApart(centers, sizes, 0, width(), kBetweenNames);
+  const QRectF area = strip();
+  const auto placed = scene::spreadApart(centers, sizes, area.left(), area.right(), kBetweenNames);
   for (std::size_t i = 0; placed && i < names.size(); ++i)
     names[i].center = (*placed)[i];
   return placed.has_value();
@@ -222,7 +225,8 @@ std::vector<PhaseScrubber::Group> PhaseScrubber::groups() const {
         tr("%1 %2 ms").arg(group.text).arg(formatNumber(1000 * periodSeconds_ * lengthOf(group.text), 0));
     // A narrow window has room for the name alone, or for none.
     for (const QString& shorter : {name, QString()})
-      if (fontMetrics().horizontalAdvance(group.text) > (group.end - group.begin) * room)
+      if (fontMetrics().horizontalAdvance(group.text) + 2 * (kBesideGroup + kBracketEnd) >
+          (group.end - group.begin) * room)
         group.text = shorter;
   }
   if (named.size() > 1 && groups.front().text == groups.back().text)
@@ -247,7 +251,8 @@ void PhaseScrubber::paintGroups(QPainter& painter, const QRectF& area) const {
   for (const Group& group : groups()) {
     const double left = area.left() + group.begin * area.width() + 1;
     const double right = area.left() + group.end * area.width() - 1;
-    const double room = group.text.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(group.text) + 8;
+    const double room =
+        group.text.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(group.text) + 2 * kBesideGroup;
     painter.setPen(QPen(muted, 1));
     painter.drawLine(QPointF(left, top + 2), QPointF(left, line));
     painter.drawLine(QPointF(right, top + 2), QPointF(right, line));

@@ -19,6 +19,11 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+/// Logical pixels that the strip keeps: without names below it; beside a slider; beside the name of the
+/// phase, which stands below a wide strip, too.
+constexpr int kNarrowestStrip = 120, kStripBesideSlider = 200, kStripBesidePhase = 360;
+} // namespace
 
 void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePerMinute) {
   const QSignalBlocker quiet(&box);
@@ -172,6 +177,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
     widest =
         std::max(widest, phase_->fontMetrics().horizontalAdvance(phaseText(phase, player.periodSeconds())));
   phase_->setMinimumWidth(widest + 4);
+  leaveOut();
   scrubber_->setPhases(phases, player.periodSeconds());
   signs_->setHeart(dynamic_cast<const sequences::Heartbeat*>(&sequence), player.ratePerMinute());
   syncSigns();
@@ -206,6 +212,38 @@ void TimelineBar::syncInstant() {
   signs_->setFraction(player.fraction());
   phase_->setText(playback_.showing() ? scrubber_->phaseText() : tr("at rest"));
   phase_->setToolTip(tr("%1 s into the cycle").arg(formatNumber(player.secondsInCycle(), 2)));
+}
+
+QSize TimelineBar::minimumSizeHint() const {
+  return {widthWith(kNarrowestStrip, false, false), QWidget::minimumSizeHint().height()};
+}
+
+void TimelineBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  leaveOut();
+}
+
+/// What the bar takes when the strip is that wide, with or without these two.
+int TimelineBar::widthWith(int strip, bool slider, bool phase) const {
+  const QMargins around = layout()->contentsMargins();
+  int wide = around.left() + around.right() + strip;
+  for (int i = 0; i < layout()->count(); ++i) {
+    QLayoutItem* item = layout()->itemAt(i);
+    const QWidget* widget = item->widget();
+    if ((widget == rateSlider_ && !slider) || (widget == phase_ && !phase))
+      continue;
+    wide += layout()->spacing();
+    if (widget)
+      wide += std::max(widget->sizeHint().width(), widget->minimumWidth());
+    else if (item->spacerItem())
+      wide += item->sizeHint().width();
+  }
+  return wide;
+}
+
+void TimelineBar::leaveOut() {
+  phase_->setVisible(width() >= widthWith(kStripBesidePhase, true, true));
+  rateSlider_->setVisible(width() >= widthWith(kStripBesideSlider, true, false));
 }
 
 void TimelineBar::setSignsShown(bool shown) {

@@ -23,7 +23,8 @@ namespace viscera::app {
 void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePerMinute);
 
 /// The buttons and the strip that play a sequence: to the start, step, play or pause, loop, rate, slow
-/// motion, the cycle with its phases; and the actions that do the same by keys.
+/// motion, the cycle with its phases; and the actions that do the same by keys. In a narrow bar the name of
+/// the phase goes, then the slider of the rate: the strip and the box beside it say the same.
 class TimelineBar final : public QWidget {
   Q_OBJECT
 public:
@@ -33,6 +34,12 @@ public:
 
   /// Shows electrocardiogram, sounds and valves of a textbook's beat.
   void setSignsShown(bool shown);
+
+  /// Without what a narrow bar leaves out.
+  QSize minimumSizeHint() const override;
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void addTo(Actions& actions);
@@ -44,6 +51,8 @@ private:
   void clearSequence();
   void syncInstant();
   void syncSigns();
+  int widthWith(int strip, bool slider, bool phase) const;
+  void leaveOut();
 
   Playback& playback_;
   std::vector<QAction*> transport_; ///< Usable while there is a sequence.

@@ -62,6 +62,8 @@ public:
   /// between them. A pose that changes while a sequence is seen in its place has its row once it is seen. One
   /// column a line.
   const motion::VolumeRecord& drags() const { return drags_; }
+  /// Whether the mouse holds what changes the pose.
+  bool dragging() const { return dragging_; }
   /// A volume over one cycle.
   struct Curve {
     std::vector<double> fractions; ///< Ascending, in [0, 1].

@@ -50,6 +50,11 @@ QString rangeText(const motion::NormalRange& range) {
   return QStringLiteral("%1 - %2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
 }
 
+/// "Petersen 2017 (UK Biobank)", without where it is to be found.
+QString shortSource(const QString& source) {
+  return source.left(source.indexOf(QLatin1String(", doi")));
+}
+
 /// Short enough to stand in the chart.
 QString shortName(const motion::NormalRange& range) {
   switch (range.quantity) {
@@ -339,26 +344,36 @@ void VolumePanel::syncNormals() {
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
   }
-  source_->setFullText(normalsText());
+  const QStringList forms = normalsForms();
+  source_->setFullText(forms.value(0), forms.mid(1));
 }
 
 QString VolumePanel::normalsText() const {
+  return normalsForms().value(0);
+}
+
+/// From all that is known to the name of the source.
+QStringList VolumePanel::normalsForms() const {
   if (normalsOf_ >= monitor_.lines().size())
     return {};
   const VolumeMonitor::Line& line = monitor_.lines()[normalsOf_];
   QStringList parts;
-  QString from;
+  QString from, source;
   for (const motion::NormalRange& range : monitor_.normals(normalsOf_, person_)) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
+    source = shortSource(messageInWords(range.source));
     from = tr("%1: %2").arg(
         messageInWords(range.source),
         QStringLiteral("%1; %2").arg(messageInWords(range.meaning), messageInWords(range.people)));
   }
   if (parts.isEmpty())
     return {};
-  return tr("Shaded: normal for %1, %2. %3").arg(line.name, parts.join(tr(", ")), from);
+  const QString shaded = tr("Shaded: normal for %1, %2. %3");
+  const QString ranges = parts.join(tr(", "));
+  return {shaded.arg(line.name, ranges, from), shaded.arg(line.name, ranges, source),
+          shaded.arg(line.name, source, QString()).trimmed(), source};
 }
 
 QString VolumePanel::detailOf(std::size_t line) const {

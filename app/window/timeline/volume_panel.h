@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
@@ -79,6 +80,7 @@ private:
   void drawCycle();
   void drawRecord();
   void syncNormals();
+  QStringList normalsForms() const;
   std::size_t prescribedLine() const;
   void syncPrescribed();
   void drawPrescribed(double length);

@@ -1,5 +1,6 @@
 #include "window/view/organ_pointer.h"
 
+#include <QEvent>
 #include <QMenu>
 
 #include <algorithm>
@@ -13,21 +14,35 @@ constexpr int kRestMilliseconds = 120;
 constexpr QPoint kBeside{14, 12};
 } // namespace
 
-OrganPointer::OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu* menu,
-                           QObject* parent)
-    : QObject(parent), workspace_(workspace), picture_(picture), view_(view), menu_(menu),
-      name_(new QLabel(&view)) {
+OrganPointer::OrganPointer(const Parts& parts, QMenu* menu, QObject* parent)
+    : QObject(parent), workspace_(parts.workspace), picture_(parts.picture), view_(parts.view), menu_(menu),
+      name_(new QLabel(&view_)) {
   name_->setObjectName(QStringLiteral("organUnderCursor"));
   name_->setAttribute(Qt::WA_TransparentForMouseEvents);
   name_->hide();
   rested_.setSingleShot(true);
   rested_.setInterval(kRestMilliseconds);
   connect(&rested_, &QTimer::timeout, this, &OrganPointer::showName);
-  connect(&view, &ViewWidget::hovered, this, &OrganPointer::hover);
+  connect(&view_, &ViewWidget::hovered, this, &OrganPointer::hover);
+  connect(&parts.model, &ViewModel::changed, this, &OrganPointer::lookAgain);
+  subscription_ = workspace_.onChange([this](const document::Change&) { lookAgain(); });
+  view_.installEventFilter(this);
+  // The window ends with the picture before the view.
+  connect(&picture_, &QObject::destroyed, this, [this] {
+    view_.removeEventFilter(this);
+    view_.disconnect(this);
+  });
   if (!menu)
     return;
-  connect(&view, &ViewWidget::doubleClicked, this, &OrganPointer::isolate);
-  connect(&view, &ViewWidget::menuWanted, this, &OrganPointer::openMenu);
+  connect(&view_, &ViewWidget::doubleClicked, this, &OrganPointer::isolate);
+  connect(&view_, &ViewWidget::menuWanted, this, &OrganPointer::openMenu);
+}
+
+/// In a view of another size organs are elsewhere, and the place of the mouse in it is not known.
+bool OrganPointer::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Move)
+    hover(std::nullopt);
+  return QObject::eventFilter(watched, event);
 }
 
 std::shared_ptr<const document::Organ> OrganPointer::organAt(const QPointF& place) const {
@@ -38,23 +53,28 @@ std::shared_ptr<const document::Organ> OrganPointer::organAt(const QPointF& plac
 
 void OrganPointer::hover(const std::optional<QPointF>& place) {
   name_->hide();
-  // One organ's name tells nothing.
-  if (!place || workspace_.document().organs().size() < 2) {
-    picture_.setPointedOrgan({});
-    return rested_.stop();
-  }
-  place_ = *place;
-  rested_.start();
+  place_ = place;
+  if (place_)
+    return rested_.start();
+  rested_.stop();
+  picture_.setPointedOrgan({});
+}
+
+void OrganPointer::lookAgain() {
+  name_->hide();
+  if (place_ && !rested_.isActive())
+    rested_.start();
 }
 
 void OrganPointer::showName() {
-  const auto organ = organAt(place_);
+  // One organ's name tells nothing.
+  const auto organ = workspace_.document().organs().size() > 1 ? organAt(*place_) : nullptr;
   picture_.setPointedOrgan(organ ? organ->id : document::OrganId{});
   if (!organ)
     return;
   name_->setText(inWords(presentation::labelOf(*organ)));
   name_->adjustSize();
-  const QPoint at = place_.toPoint() + kBeside;
+  const QPoint at = place_->toPoint() + kBeside;
   name_->move(std::min(at.x(), view_.width() - name_->width()),
               std::min(at.y(), view_.height() - name_->height()));
   name_->show();

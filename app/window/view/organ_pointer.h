@@ -21,9 +21,16 @@ class OrganPointer final : public QObject {
   Q_OBJECT
 
 public:
-  /// All must live longer. `menu` acts on the current organ; null: names alone, nothing can be done.
-  OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu* menu,
-               QObject* parent = nullptr);
+  /// What the view shows by, and where; all must live longer.
+  struct Parts {
+    Workspace& workspace;
+    const ViewModel& model;
+    Picture& picture;
+    ViewWidget& view;
+  };
+
+  /// `menu` acts on the current organ; null: names alone, nothing can be done.
+  OrganPointer(const Parts& parts, QMenu* menu, QObject* parent = nullptr);
 
   /// The name that is shown; empty when there is none.
   QString shownName() const { return name_->isVisible() ? name_->text() : QString(); }
@@ -33,9 +40,15 @@ Q_SIGNALS:
   void aloneWanted();
   void allWanted();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   std::shared_ptr<const document::Organ> organAt(const QPointF& place) const;
   void hover(const std::optional<QPointF>& place);
+  /// What was under the mouse may be elsewhere now, or hidden: the name leaves, and comes back where the
+  /// mouse still rests on an organ.
+  void lookAgain();
   void showName();
   void isolate(const QPointF& place);
   void openMenu(const QPointF& place);
@@ -45,8 +58,9 @@ private:
   ViewWidget& view_;
   QMenu* menu_;
   QLabel* name_;
-  QTimer rested_; ///< Ends when the mouse has rested: a name does not follow a fast one.
-  QPointF place_;
+  QTimer rested_;                ///< Ends when the mouse has rested: a name does not follow a fast one.
+  std::optional<QPointF> place_; ///< Of the mouse, while it is over the view with no button down.
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -26,6 +26,7 @@ ViewActions::ViewActions(const Parts& parts, Actions& actions, QObject* parent)
   actions.enableWhile({"view.focus"}, [this] { return !parts_.workspace.document().organs().empty(); });
   makeSwitches(actions);
   makeShading(actions);
+  makeMeshLook(actions);
 }
 
 void ViewActions::makeViews(Actions& actions) {
@@ -92,6 +93,28 @@ void ViewActions::makeShading(Actions& actions) {
         parts_.area.view()->scheduleRender();
       });
   actions.onSync([this, action] { action->setChecked(shading_->wanted()); });
+}
+
+/// For a look at a mesh and no part of a session: nobody wants a lecture full of edges.
+void ViewActions::makeMeshLook(Actions& actions) {
+  const auto add = [&](const char* id, const Actions::Description& description, bool scene::MeshLook::*part) {
+    actions.addToggle(id, description, false, [this, part](bool on) {
+      scene::OrganView& view = parts_.area.view()->view();
+      scene::MeshLook look = view.meshLook();
+      look.*part = on;
+      view.setMeshLook(look);
+      parts_.area.view()->scheduleRender();
+    });
+  };
+  add("view.edges",
+      {tr("&Edges of triangles"), nullptr, {Qt::Key_W}, tr("Draw the triangles of organs as lines")},
+      &scene::MeshLook::edges);
+  add("view.flat",
+      {tr("&Flat triangles"),
+       nullptr,
+       {tr("Shift+W")},
+       tr("Give each triangle of an organ one shade, in place of a smooth surface")},
+      &scene::MeshLook::flat);
 }
 
 void ViewActions::lookFrom(scene::StandardView from) {

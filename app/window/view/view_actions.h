@@ -39,6 +39,7 @@ private:
   void makeViews(Actions& actions);
   void makeSwitches(Actions& actions);
   void makeShading(Actions& actions);
+  void makeMeshLook(Actions& actions);
   void saveScreenshot();
   void offerAlone(const document::Organ& organ);
 

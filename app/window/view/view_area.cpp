@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QTimer>
 
+#include <utility>
+
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -81,8 +83,13 @@ void ViewArea::setHeaderHeight(int height) {
   if (!header_)
     return;
   header_->setFixedHeight(height);
-  // What lies over the view begins below the header.
-  grid_->setRowMinimumHeight(0, height + kViewMargin);
+  syncTop();
+}
+
+/// What lies over the view begins below the header; a card that has its own room lies above both.
+void ViewArea::syncTop() {
+  const int header = header_ && cardHeight_ == 0 ? header_->minimumHeight() : 0;
+  grid_->setRowMinimumHeight(0, header + kViewMargin);
 }
 
 void ViewArea::joinViews() {
@@ -90,7 +97,7 @@ void ViewArea::joinViews() {
   delete second_;
   header_ = nullptr;
   second_ = nullptr;
-  grid_->setRowMinimumHeight(0, kViewMargin);
+  syncTop();
 }
 
 void ViewArea::frameSoon() {
@@ -113,8 +120,19 @@ void ViewArea::retractBadge(const QString& text) {
 }
 
 void ViewArea::reserveBelow(int pixels) {
-  if (views_->layout()->contentsMargins().bottom() != pixels)
-    views_->layout()->setContentsMargins(0, 0, 0, pixels);
+  QMargins around = views_->layout()->contentsMargins();
+  around.setBottom(pixels);
+  if (around != views_->layout()->contentsMargins())
+    views_->layout()->setContentsMargins(around);
+}
+
+void ViewArea::reserveAbove(int cardHeight) {
+  if (std::exchange(cardHeight_, cardHeight) == cardHeight)
+    return;
+  QMargins around = views_->layout()->contentsMargins();
+  around.setTop(cardHeight > 0 ? cardHeight + 2 * kViewMargin : 0);
+  views_->layout()->setContentsMargins(around);
+  syncTop();
 }
 
 void ViewArea::addCard(QWidget* card, Qt::Alignment alignment) {

@@ -47,10 +47,14 @@ public:
   void retractBadge(const QString& text);
   /// Leaves so many pixels below the views and slices free of them; 0: none.
   void reserveBelow(int pixels);
+  /// The same above, for a card that is so high: what the view shows is not behind it.
+  void reserveAbove(int cardHeight);
   /// Puts a card over the view; it keeps its own size and is clipped by nothing.
   void addCard(QWidget* card, Qt::Alignment alignment);
 
 private:
+  void syncTop();
+
   QGridLayout* grid_;
   QWidget* views_; ///< The view, and the second one beside it.
   ViewWidget* view_;
@@ -61,6 +65,7 @@ private:
   QTimer* badgeTimer_;
   QWidget* header_ = nullptr;
   QWidget* second_ = nullptr;
+  int cardHeight_ = 0; ///< Above the views.
 };
 
 } // namespace viscera::app

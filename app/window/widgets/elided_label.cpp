@@ -9,13 +9,32 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setTextFormat(Qt::PlainText);
 }
 
-void ElidedLabel::setFullText(const QString& text) {
-  if (text == full_)
+void ElidedLabel::setFullText(const QString& text, const QStringList& shorter) {
+  if (text == full_ && shorter == shorter_)
     return;
   full_ = text;
+  shorter_ = shorter;
   setToolTip(text);
   updateGeometry();
   elide();
+}
+
+void ElidedLabel::setFewestLetters(int letters) {
+  fewest_ = letters;
+  elide();
+}
+
+/// The last pixel is the one that `widthFor` adds: with it, the ellipsis would lose a dot.
+void ElidedLabel::elide() {
+  const int room = contentsRect().width() - 1;
+  QString shown = full_;
+  for (const QString& form : shorter_)
+    if (fontMetrics().horizontalAdvance(shown) > room)
+      shown = form;
+  if (fontMetrics().horizontalAdvance(shown) <= room)
+    return setText(shown);
+  const QString elided = fontMetrics().elidedText(shown, Qt::ElideRight, room);
+  setText(elided.size() <= fewest_ ? QString() : elided);
 }
 
 int ElidedLabel::widthFor(const QString& text) const {

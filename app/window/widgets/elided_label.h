@@ -1,18 +1,23 @@
 #pragma once
 
 #include <QLabel>
+#include <QStringList>
 
 namespace viscera::app {
 
-/// A label that shortens its text with an ellipsis where it does not fit, and shows all of it in the tooltip.
+/// A label that shortens its text where it does not fit, and shows all of it in the tooltip: it takes a
+/// shorter form of the text where it was given one that fits, else it ends with an ellipsis.
 class ElidedLabel final : public QLabel {
   Q_OBJECT
 
 public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
-  void setFullText(const QString& text);
+  /// `shorter` are other forms of the text, the longest first.
+  void setFullText(const QString& text, const QStringList& shorter = {});
   QString fullText() const { return full_; }
+  /// Shows nothing where an ellipsis would leave less than so many letters.
+  void setFewestLetters(int letters);
   /// How wide the label has to be to show all of a text.
   int widthFor(const QString& text) const;
   /// Of the whole text, for layouts that are told to look at it; by itself the label takes what is left.
@@ -23,9 +28,11 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  void elide() { setText(fontMetrics().elidedText(full_, Qt::ElideRight, contentsRect().width())); }
+  void elide();
 
   QString full_;
+  QStringList shorter_;
+  int fewest_ = 0;
 };
 
 } // namespace viscera::app

@@ -1,7 +1,6 @@
 #include "window/widgets/help_cards.h"
 
 #include <QAction>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHideEvent>
 #include <QLabel>
@@ -12,9 +11,11 @@
 #include <QShowEvent>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 #include "window/widgets/flow_layout.h"
+#include "window/widgets/key_table.h"
 #include "window/widgets/pointing_frame.h"
 #include "window/widgets/ready_made.h"
 
@@ -25,32 +26,6 @@ namespace {
 constexpr int kPartsOfView = 3;
 /// and leaves so much of its width free at the sides.
 constexpr int kBesideCard = 24;
-
-/// Rows of keys and meanings, in two columns.
-QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget* parent) {
-  auto* table = new QWidget(parent);
-  table->setObjectName(QStringLiteral("page"));
-  table->setAttribute(Qt::WA_StyledBackground);
-  auto* grid = makeLayout<QGridLayout>(table, -1, {0, 0, 8, 0});
-  grid->setHorizontalSpacing(12);
-  grid->setVerticalSpacing(4);
-  const int half = static_cast<int>(rows.size() + 1) / 2;
-  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
-    auto* keys = new QLabel(rows[i].first, table);
-    keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* meaning = new QLabel(rows[i].second, table);
-    meaning->setObjectName(QStringLiteral("muted"));
-    meaning->setWordWrap(true);
-    const int column = i < half ? 0 : 3;
-    grid->addWidget(keys, i % half, column);
-    grid->addWidget(meaning, i % half, column + 1);
-  }
-  grid->setColumnMinimumWidth(2, 16);
-  for (const int meanings : {1, 4})
-    grid->setColumnStretch(meanings, 1);
-  grid->setRowStretch(half, 1);
-  return table;
-}
 
 /// Adds the actions with a key, menu by menu, each once.
 void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
@@ -66,8 +41,9 @@ void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
 
 WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("welcomeCard"));
-  auto* row = new FlowLayout(this, 8);
-  row->setContentsMargins(16, 8, 8, 8);
+  auto* outer = makeLayout<QHBoxLayout>(this, 8, {16, 8, 8, 8});
+  auto* row = new FlowLayout(nullptr, 8);
+  outer->addLayout(row, 1);
   auto* title = new QLabel(tr("Welcome"), this);
   embolden(title);
   row->addWidget(title);
@@ -88,7 +64,7 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
       makeIconButton("close", tr("Close this card (Help > Welcome shows it again)"), this, 14);
   closeButton->setAccessibleName(tr("Close this card"));
   closeButton->setMinimumHeight(open->sizeHint().height());
-  row->addWidget(closeButton);
+  outer->addWidget(closeButton, 0, Qt::AlignTop); // In the first row, however many there are.
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -118,8 +94,21 @@ void WelcomeCard::fit() {
   for (QWidget* part : lesser_)
     part->show();
   for (QWidget* part : lesser_)
-    if (layout()->totalHeightForWidth(room.width() - kBesideCard) > room.height() / kPartsOfView)
+    if (heightIn(room.width()) > room.height() / kPartsOfView)
       part->hide();
+  Q_EMIT heightTaken(heightIn(room.width()));
+}
+
+/// As high as the card is in a view of that width.
+int WelcomeCard::heightIn(int width) const {
+  return layout()->totalHeightForWidth(std::min(width - kBesideCard, layout()->totalSizeHint().width()));
+}
+
+/// Not where the window is hidden with all that is in it.
+void WelcomeCard::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  if (isHidden())
+    Q_EMIT heightTaken(0);
 }
 
 TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)
@@ -226,7 +215,7 @@ ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(pare
   scroll->setObjectName(QStringLiteral("panelScroll"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(makeTable(rows, scroll));
+  scroll->setWidget(new KeyTable(rows, scroll));
   scroll->setMinimumSize(200, 100);
   column->addWidget(scroll, 1);
   const QSize content = scroll->widget()->sizeHint();

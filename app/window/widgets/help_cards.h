@@ -30,13 +30,17 @@ Q_SIGNALS:
   void openRequested();
   void tourRequested();
   void closed();
+  /// It is there and so high, or is gone (0).
+  void heightTaken(int pixels);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   void fit();
+  int heightIn(int width) const;
 
   std::vector<QWidget*> lesser_; ///< What goes where there is little room, the first one first.
 };

@@ -40,6 +40,7 @@ constexpr double kSelectedAmbient = 0.22;
 constexpr double kScalarsAmbient = 0.42;
 constexpr double kScalarsDiffuse = 0.7;
 constexpr double kScalarsSpecular = 0.06;
+constexpr double kEdgeShade = 0.12; ///< Dark on the colours that organs have.
 constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
 
@@ -180,6 +181,7 @@ OrganActor::OrganActor(std::shared_ptr<const geometry::TriangleMesh> mesh, Threa
   auto* look = p.actor->GetProperty();
   look->SetInterpolationToPhong();
   look->SetSpecularPower(kSpecularPower);
+  look->SetEdgeColor(kEdgeShade, kEdgeShade, kEdgeShade);
   look->SetColor(0.8, 0.45, 0.4);
   p.chooseColoring();
   setPoints(nullptr);
@@ -317,6 +319,12 @@ void OrganActor::cullBackFaces(const Vec3& eye) {
 
 void OrganActor::setDrawnWithoutPeeling(bool unpeeled) {
   parts_->actor->setDrawnWithoutPeeling(unpeeled && opacity() < 1);
+}
+
+void OrganActor::setMeshLook(const MeshLook& look) {
+  auto* property = parts_->actor->GetProperty();
+  property->SetEdgeVisibility(look.edges);
+  property->SetInterpolation(look.flat ? VTK_FLAT : VTK_PHONG);
 }
 
 void OrganActor::setCoarse(int part) {

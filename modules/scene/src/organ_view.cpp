@@ -123,6 +123,7 @@ struct OrganView::Parts {
   bool quick = false;
   Shortcuts shortcuts;
   bool peeling = true;
+  MeshLook meshLook;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
@@ -198,6 +199,7 @@ void OrganView::Parts::prepareFrame() {
   for (const auto& organ : organs) {
     organ->cullBackFaces(eye);
     organ->setCoarse(part);
+    organ->setMeshLook({meshLook.edges && part == 1, meshLook.flat});
   }
   peelOrOrder(eye);
 }
@@ -534,6 +536,14 @@ void OrganView::setShortcuts(const Shortcuts& shortcuts) {
 
 bool OrganView::isSlow() const {
   return parts_->software && parts_->verticesSeen() > kAllDrawnInMotion;
+}
+
+void OrganView::setMeshLook(const MeshLook& look) {
+  parts_->meshLook = look;
+}
+
+const MeshLook& OrganView::meshLook() const {
+  return parts_->meshLook;
 }
 
 std::optional<SurfacePick> OrganView::pick(double x, double y) const {

@@ -1,8 +1,11 @@
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
@@ -51,6 +54,56 @@ std::string output(const std::string& command) {
   return text;
 }
 
+/// What the pages of an Ogg Theora file hold (RFC 3533 and the Theora specification, 6.2 and A.2.3).
+struct TheoraPages {
+  int headers = 0;
+  int frames = 0;
+  std::vector<int> keyFrames; ///< From 1 on.
+  /// Pages on which a frame ends: the place that the page gives it, and the one that its frames have.
+  std::vector<std::pair<std::int64_t, std::int64_t>> granules;
+};
+
+TheoraPages theoraPages(const std::string& bytes) {
+  TheoraPages found;
+  std::string packet;
+  int shift = 0;
+  const auto byteAt = [&bytes](std::size_t at) { return static_cast<unsigned char>(bytes.at(at)); };
+  for (std::size_t page = 0; page < bytes.size();) {
+    EXPECT_EQ(bytes.substr(page, 4), "OggS") << "at byte " << page;
+    std::uint64_t granule = 0;
+    for (std::size_t i = 8; i-- > 0;)
+      granule = (granule << 8) | byteAt(page + 6 + i);
+    const std::size_t segments = byteAt(page + 26);
+    std::size_t at = page + 27 + segments;
+    bool frameEnds = false;
+    for (std::size_t i = 0; i < segments; ++i) {
+      const std::size_t size = byteAt(page + 27 + i);
+      packet += bytes.substr(at, size);
+      at += size;
+      if (size == 255)
+        continue; // The packet goes on.
+      const int first = packet.empty() ? 0x40 : static_cast<unsigned char>(packet.front());
+      if (first == 0x80)
+        shift = bigEndian(packet, 40, 2) >> 5 & 31;
+      if (first & 0x80) {
+        ++found.headers;
+      } else {
+        ++found.frames;
+        frameEnds = true;
+        if (!(first & 0x40)) // An empty packet repeats the frame before.
+          found.keyFrames.push_back(found.frames);
+      }
+      packet.clear();
+    }
+    if (frameEnds && !found.keyFrames.empty()) {
+      const std::int64_t key = found.keyFrames.back();
+      found.granules.emplace_back(static_cast<std::int64_t>(granule), (key << shift) + found.frames - key);
+    }
+    page = at;
+  }
+  return found;
+}
+
 class Movie : public testing::Test {
 protected:
   Movie() {
@@ -96,6 +149,20 @@ TEST_F(Movie, OggTheoraSaysItsSizeRateAndSubsamplingAndEndsProperly) {
   const auto page = bytes.rfind("OggS");
   EXPECT_TRUE(bytes[page + 5] & 4) << "the last page is marked as the last";
   EXPECT_EQ(filesLeft(), 1);
+}
+
+/// By the granule positions players find the key frame before an instant.
+TEST_F(Movie, OggTheoraMarksItsKeyFramesWhereTheyAre) {
+  constexpr int kFrames = 150;
+  write(folder / "beat.ogv", kFrames, {30, 2});
+  const TheoraPages pages = theoraPages(contents(folder / "beat.ogv"));
+  EXPECT_EQ(pages.headers, 3);
+  EXPECT_EQ(pages.frames, kFrames);
+  ASSERT_GE(pages.keyFrames.size(), 2u) << "too few to go to an instant";
+  EXPECT_EQ(pages.keyFrames.front(), 1);
+  ASSERT_FALSE(pages.granules.empty());
+  for (const auto& [said, is] : pages.granules)
+    EXPECT_EQ(said, is);
 }
 
 TEST_F(Movie, PlayersCountEveryFrameOfEveryFormat) {

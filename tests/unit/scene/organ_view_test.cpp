@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -361,6 +362,32 @@ TEST(OrganView, AQuickFrameHasAllTrianglesWhereThatShortcutIsOff) {
   window.view.setShortcuts({});
   window.render();
   EXPECT_LT(large->polyData()->GetNumberOfPolys(), large->mesh().triangles.rows() / 2);
+}
+
+TEST(OrganView, ShowsTheTrianglesOfOrgansWhereThatIsWantedAndNoneOfThemAfterwards) {
+  ViewInWindow window(240, 180);
+  window.addOrgan(tests::sphere(2, 40));
+  window.view.lookFrom(StandardView::anterior);
+  const auto smooth = grabPicture(window.surface.window());
+  window.view.setMeshLook({.edges = true});
+  EXPECT_GT(comparePictures(smooth, grabPicture(window.surface.window()), 30).differing, 0.02);
+  window.view.setMeshLook({.flat = true});
+  EXPECT_GT(comparePictures(smooth, grabPicture(window.surface.window()), 8).differing, 0.02);
+  window.view.setMeshLook({});
+  EXPECT_EQ(comparePictures(smooth, grabPicture(window.surface.window()), 0).differing, 0);
+}
+
+TEST(OrganView, AQuickFrameWithFewerTrianglesHasNoEdgesOfThem) {
+  ViewInWindow window(200, 150);
+  const auto large = window.addOrgan(tests::sphere(7, 40));
+  window.view.setMeshLook({.edges = true});
+  window.render();
+  EXPECT_TRUE(large->actor()->GetProperty()->GetEdgeVisibility());
+  if (!rendersInSoftware(window.surface.window()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  window.view.setFastDrawing(true);
+  window.render();
+  EXPECT_FALSE(large->actor()->GetProperty()->GetEdgeVisibility());
 }
 
 /// A ball in a translucent one that is added first, and a translucent one far behind that is added last.

@@ -35,8 +35,8 @@ SCelestial::SCelestial()
                            .minimum = 1,
                            .maximum = 1e6,
                            .standard = 1,
-                           .help =
-                               "The thesis's radius; it cancels in the coordinates and changes nothing"}}},
+                           .help = "The thesis's radius; it cancels in the coordinates and changes nothing",
+                           .withoutEffect = true}}},
           sFunction) {}
 
 } // namespace viscera::coordinates

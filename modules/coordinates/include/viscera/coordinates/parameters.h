@@ -16,6 +16,9 @@ struct Parameter {
   std::string help = {}; ///< One line.
   bool integer = false;
   std::vector<std::string> choices = {}; ///< Not empty: the value is the index of one of these names.
+  /// Accepted from who expects it, though no value of it changes a coordinate: the window has no control for
+  /// it.
+  bool withoutEffect = false;
 };
 
 /// The values given for one binding, checked against what the system offers.

@@ -9,7 +9,7 @@
 
 /// The interface's name; the number after the slash changes when a plugin made for the interface before would
 /// not work.
-#define VISCERA_COORDINATE_SYSTEM_PLUGIN_IID "org.viscera.CoordinateSystemPlugin/1"
+#define VISCERA_COORDINATE_SYSTEM_PLUGIN_IID "org.viscera.CoordinateSystemPlugin/2"
 
 namespace viscera::plugin {
 

@@ -71,8 +71,8 @@ struct LabelRequest {
   /// at (x, y).
   const Footprint* edge = nullptr;
   double inside = 0;
-  std::optional<ScreenBox> reach; ///< Of what it names, while that moves; nothing: it stays at (x, y).
-  std::optional<ScreenBox> kept;  ///< The label stays there where it can.
+  std::optional<ScreenBox> reach = {}; ///< Of what it names, while that moves; nothing: it stays at (x, y).
+  std::optional<ScreenBox> kept = {};  ///< The label stays there where it can.
 };
 
 /// The space in a view that labels may take.

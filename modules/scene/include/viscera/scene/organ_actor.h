@@ -15,6 +15,14 @@ class vtkPolyData;
 
 namespace viscera::scene {
 
+/// How the triangles of a surface are seen.
+struct MeshLook {
+  bool edges = false; ///< Their edges are drawn as thin lines over it.
+  bool flat = false;  ///< Each has one shade, in place of a smooth surface.
+
+  bool operator==(const MeshLook&) const = default;
+};
+
 /// Draws the surface of one organ. VTK looks at the mesh's own memory: points, triangles, vertex colours,
 /// normals and scalars are never copied on the processor's side. Belongs to the thread that renders.
 ///
@@ -95,6 +103,9 @@ public:
   /// of their own. 1: all of it. `OrganView` calls it while something moves. O(n log n) for another part than
   /// the one before.
   void setCoarse(int part);
+  /// Shows the triangles, to judge a mesh by. A coarse surface has other edges: it is for who says so to
+  /// leave them out. Nothing happens when it is so already.
+  void setMeshLook(const MeshLook& look);
 
   vtkActor* actor() const;
   vtkPolyData* polyData() const;

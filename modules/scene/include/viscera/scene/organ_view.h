@@ -124,6 +124,10 @@ public:
   /// 50,000 vertices. Never before the first frame. O(organs).
   bool isSlow() const;
 
+  /// How the triangles of all organs are seen. A quick frame that leaves some of them out has no edges.
+  void setMeshLook(const MeshLook& look);
+  const MeshLook& meshLook() const;
+
   /// What is under a display position (device pixels from the lower left corner).
   std::optional<SurfacePick> pick(double x, double y) const;
   /// The opaque organ behind or inside of which one of the view's organs is hidden as the camera stands; null

@@ -1,0 +1,246 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QImage>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "play_fixture.h"
+#include "window/modes/stress_mode.h"
+#include "window/timeline/phase_scrubber.h"
+#include "window/widgets/elided_label.h"
+#include "window/widgets/help_cards.h"
+
+/// How the window shares its room between the view and the panels.
+namespace viscera::tests {
+namespace {
+
+/// 1366 x 768 and 1920 x 1200 pixels at twice the scale.
+constexpr QSize kLaptop(683, 384), kSmallDesk(960, 600), kStandard(1280, 800);
+
+class SharedRoom : public PlayMode {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+  void SetUp() override {
+    PlayMode::SetUp();
+    window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  }
+  void resizeTo(const QSize& size) {
+    window().resize(size);
+    settle();
+  }
+  void forEachMode(const std::function<void(const std::string& mode)>& look) {
+    for (const auto& mode : window().modes().all()) {
+      window().setMode(mode->description().id);
+      settle();
+      look(mode->description().id);
+    }
+  }
+  double partOfView() {
+    return double(view().width()) * view().height() / (double(window().width()) * window().height());
+  }
+  bool shown(const char* panel) { return find<QDockWidget>(panel).isVisible(); }
+  app::ElidedLabel& hint() {
+    return *window().statusBar()->findChild<app::ElidedLabel*>(QStringLiteral("muted"));
+  }
+};
+
+TEST_F(SharedRoom, TheViewHasItsPartInEveryModeAndWindow) {
+  const std::pair<QSize, double> windows[] = {{kLaptop, 0.25}, {kSmallDesk, 0.25}, {kStandard, 0.33}};
+  for (const auto& [size, part] : windows) {
+    resizeTo(size);
+    forEachMode([&, wanted = part](const std::string& mode) {
+      EXPECT_GE(partOfView(), wanted) << mode << " in a window " << window().width() << " wide";
+    });
+  }
+}
+
+TEST_F(SharedRoom, PanelsThatFoldInASmallWindowAreBackInALargeOne) {
+  resizeTo(kLaptop);
+  EXPECT_FALSE(shown("organs") || shown("volumes"));
+  EXPECT_TRUE(shown("timeline") && shown("properties"));
+  resizeTo(kStandard);
+  EXPECT_TRUE(shown("organs") && shown("volumes") && shown("timeline") && shown("properties"));
+  find<QDockWidget>("organs").toggleViewAction()->trigger();
+  resizeTo(kLaptop);
+  resizeTo(kStandard);
+  EXPECT_FALSE(shown("organs")) << "the user has hidden it";
+}
+
+TEST_F(SharedRoom, APanelThatTheUserAsksForInASmallWindowStaysAndOthersFoldForIt) {
+  resizeTo(kLaptop);
+  find<QDockWidget>("organs").toggleViewAction()->trigger();
+  settle();
+  EXPECT_TRUE(shown("organs"));
+  EXPECT_FALSE(shown("properties"));
+  EXPECT_GE(partOfView(), 0.2);
+  key(Qt::Key_1);
+  EXPECT_FALSE(shown("organs")) << "another mode";
+  key(Qt::Key_5);
+  EXPECT_TRUE(shown("organs"));
+}
+
+/// What Qt makes of the heights in a small window is not what the user has wished for.
+TEST_F(SharedRoom, TheChartHasItsHeightAgainAfterASmallWindow) {
+  const auto& chart = find<QDockWidget>("volumes");
+  const int height = chart.height();
+  for (const QSize& small : {kLaptop, kSmallDesk}) {
+    resizeTo(small);
+    key(Qt::Key_4);
+    key(Qt::Key_5);
+    resizeTo(kStandard);
+    EXPECT_NEAR(chart.height(), height, 4) << small.width();
+  }
+}
+
+TEST_F(SharedRoom, OrgansHaveMoreHeightThanHandles) {
+  for (const QSize& size : {kStandard, kSmallDesk}) {
+    resizeTo(size);
+    key(Qt::Key_3);
+    const auto& list = find<QTreeWidget>("organList");
+    EXPECT_GT(find<QDockWidget>("organs").height(), find<QDockWidget>("handles").height());
+    EXPECT_GE(list.viewport()->height(), 5 * list.visualItemRect(list.topLevelItem(0)).height())
+        << "all five of the heart";
+  }
+}
+
+TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
+  key(Qt::Key_3);
+  EXPECT_FALSE(shown("volumes")) << "nothing was dragged";
+  const QPoint at = onScreen(handleInView(reachableHandle()));
+  QTest::mouseMove(&view(), at);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
+  for (int step = 1; step <= 12; ++step) {
+    QTest::mouseMove(&view(), at + QPoint(3 * step, 2 * step));
+    QTest::qWait(30);
+  }
+  EXPECT_FALSE(shown("volumes")) << "the view stays as it is under the mouse";
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at + QPoint(36, 24));
+  EXPECT_TRUE(waitUntil([this] { return shown("volumes"); }));
+}
+
+TEST_F(SharedRoom, TheSourceOfNormalValuesIsSaidWhole) {
+  const auto& source = find<app::ElidedLabel>("chartSource");
+  for (const QSize& size : {kSmallDesk, kStandard, QSize(1600, 1000)}) {
+    resizeTo(size);
+    EXPECT_TRUE(source.text().contains(QStringLiteral("Petersen 2017 (UK Biobank)")))
+        << source.text().toStdString();
+    EXPECT_FALSE(source.text().contains(QChar(0x2026))) << source.text().toStdString();
+  }
+  EXPECT_TRUE(source.toolTip().contains(QStringLiteral("doi 10.1186"))) << "the rest";
+}
+
+TEST_F(SharedRoom, AChangeOfVolumeIsOnePercentageBelowTheVolume) {
+  window().playback().seek(0.3);
+  settle();
+  const auto& list = find<QTreeWidget>("organList");
+  constexpr int kVolume = 2;
+  EXPECT_FALSE(list.isColumnHidden(kVolume)) << "beside the names at the standard width";
+  const QTreeWidgetItem* cavity = list.topLevelItem(0)->child(0);
+  const QString change = cavity->data(kVolume, Qt::UserRole).toString();
+  EXPECT_TRUE(change.startsWith(QLatin1Char('-')) && change.endsWith(QLatin1Char('%')))
+      << change.toStdString();
+  EXPECT_FALSE(change.contains(QLatin1Char('\n')));
+}
+
+TEST_F(SharedRoom, TheWelcomeKeepsItsCrossInTheFirstRowAndStaysOffTheView) {
+  window().showWelcome(true);
+  const auto& card = *window().findChild<app::WelcomeCard*>();
+  const auto& cross = *card.findChild<QToolButton*>();
+  for (const QSize& size : {kStandard, kSmallDesk, kLaptop}) {
+    resizeTo(size);
+    for (const QWidget* other : card.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      if (other->isVisible()) {
+        EXPECT_LE(cross.y(), other->geometry().bottom()) << size.width();
+      }
+    const QRect there(view().mapFromGlobal(card.mapToGlobal(QPoint(0, 0))), card.size());
+    EXPECT_FALSE(there.intersects(view().rect())) << size.width();
+  }
+  const int before = view().height();
+  window().showWelcome(false);
+  settle();
+  EXPECT_GT(view().height(), before) << "the room of the card is the view's";
+}
+
+TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
+  auto& phase = find<QWidget>("phase");
+  const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  EXPECT_TRUE(phase.isVisible());
+  resizeTo(kSmallDesk);
+  EXPECT_FALSE(phase.isVisible());
+  EXPECT_GE(scrubber.width(), 300);
+  resizeTo(kLaptop);
+  EXPECT_GE(scrubber.width(), 200);
+  resizeTo(kStandard);
+  EXPECT_TRUE(phase.isVisible());
+}
+
+TEST_F(SharedRoom, NamesStayBelowTheBarOfTheTimeline) {
+  auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  constexpr int kBesideBar = 6, kBelowBar = 29;
+  for (const double fraction : {0.05, 0.2, 0.97})
+    for (const int width : {120, 150, 200, 260, 400}) {
+      scrubber.setFraction(fraction);
+      scrubber.resize(width, scrubber.sizeHint().height());
+      const QImage drawn = scrubber.grab().toImage();
+      const QRgb ground = drawn.pixel(0, drawn.height() - 1);
+      for (int y = kBelowBar; y < drawn.height(); ++y)
+        for (int x = 0; x < kBesideBar; ++x)
+          ASSERT_TRUE(drawn.pixel(x, y) == ground && drawn.pixel(drawn.width() - 1 - x, y) == ground)
+              << x << ", " << y << " of a bar " << width << " wide at " << fraction;
+    }
+}
+
+TEST_F(SharedRoom, BracketsOfTheTimelineReachBesideTheirNames) {
+  auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  constexpr double kSystole = 0.4025, kBeside = 8;
+  int named = 0;
+  for (int width = 100; width <= 400; ++width) {
+    scrubber.resize(width, scrubber.height());
+    for (const QString& group : scrubber.groupsShown()) {
+      if (!group.startsWith(QStringLiteral("systole")))
+        continue;
+      ++named;
+      EXPECT_GE(kSystole * (width - 2 * app::kPhaseMargin),
+                scrubber.fontMetrics().horizontalAdvance(group) + kBeside)
+          << group.toStdString() << ' ' << width;
+    }
+  }
+  EXPECT_GT(named, 100);
+}
+
+TEST_F(SharedRoom, AHintOfAFewLettersIsLeftOut) {
+  for (int width = 640; width <= 1280; width += 80) {
+    resizeTo({width, 600});
+    EXPECT_TRUE(hint().text().isEmpty() || hint().text().size() > 20) << hint().text().toStdString();
+  }
+  EXPECT_FALSE(hint().text().isEmpty());
+}
+
+TEST(ElidedLabel, EndsWithAWholeEllipsisOrTakesAShorterForm) {
+  app::ElidedLabel label;
+  for (int width = 60; width <= 160; ++width) {
+    label.resize(width, 20);
+    label.setFullText(
+        QStringLiteral("Some text that is too long for %1 pixels, whatever they are").arg(width));
+    EXPECT_LT(label.fontMetrics().horizontalAdvance(label.text()), label.contentsRect().width())
+        << "the label is drawn a pixel narrower";
+  }
+  const QString longer = QStringLiteral("Petersen 2017, doi 10.1186"), shorter = QStringLiteral("Petersen");
+  label.setFullText(longer, {shorter});
+  label.resize(label.widthFor(shorter), 20);
+  label.setFullText(longer + QLatin1Char('/'), {shorter});
+  EXPECT_EQ(label.text(), shorter);
+  EXPECT_EQ(label.toolTip(), longer + QLatin1Char('/'));
+  label.setFullText(QStringLiteral("Zieht an einem Griff"));
+  label.setFewestLetters(20);
+  EXPECT_EQ(label.text(), QString());
+}
+
+} // namespace
+} // namespace viscera::tests
