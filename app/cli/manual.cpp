@@ -29,6 +29,8 @@ constexpr std::pair<const char*, const char*> kEnvironment[] = {
     {"VISCERA_PLUGIN_PATH", "Folders or files with plugins, separated by colons."},
     {"VISCERA_SAMPLE_ORGANS", "The folder with the definitions of the sample organs."},
     {"VISCERA_TETGEN_WORKER", "The program that fills organs with tetrahedra."},
+    {"VISCERA_VECTOR_BITS",
+     "The widest vectors that inner loops may use: 128, 256 or 512 bits; else the processor's widest."},
     {"XDG_CONFIG_HOME, XDG_STATE_HOME, XDG_CACHE_HOME",
      "Below them, in a folder viscera: settings, recovery files, generated surfaces."},
 };

@@ -31,6 +31,7 @@ std::string versionText() {
   add("zlib", VISCERA_ZLIB_VERSION);
   add("bzip2", VISCERA_BZIP2_VERSION);
   add("Fontconfig", VISCERA_FONTCONFIG_VERSION);
+  add("GLEW", VISCERA_GLEW_VERSION);
   add("nlohmann JSON",
       dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
   add("CLI11", CLI11_VERSION);

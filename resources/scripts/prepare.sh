@@ -24,7 +24,7 @@ packages_to_test() {
 
 # Packages that tests do without where there are none: they say so and are skipped.
 packages_to_test_if_there() {
-  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff doxygen
+  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff zsh doxygen
 }
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,16 +1,21 @@
 #!/usr/bin/env bash
 # Makes Viscera's packages of Debian 12, looks at them with lintian, and tries them in a Debian 12 that debootstrap makes anew:
-# installs them, runs the program, its window, the Python package and the plugin of ParaView, and removes them. Needs root,
-# debootstrap and a mirror.
+# installs them, runs the program and its window, reads its manual, has a shell complete its options, validates what a desktop
+# reads, builds a project against the libraries, tries the Python package and the plugin of ParaView, and removes everything.
+# Needs root, lintian, debootstrap and a mirror.
 #   resources/scripts/try_packages.sh [PACKAGE_FOLDER]   PACKAGE_FOLDER: packages that are there already
 # shellcheck disable=SC2016 # What stands in single quotes is for the shell inside.
-# Environment: MIRROR (the one that this system's packages come from), WORK (a folder for the fresh system; made and removed otherwise)
+# Environment: MIRROR (the one that this system's packages come from), WORK (a folder for the fresh system; made and removed otherwise),
+# WITHOUT_LINTIAN=1 (goes on where there is no lintian)
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 readonly root
 # shellcheck source=resources/scripts/prepare.sh
 source "$root/resources/scripts/prepare.sh"
 
+# Before the long work: packages that lintian has not seen are not tried by mistake.
+[ "${WITHOUT_LINTIAN:-}" = 1 ] || command -v lintian >/dev/null ||
+  fail "lintian is missing. As root: apt-get install lintian; or go on without: WITHOUT_LINTIAN=1 $0" 69
 [ "$(id -u)" -eq 0 ] || fail "A fresh system needs root. Run it as root." 77
 command -v debootstrap >/dev/null || fail "debootstrap is missing. As root: apt-get install debootstrap" 69
 
@@ -49,31 +54,25 @@ make_packages() {
   cpack
 }
 
-packages=${1:-}
-if [ -z "$packages" ]; then
-  (make_packages) >&2
-  packages=$build/packages
-fi
-debs=("$packages"/*.deb)
-[ -e "${debs[0]}" ] || fail "There is no package in $packages" 66
+show_sizes() {
+  local deb
+  say "== Sizes"
+  for deb in "${debs[@]}"; do
+    printf '%-45s %8s kB to download, %8s kB installed\n' "$(basename "$deb")" \
+      "$(($(stat -c %s "$deb") / 1024))" "$(dpkg-deb --field "$deb" Installed-Size)"
+  done
+}
 
-say "== Sizes"
-for deb in "${debs[@]}"; do
-  printf '%-45s %8s kB to download, %8s kB installed\n' "$(basename "$deb")" \
-    "$(($(stat -c %s "$deb") / 1024))" "$(dpkg-deb --field "$deb" Installed-Size)"
-done
-if command -v lintian >/dev/null; then
-  say "== Lintian"
-  lintian --allow-root --fail-on error --tag-display-limit 0 "${debs[@]}"
-else
-  say "== Lintian is not installed and looks at nothing."
-fi
+# Warnings that are meant to be have their reason in resources/packages/overrides.
+look_with_lintian() {
+  if command -v lintian >/dev/null; then
+    say "== Lintian"
+    lintian --allow-root --fail-on error --fail-on warning --tag-display-limit 0 "${debs[@]}"
+  else
+    say "== Without lintian, as asked for"
+  fi
+}
 
-work=${WORK:-}
-if [ -z "$work" ]; then
-  work=$(mktemp -d)
-fi
-readonly fresh=$work/fresh
 mounted=()
 clean_up() {
   local at
@@ -82,21 +81,24 @@ clean_up() {
   done
   [ -n "${WORK:-}" ] || rm -rf --one-file-system -- "$work"
 }
-trap clean_up EXIT
 
-say "== A fresh Debian 12 in $fresh"
-debootstrap --variant=minbase bookworm "$fresh" "$mirror" >"$work/debootstrap.log" 2>&1 ||
-  fail "debootstrap failed; it says: $(tail -n 3 "$work/debootstrap.log")"
-mount --bind /proc "$fresh/proc"
-mounted+=("$fresh/proc")
-# Of this system only how a mirror is reached; its other sources and their keys are none of a fresh system's.
-printf 'deb %s bookworm main\n' "$mirror" >"$fresh/etc/apt/sources.list"
-apt-config dump Acquire | grep -E '^Acquire::(http|https|ftp|Check-)' >"$fresh/etc/apt/apt.conf.d/90mirror" || true
-[ ! -s /etc/resolv.conf ] || cp /etc/resolv.conf "$fresh/etc/resolv.conf"
-mkdir -p "$fresh/packages/paraview"
-cp "${debs[@]}" "$fresh/packages/"
-! compgen -G "$fresh/packages/viscera-paraview_*.deb" >/dev/null ||
-  mv "$fresh"/packages/viscera-paraview_*.deb "$fresh/packages/paraview/"
+make_fresh_system() {
+  say "== A fresh Debian 12 in $fresh"
+  debootstrap --variant=minbase bookworm "$fresh" "$mirror" >"$work/debootstrap.log" 2>&1 ||
+    fail "debootstrap failed; it says: $(tail -n 3 "$work/debootstrap.log")"
+  mount --bind /proc "$fresh/proc"
+  mounted+=("$fresh/proc")
+  # Of this system only how a mirror is reached; its other sources and their keys are none of a fresh system's.
+  printf 'deb %s bookworm main\n' "$mirror" >"$fresh/etc/apt/sources.list"
+  apt-config dump Acquire | grep -E '^Acquire::(http|https|ftp|Check-)' >"$fresh/etc/apt/apt.conf.d/90mirror" || true
+  [ ! -s /etc/resolv.conf ] || cp /etc/resolv.conf "$fresh/etc/resolv.conf"
+  # It is thrown away, so nothing waits for the disk.
+  echo force-unsafe-io >"$fresh/etc/dpkg/dpkg.cfg.d/quick"
+  mkdir -p "$fresh/packages/paraview" "$fresh/root/tries"
+  cp "${debs[@]}" "$fresh/packages/"
+  ! compgen -G "$fresh/packages/viscera-paraview_*.deb" >/dev/null ||
+    mv "$fresh"/packages/viscera-paraview_*.deb "$fresh/packages/paraview/"
+}
 
 # Runs in the fresh system, without this one's environment.
 inside() {
@@ -110,39 +112,91 @@ install_inside() {
     fail "The packages do not install; apt-get says: $(tail -n 20 "$work/apt.log")"
 }
 
-say "== Install"
-inside 'apt-get --quiet update' >"$work/apt.log" 2>&1 || fail "apt-get update fails: $(tail -n 5 "$work/apt.log")"
-inside 'dpkg-query --show --showformat "\${Package}\n" | sort >/before'
-install_inside '/packages/*.deb' qttranslations5-l10n xvfb xauth shared-mime-info desktop-file-utils
-say "$(inside 'dpkg-query --show --showformat "\${Package}\n" | sort | comm -13 /before - | wc -l') packages were installed"
+install_packages_inside() {
+  say "== Install"
+  inside 'apt-get --quiet update' >"$work/apt.log" 2>&1 || fail "apt-get update fails: $(tail -n 5 "$work/apt.log")"
+  inside 'dpkg-query --show --showformat "\${Package}\n" | sort >/before'
+  install_inside '/packages/*.deb' qttranslations5-l10n xvfb xauth
+  say "$(inside 'dpkg-query --show --showformat "\${Package}\n" | sort | comm -13 /before - | wc -l') packages were installed"
+  # What the tries need, at once: the mirror is asked but once more.
+  install_inside man-db bash-completion zsh appstream desktop-file-utils shared-mime-info g++ cmake make
+}
 
-say "== The program"
-inside 'viscera --version'
-inside 'cd /tmp && viscera play heartbeat --csv heartbeat.csv && wc -l heartbeat.csv && head -n 2 heartbeat.csv'
-inside 'cd /tmp && viscera handles sample:liver@low -o h.mrk.json --enclosing && viscera stress sample:liver@low --handles h.mrk.json --pose h.mrk.json --witnesses 500'
-inside 'viscera systems | grep localised-s-celestial'
-inside 'test -s /usr/share/man/man1/viscera-play.1.gz -o -n "$(grep -rl path-exclude /etc/dpkg/dpkg.cfg.d)"'
-inside 'desktop-file-validate /usr/share/applications/org.viscera.Viscera.desktop'
-inside 'grep -q "x-viscera-session+json:\*\.viscera" /usr/share/mime/globs2'
+try_program() {
+  say "== The program"
+  inside 'viscera --version'
+  inside 'cd /tmp && viscera play heartbeat --csv heartbeat.csv && wc -l heartbeat.csv && head -n 2 heartbeat.csv'
+  inside 'cd /tmp && viscera handles sample:liver@low -o h.mrk.json --enclosing && viscera stress sample:liver@low --handles h.mrk.json --pose h.mrk.json --witnesses 500'
+  inside 'viscera systems | grep localised-s-celestial'
+}
 
-say "== The window, under Xvfb"
-for language in en de es fr ca; do
-  inside 'cd /tmp && xvfb-run -s "-screen 0 1600x1000x24" viscera --fresh-settings --language '"$language"' \
-    --window-size 1280x800 --mode play --screenshot window.png && test "$(stat -c %s window.png)" -gt 50000'
-  cp "$fresh/tmp/window.png" "$packages/window_$language.png"
-  say "$packages/window_$language.png"
-done
+# Reads, through man, the page of the program and that of a command, without a warning of what sets them.
+try_manual() {
+  say "== The manual"
+  inside 'cd /root/tries
+    for page in viscera viscera-play; do
+      MANWIDTH=100 man --warnings --pager=cat "$page" >page 2>warnings
+      [ ! -s warnings ] || { cat warnings; exit 1; }
+      grep -q "^ *$page - ." page || { echo "man $page has no NAME"; exit 1; }
+      wc -l page
+    done
+    grep -q -- "--ejection-fraction" page || { echo "man viscera-play does not name an option"; exit 1; }'
+}
 
-say "== Python"
-install_inside python3-vtk9
-inside 'python3 -c "
+try_completion() {
+  say "== Completion"
+  cp "$root/tests/contract/packages/try_completion.sh" "$fresh/root/tries/"
+  inside 'bash --norc /root/tries/try_completion.sh'
+  inside 'found=$(zsh -fc "autoload -U compinit && compinit -u -D && print -r -- \$_comps[viscera]")
+    [ "$found" = _viscera ] || { echo "zsh finds no completion: $found"; exit 1; }'
+}
+
+# The installed files by their validators, and the system's own database of types.
+try_desktop() {
+  say "== Desktop entry, AppStream and file types"
+  cp "$root/tests/contract/desktop/validate.sh" "$fresh/root/tries/"
+  inside 'mkdir /root/tries/desktop && cd /root/tries/desktop
+    cp /usr/share/applications/org.viscera.Viscera.desktop /usr/share/metainfo/org.viscera.Viscera.metainfo.xml .
+    cp /usr/share/mime/packages/org.viscera.Viscera.xml org.viscera.Viscera.mime.xml
+    for kind in desktop metainfo mime translations; do
+      bash ../validate.sh "$kind" . || { echo "$kind is not valid"; exit 1; }
+    done
+    grep -q "x-viscera-session+json:\*\.viscera" /usr/share/mime/globs2'
+}
+
+# A project that knows the installed packages alone.
+try_development() {
+  say "== A project that uses libviscera-dev"
+  cp -r "$root/tests/contract/install/consumer" "$fresh/root/tries/"
+  inside 'cd /root/tries && cmake -S consumer -B consumer/build >configured && cmake --build consumer/build && consumer/build/consumer
+    ldd consumer/build/consumer | grep -q "libviscera_deformation.so.* => /.*usr/lib\|libviscera_deformation.so.* => /lib"'
+}
+
+try_window() {
+  local language
+  say "== The window, under Xvfb"
+  for language in en de es fr ca; do
+    inside 'cd /tmp && xvfb-run -s "-screen 0 1600x1000x24" viscera --fresh-settings --language '"$language"' \
+      --window-size 1280x800 --mode play --screenshot window.png && test "$(stat -c %s window.png)" -gt 50000'
+    cp "$fresh/tmp/window.png" "$packages/window_$language.png"
+    say "$packages/window_$language.png"
+  done
+}
+
+try_python() {
+  say "== Python"
+  install_inside python3-vtk9
+  inside 'python3 -c "
 import viscera
 print(len(viscera.systems()), \"coordinate systems,\", viscera.sample_names())
 import viscera._files, viscera._motion
 from viscera_vtk.vtkVisceraFilters import vtkVisceraDeformFilter
 "'
+}
 
-if compgen -G "$fresh/packages/paraview/*.deb" >/dev/null; then
+try_paraview() {
+  local program
+  compgen -G "$fresh/packages/paraview/*.deb" >/dev/null || return 0
   say "== ParaView"
   # Its Python package cannot be beside python3-vtk9.
   install_inside '/packages/paraview/*.deb' python3-paraview python3-vtk9-
@@ -150,11 +204,42 @@ if compgen -G "$fresh/packages/paraview/*.deb" >/dev/null; then
   for program in pvpython pvbatch; do
     inside 'cd /tmp && VISCERA_PLUGIN=$(dpkg --listfiles viscera-paraview | grep /Viscera.so) '"$program"' paraview_trace.py .'
   done
-fi
+}
 
-say "== Remove"
-inside 'apt-get --quiet --yes purge "?and(?installed,?name(viscera))"' >>"$work/apt.log" 2>&1
-left=$(inside 'find / -xdev \( -path /packages -o -path /proc -o -path /root -o -path /var/log \) -prune -o -iname "*viscera*" -print
-  grep -rls viscera /etc /usr/share/applications /usr/share/icons /usr/share/mime || true')
-[ -z "$left" ] || fail "This is left after removal: $left"
+remove_packages_inside() {
+  local left
+  say "== Remove"
+  inside 'apt-get --quiet --yes purge "?and(?installed,?name(viscera))"' >>"$work/apt.log" 2>&1
+  left=$(inside 'find / -xdev \( -path /packages -o -path /proc -o -path /root -o -path /var/log \) -prune -o -iname "*viscera*" -print
+    grep -rls viscera /etc /usr/share/applications /usr/share/icons /usr/share/mime || true')
+  [ -z "$left" ] || fail "This is left after removal: $left"
+}
+
+packages=${1:-}
+if [ -z "$packages" ]; then
+  (make_packages) >&2
+  packages=$build/packages
+fi
+debs=("$packages"/*.deb)
+[ -e "${debs[0]}" ] || fail "There is no package in $packages" 66
+show_sizes
+look_with_lintian
+
+work=${WORK:-}
+if [ -z "$work" ]; then
+  work=$(mktemp -d)
+fi
+readonly fresh=$work/fresh
+trap clean_up EXIT
+make_fresh_system
+install_packages_inside
+try_program
+try_manual
+try_completion
+try_desktop
+try_development
+try_window
+try_python
+try_paraview
+remove_packages_inside
 say "Installed, run and removed; nothing is left."

@@ -46,7 +46,10 @@ inline geometry::TriangleMesh blob(int rings, int segments) {
   return mesh;
 }
 
-/// 172,974 vertices and 345,944 triangles, the largest model of the thesis's tables.
+/// Of the largest model of the thesis's tables.
+inline constexpr Eigen::Index kMostVertices = 172974;
+
+/// A blob of `kMostVertices` vertices and 345,944 triangles.
 inline geometry::TriangleMesh largeBlob() {
   return blob(332, 521);
 }

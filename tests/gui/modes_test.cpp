@@ -79,6 +79,29 @@ TEST_F(Modes, TheExampleOfTheDeveloperGuideSaysWhereAnOrganWasClicked) {
   EXPECT_EQ(window().workspace().selection().organ(), place.organ);
 }
 
+/// The window's own panels know the modes that it was made with, so the example has a controller beside
+/// theirs, at the same view.
+TEST_F(Modes, TheExampleOfTheDeveloperGuideTakesClicksOnTheView) {
+  open(sphereFile());
+  const app::ModeParts& parts = PartsOfModes::of(window().modes().present());
+  const app::ModeController::Parts uses{parts.playback, parts.view, *parts.area.view(), parts.picture,
+                                        parts.handles};
+  auto* modes = new app::ModeController(uses, &window());
+  app::ClickMode& mode = modes->add(std::make_unique<app::ClickMode>(parts));
+  const std::unique_ptr<QWidget> page(mode.makePage(window().actions()));
+  const auto* said = qobject_cast<QLabel*>(page.get());
+  ASSERT_TRUE(said);
+  EXPECT_EQ(state().mode, "click");
+  settle();
+  click(QPoint(5, view().height() / 2));
+  EXPECT_EQ(said->text(), "Nothing was clicked") << "beside the organ";
+  click(view().rect().center());
+  const QStringList numbers = said->text().remove(QStringLiteral(" mm (LPS)")).split(QStringLiteral(", "));
+  ASSERT_EQ(numbers.size(), 3) << said->text().toStdString();
+  const Vec3 place(numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble());
+  EXPECT_NEAR(place.norm(), 60, 1) << said->text().toStdString() << " is not on the ball";
+}
+
 using ModesOfAMotion = PlayMode;
 
 TEST_F(ModesOfAMotion, HandlesInStressModeCannotBeGrabbedWhileTheTimelineIsLookedAt) {

@@ -129,7 +129,9 @@ void drawPicture(const std::string& file, const presentation::ShownCirculation& 
 } // namespace
 
 void CirculateCommand::addOptions(CLI::App& options) {
-  options.add_option("--scenario", scenario_, scenarioNames())->type_name("NAME")->capture_default_str();
+  options.add_option("--scenario", scenario_, "State of the circulation: " + scenarioNames())
+      ->type_name("NAME")
+      ->capture_default_str();
   options
       .add_option("--param", parameters_,
                   "A parameter, after the scenario's; may be repeated. --list names them")

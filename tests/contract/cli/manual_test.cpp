@@ -1,7 +1,12 @@
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "build_paths.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {
@@ -22,6 +27,37 @@ std::set<std::string> linesOf(const std::string& text) {
   for (std::string line; std::getline(stream, line);)
     lines.insert(line);
   return lines;
+}
+
+/// Our program and libraries, as they were built.
+std::vector<std::string> builtFiles() {
+  std::vector<std::string> files{VISCERA_PROGRAM};
+  for (const auto& entry : std::filesystem::directory_iterator(VISCERA_BINARY_DIR "/lib"))
+    if (!entry.is_symlink() && entry.path().filename().string().starts_with("libviscera_"))
+      files.push_back(entry.path().string());
+  return files;
+}
+
+/// The name in `--version` of the library in this file; empty for those of the system: C and C++, the
+/// driver's interface, sanitisers.
+std::string nameOfLibrary(const std::string& file) {
+  static const std::pair<const char*, const char*> names[] = {
+      {"lib(viscera|vtkViscera).*", ""},
+      {R"((lib(c|m|dl|pthread|gcc_s|stdc\+\+|EGL|OpenGL|[a-z]+san)\.so|ld-linux).*)", ""},
+      {"libvtk.*", "VTK"},
+      {"libQt5.*", "Qt"},
+      {"lib(dcm|oflog|ofstd).*", "DCMTK"},
+      {"libopenjp2.*", "OpenJPEG"},
+      {"libqhull.*", "Qhull"},
+      {R"(libz\..*)", "zlib"},
+      {"libbz2.*", "bzip2"},
+      {"libfontconfig.*", "Fontconfig"},
+      {"libGLEW.*", "GLEW"},
+      {"lib[gi]?omp.*", "OpenMP"}};
+  for (const auto& [pattern, name] : names)
+    if (std::regex_match(file, std::regex(pattern)))
+      return name;
+  return file;
 }
 
 class Manual : public CliTest {
@@ -105,10 +141,26 @@ TEST_F(Manual, CompletionOfZshHasEveryCommandAndIsRead) {
 TEST_F(Manual, VersionNamesWhatWasLinked) {
   const std::string said = run({"--version"}).out;
   for (const std::string library : {"VTK", "Qt", "Eigen", "DCMTK", "OpenJPEG", "Qhull", "Boost", "zlib",
-                                    "bzip2", "Fontconfig", "OpenMP", "TetGen"})
+                                    "bzip2", "Fontconfig", "GLEW", "OpenMP", "TetGen"})
     EXPECT_TRUE(std::regex_search(said, std::regex("\n  " + library + R"( [0-9]+\.[0-9])")))
         << library << "\n"
         << said;
+}
+
+TEST_F(Manual, VersionNamesEveryLibraryThatOursNeed) {
+  if (!std::filesystem::exists("/usr/bin/readelf"))
+    GTEST_SKIP() << "readelf, of the package binutils, is not installed";
+  const std::string said = run({"--version"}).out;
+  std::set<std::string> needed;
+  for (const std::string& file : builtFiles())
+    for (const std::string& library :
+         allOf(test::runProcess({"/usr/bin/readelf", "-d", file}, options_).out, R"(\(NEEDED\).*\[(.*)\])"))
+      needed.insert(nameOfLibrary(library));
+  EXPECT_GT(needed.size(), 5u);
+  for (const std::string& name : needed)
+    if (!name.empty()) {
+      EXPECT_NE(said.find("\n  " + name + " "), std::string::npos) << name << "\n" << said;
+    }
 }
 
 } // namespace viscera::app::cli

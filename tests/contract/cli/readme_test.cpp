@@ -2,11 +2,14 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <map>
 #include <regex>
 #include <sstream>
 
+#include "bench_scenes.h"
 #include "build_paths.h"
 #include "cli_test.h"
+#include "shared_organs.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -18,6 +21,11 @@ namespace {
   std::vsnprintf(text.data(), text.size(), format, arguments);
   va_end(arguments);
   return text.data();
+}
+
+/// "35,947"; for numbers from a thousand to a million.
+std::string withComma(Eigen::Index number) {
+  return formatted("%d,%03d", static_cast<int>(number / 1000), static_cast<int>(number % 1000));
 }
 
 } // namespace
@@ -76,8 +84,7 @@ TEST_F(Readme, SaysTheErrorsOfCoordinatesAsTheyAreMeasured) {
     const json bound = runJson({"bind", organ, "--handles", path("h.mrk.json")});
     EXPECT_EQ(bound["failures"], 0) << organ;
     if (organ == "sample:liver")
-      expectSaid(formatted("the liver's %d,%03d vertices", bound["vertices"].get<int>() / 1000,
-                           bound["vertices"].get<int>() % 1000));
+      expectSaid("the liver's " + withComma(bound["vertices"].get<int>()) + " vertices");
     identity = std::max(identity, bound["identityError"].get<double>());
     unity = std::max(unity, bound["unityError"].get<double>());
     least = std::min(least, bound["minWeight"].get<double>());
@@ -126,6 +133,49 @@ TEST_F(Readme, CountsTheVerdictsOfTheDocumentation) {
     }
   EXPECT_GT(holds + differs, 20);
   expectSaid(formatted("| %d; %d; %d |", holds, differs, refuted));
+}
+
+/// S-, T- and localised S-Celestial have lines of their own.
+TEST_F(Readme, CountsTheFurtherSystems) {
+  const std::map<std::ptrdiff_t, std::string> words = {
+      {16, "Sixteen"}, {17, "Seventeen"}, {18, "Eighteen"}, {19, "Nineteen"}, {20, "Twenty"}};
+  const json result = runJson({"systems"});
+  const json& systems = result.at("systems");
+  const std::ptrdiff_t further = std::count_if(systems.begin(), systems.end(), [](const json& system) {
+    const std::string id = system.at("id");
+    return id != "s-celestial" && id != "t-celestial" && !id.starts_with("localised");
+  });
+  ASSERT_EQ(words.count(further), 1u) << further;
+  expectSaid("* " + words.at(further) + " further systems");
+}
+
+TEST_F(Readme, SaysTheSizesOfTheSurfacesThatBenchmarksTake) {
+  const std::string most = withComma(bench::largeBlob().points.rows());
+  expectSaid("dragging one handle of " + most + " vertices");
+  EXPECT_EQ(bench::largeBlob().points.rows(), bench::kMostVertices);
+  expectSaid("of a heart of " + withComma(bench::kMostVertices) + " vertices");
+}
+
+TEST_F(Readme, SaysTheSizeOfTheBunny) {
+  const auto bunny = tests::bunny(VISCERA_SHARED_ORGANS);
+  if (!bunny)
+    GTEST_SKIP() << "bunny.obj is not there";
+  const std::string vertices = withComma(bunny->points.rows());
+  expectSaid("S-Celestial binding of " + vertices + " vertices");
+  expectSaid("localised coordinates of " + vertices + " vertices");
+}
+
+TEST_F(Readme, CountsTheLabelsAndTrianglesOfTheAtlas) {
+  const std::string atlas = VISCERA_SHARED_ORGANS "/abdomen_seg.nrrd";
+  if (!std::filesystem::exists(atlas))
+    GTEST_SKIP() << "abdomen_seg.nrrd is not there";
+  const json result = runJson({"segment", atlas, "-o", path("organs")});
+  const json& organs = result.at("organs");
+  double triangles = 0;
+  for (const json& organ : organs)
+    triangles += organ.at("triangles").get<double>();
+  expectSaid(formatted("(%d labels;", static_cast<int>(organs.size())));
+  expectSaid(formatted("all surfaces, %.0f,000 triangles,", triangles / 1000));
 }
 
 } // namespace viscera::app::cli
