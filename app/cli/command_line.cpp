@@ -32,14 +32,14 @@ namespace {
 constexpr int kUsage = 64;
 constexpr int kMostThreads = 1024;
 
-/// One line that shows how far a command is, drawn again and again; nothing at all where nobody watches. For
-/// one thread at a time, as `Progress` calls its listener.
+/// A progress bar in one line of the terminal, which is redrawn; draws nothing if the stream is not a
+/// terminal. For one thread at a time, as `Progress` calls its listener.
 class ProgressBar {
   static constexpr int kWidth = 30;
   static constexpr auto kClearLine = "\r\x1b[K";
 
 public:
-  /// Draws on `stream` when `terminal` says that somebody watches it.
+  /// Draws on `stream` if that is a `terminal`.
   ProgressBar(std::ostream& stream, bool terminal) : stream_(stream), terminal_(terminal) {}
   /// Removes the line.
   ~ProgressBar() { clear(); }
@@ -157,7 +157,7 @@ void warn(std::ostream& err, const std::vector<std::string>& warnings) {
 
 int runCommand(Command& command, const CommonOptions& common, std::ostream& out, std::ostream& err) {
   return guarded(err, [&] {
-    ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Gone before an error is said.
+    ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Removed before an error is printed.
     Progress progress([&](double fraction, const std::string& step) { bar.show(fraction, step); });
     const Interrupt interrupt(progress);
     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();

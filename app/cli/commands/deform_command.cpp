@@ -159,7 +159,7 @@ private:
     return targetMl_.value_or(deformer.restVolumeMm3() / kMm3PerMl);
   }
 
-  /// Writes the posed surface, the displacements and the displacement field that are asked for, and says so.
+  /// Writes the requested files (posed surface, displacements, displacement field) and lists them.
   void writeOutputs(const BoundInput& input, const deformation::Deformer& deformer, Progress& progress,
                     Outcome& outcome, Listing& listing) const {
     const document::Organ& organ = input.organ;

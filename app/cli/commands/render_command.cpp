@@ -143,7 +143,7 @@ presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& con
     shown.values[organs.idOf(i)] = std::move(degrees);
   }
   if (!(shown.range.high > kNoStress))
-    shown.range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
+    shown.range.high = 1; // Nothing is distorted: one colour, and a legend from 0 to 1.
   shown.colors = presentation::stressColors(colors);
   shown.title = "Rotational stress";
   shown.unit = "deg";
