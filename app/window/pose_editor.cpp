@@ -50,7 +50,7 @@ bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId
   return begun;
 }
 
-/// Poses the handles as the motion answers the wish. What is wanted beyond that is said, once.
+/// Applies the motion as far as the locks allow. An error is reported once per gesture.
 void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   if (!motion_)
     return;

@@ -137,8 +137,9 @@ void WindowLayout::arrange() {
   keepHeights();
 }
 
-/// The timeline has the height of its rows, of which a sequence has more than another. Qt takes them from the
-/// chart and gives them to the view. Qt has not laid the window out anew yet when this hears of it.
+/// The height of the timeline depends on the number of its rows, which depends on the sequence. When it
+/// changes, Qt resizes the chart and gives the difference to the view, so the heights are set again. This
+/// filter receives the event before Qt has laid out the window.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &window_) {
     watchWindow(*event);
@@ -152,8 +153,8 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// Qt makes panels narrower in a narrow window and leaves them so. The lines between panels are the window's:
-/// what changes while the mouse is pressed there is the user's wish.
+/// Qt makes panels narrower in a narrow window and does not widen them again. The separators between panels
+/// belong to the window: widths that change while the mouse is pressed there were set by the user.
 void WindowLayout::watchWindow(const QEvent& event) {
   if (event.type() == QEvent::Resize) {
     if (window_.width() > std::exchange(windowWidth_, window_.width()))
@@ -169,7 +170,7 @@ void WindowLayout::watchWindow(const QEvent& event) {
   }
 }
 
-/// In a window that is narrower than the one of the wish they get their part of it.
+/// Restores the widths that the user has set, in proportion if the window is narrower than it was then.
 void WindowLayout::widenPanels() {
   QList<QDockWidget*> docks;
   QList<int> widths;
@@ -185,8 +186,8 @@ void WindowLayout::widenPanels() {
     window_.resizeDocks(docks, widths, Qt::Horizontal);
 }
 
-/// What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
-/// from mode to mode.
+/// Remembers the heights that the user has set. Heights that differ from the requested ones because of Qt's
+/// layout are ignored; otherwise panels would shrink with every change of the mode.
 void WindowLayout::learnHeights() {
   for (auto known = heights_.begin(); known != heights_.end(); ++known)
     if (known.key()->isVisible() && !resizing_ && heightOf(*known.key()) != settled_.value(known.key(), -1))

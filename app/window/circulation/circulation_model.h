@@ -20,8 +20,8 @@ namespace viscera::app {
 /// Solves the circulation that the document has chosen and makes the sample heart beat with it. Workers do
 /// both. A running computation finishes and is shown before the next one starts with the newest choice, so
 /// the view follows a moving control. While a control moves, the heart's beat is derived from the previous
-/// choice's beat; as soon as the control rests, the beat is computed anew and checked at all instants. Where
-/// the document lets the textbook's beat move the heart, the heart gets that back.
+/// choice's beat; as soon as the control rests, the beat is computed anew and checked at all instants. When
+/// the document switches back to the textbook's beat, the heart is given that beat again.
 class CirculationModel final : public QObject {
   Q_OBJECT
 
@@ -33,11 +33,12 @@ public:
   /// Whether the document lets a circulation move the heart.
   bool on() const { return choice().drives; }
   const document::CirculationChoice& choice() const { return workspace_.document().circulation(); }
-  /// The last one that was solved; null before the first, and while it is not `on`.
+  /// The circulation solved last; null before the first one, and while `on` is false.
   const Shown* present() const { return present_ ? &present_->shown : nullptr; }
-  /// What was kept to compare with; null when nothing was.
+  /// The circulation that the user kept for comparison; null when there is none.
   const Shown* kept() const { return kept_ ? &kept_->shown : nullptr; }
-  /// The heart's beat of what was kept, for a second view; null without one, and while it is being made.
+  /// The heart's beat under the kept circulation, for a second view; null without one, and while it is
+  /// computed.
   std::shared_ptr<const sequences::Sequence> keptBeat() const { return kept_ ? keptBeat_ : nullptr; }
   /// Why there is no beat that repeats itself, or why the heart cannot follow it; empty when all is well.
   const QString& failureReason() const { return failureReason_; }
@@ -47,7 +48,7 @@ public:
   bool settled() const { return !solving_ && !following_ && !rests_.isActive(); }
 
 Q_SIGNALS:
-  /// Another circulation is present or kept, or none is, or the failureReason is another one.
+  /// The present circulation, the kept one or the failureReason has changed.
   void changed();
 
 private:
@@ -55,13 +56,13 @@ private:
   struct Solved {
     Shown shown;
     circulation::State start{};
-    std::string failureReason; ///< Why it is none.
+    std::string failureReason; ///< Why no periodic beat was found.
   };
   using SolvedPointer = std::shared_ptr<const Solved>;
   struct Solutions {
     SolvedPointer present, kept; ///< Null: as before.
-    /// The heart's beat of what is present, from that of the one before; null where there is none to begin
-    /// with.
+    /// The heart's beat under the present circulation, derived from the beat before; null where there was
+    /// none.
     std::shared_ptr<const sequences::Sequence> similarBeat;
   };
   /// The heart that follows, and its beat.
@@ -72,7 +73,7 @@ private:
     std::shared_ptr<const sequences::Sequence> keptBeat; ///< Of what was kept; null: as before.
   };
 
-  /// The present beat of the heart, and where it stands, from which that of the next choice is taken.
+  /// The present beat of the heart and the circulation it belongs to, from which the next beat is derived.
   struct ShownBeat {
     std::shared_ptr<const sequences::CourseHeartbeat> beat; ///< Null: none is shown.
     double fraction = 0;
@@ -99,18 +100,19 @@ private:
   Playback& playback_;
   SolvedPointer present_;
   SolvedPointer kept_;
-  SolvedPointer refused_; ///< Tried last, and found to have no beat, or one that the heart cannot follow.
+  SolvedPointer refused_; ///< The choice tried last that has no periodic beat, or one that the heart cannot
+                          ///< follow.
   QString failureReason_;
   Followed followed_;
   SolvedPointer followedBy_; ///< What `followed_` was made from.
   std::shared_ptr<const sequences::Sequence> keptBeat_;
   SolvedPointer keptBeatBy_;
-  /// Of each heart, the beat that it had before it followed a circulation.
+  /// For each heart, the beat that it had before it followed a circulation.
   std::map<document::OrganId, std::shared_ptr<const sequences::Sequence>> textbook_;
   bool solving_ = false;
   bool following_ = false;
-  QTimer rests_; ///< Runs while a similar beat is shown, until the heart is to follow as exactly as it can.
-  bool asked_ = false; ///< `sync` comes after what is being told.
+  QTimer rests_;       ///< Runs while a derived beat is shown; when it ends, the exact beat is computed.
+  bool asked_ = false; ///< `sync` is scheduled after the present notification.
   Subscription subscription_;
   JobQueue jobs_;
 };

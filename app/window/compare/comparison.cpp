@@ -326,7 +326,7 @@ void Comparison::end() {
     delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
   what_.reset();
   rates_.clear();
-  // The picture lets go of the view's renderer before the view goes.
+  // The picture releases the view's renderer before the view is deleted.
   second->differences.reset();
   second->system.reset();
   second->cameras.reset();

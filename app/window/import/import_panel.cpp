@@ -162,7 +162,8 @@ void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& t
   import_->setEnabled(!draft.empty());
 }
 
-/// What organs have in common is said above them, once, with the repairs that help all of them.
+/// Findings that several organs share are listed once above the organs, with the repairs that help all of
+/// them.
 void ImportPanel::addCommon(const document::ImportDraft& draft) {
   std::vector<std::size_t> all(draft.organs.size());
   for (std::size_t i = 0; i < all.size(); ++i)

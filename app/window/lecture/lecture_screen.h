@@ -14,9 +14,9 @@ namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
 /// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
-/// them a strip of the screen, so that they cover no part of an organ. Whoever gives views their theme gives
-/// them that of a lecture while it is `on`. The keys of a presentation remote go through the slides (Page
-/// Down, Page Up), darken the screen (B) and end it (Escape).
+/// them a strip of the screen, so that they cover no part of an organ. Code that sets the theme of a view
+/// uses the theme of a lecture while `on` is true. The keys of a presentation remote change the slide (Page
+/// Down, Page Up), darken the screen (B) and end the presentation (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
 
   bool on() const { return parts_.layout.bare(); }
   void begin();
-  /// Back to the window as it was. False when it was not on.
+  /// Ends the presentation and restores the window. False when it was not on.
   bool end();
 
 protected:
@@ -51,7 +51,7 @@ private:
   Parts parts_;
   QAction* shown_;
   QWidget* strip_; ///< Below the view, with the card in it.
-  int height_ = 0; ///< Of the strip: as much as the slide has needed so far.
+  int height_ = 0; ///< Height of the strip: as much as the slide has needed so far.
   QFrame* card_;
   QLabel* caption_;
   QLabel* numbers_;

@@ -64,7 +64,7 @@ void Slides::edit(const std::function<void(std::vector<presentation::Slide>&)>& 
   editing_ = false;
 }
 
-/// What is seen, whether the document or a slide says so.
+/// The visible organs, whether the document or a slide determines that.
 presentation::SlideLook Slides::lookNow() const {
   const presentation::ViewState& view = view_.state();
   presentation::SlideLook look{view.cut, view.labels, view.partNames, view.organsSeen};

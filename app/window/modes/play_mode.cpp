@@ -394,7 +394,7 @@ void PlayMode::addKey() {
   parts_.area.showBadge(keyRemark_);
 }
 
-/// Undo may have removed the key that the view still speaks of, or its time may be another one.
+/// Removes the remark about a key when undo has removed the key or changed its time.
 void PlayMode::retractKey() {
   const document::SequenceKey* key = workspace_.document().keySequence().key(toldKey_);
   if (!keyRemark_.isEmpty() && (!key || keyRemark(*key) != keyRemark_))

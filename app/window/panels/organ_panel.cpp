@@ -280,7 +280,7 @@ void OrganPanel::rebuild() {
   opacity_->setVisible(!organs.empty());
   search_->setVisible(!systems_.empty());
   if (systems_.empty())
-    search_->clear(); // A field that nobody sees hides no row.
+    search_->clear(); // A hidden search field must not filter rows.
   updateVolumes();
   // Rows that stay are chosen as they were: what was done to them may be followed by something else.
   if (!rowsStay || list_->selectedItems().isEmpty())

@@ -21,9 +21,9 @@ namespace viscera::app {
 class ValueSlider;
 
 /// A panel with the organs of the document: eye, colour, name, volume and its change, padlock, and the
-/// opacity of the selected ones. Cavities stand under their organ; many organs stand under the systems of the
-/// body, and can be searched for. Several can be chosen: what is done to organs' looks is done to all of
-/// them.
+/// opacity of the selected ones. Cavities are listed under their organ; many organs are listed under the
+/// systems of the body, with a search field. Several organs can be selected, and changes of colour, opacity
+/// and visibility apply to all of them.
 class OrganPanel final : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
   /// The organs whose rows are chosen, those of chosen systems included, as far as the search shows them;
   /// else the current one; may be none.
   std::vector<document::OrganId> chosen() const;
-  /// What can be done to the chosen organs; there after `addTo`.
+  /// The context menu of the selected organs; null before `addTo`.
   OrganMenu* menu() const { return menu_; }
   /// Opens the name of the selected organ for editing.
   void editName();
@@ -51,7 +51,7 @@ private:
   bool sameRows() const;
   void makeRows();
   QTreeWidgetItem* rowUnder(QTreeWidgetItem* parent);
-  /// The row of a system of the body, made when it is not there yet.
+  /// The row of a system of the body; creates it if needed.
   QTreeWidgetItem* systemRow(const std::string& system);
   void updateSystems();
   void filter();
@@ -78,9 +78,9 @@ private:
   QLineEdit* search_;
   std::map<document::OrganId, QTreeWidgetItem*> items_;
   std::map<std::string, QTreeWidgetItem*> systems_; ///< Empty while the organs are few.
-  OrganMenu* menu_;                                 ///< What can be done to the chosen organs.
+  OrganMenu* menu_;                                 ///< The context menu of the selected organs.
   bool updating_ = false;
-  int widestVolume_ = 0; ///< Of the numbers since the panel or its rows were others last, in pixels.
+  int widestVolume_ = 0; ///< Width of the widest volume shown since the panel or its rows changed, in pixels.
   int widestChange_ = 0;
   std::vector<Subscription> subscriptions_;
 };

@@ -179,7 +179,7 @@ void SessionView::play(const Wanted& wanted) {
       prescribe(*playing.prescribed);
     if (playing.shown) {
       playback.seek(playing.fraction);
-      if (!waiting_) // Its handles are still where the sequence alone brings them.
+      if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
         warnAboutChangedMotion(wanted.shownPose);
     }
   }
@@ -203,7 +203,8 @@ void SessionView::prescribeWaiting() {
     window_.playback.prescribe(waiting->volume);
 }
 
-/// A program that has learnt another motion shows that one; whoever kept the picture is told.
+/// Warns when this version of the program computes the saved motion differently: the view then shows other
+/// positions of the handles than the session was saved with.
 void SessionView::warnAboutChangedMotion(const Points& saved) {
   const Points& now = window_.workspace.live().shownPose();
   if (saved.rows() != now.rows() || saved.rows() == 0)

@@ -160,7 +160,7 @@ bool SliceWidget::onCross(const QPointF& place) const {
 
 void SliceWidget::press(QMouseEvent& event) {
   if (drag_ == Drag::grip)
-    return; // Another button while something is in the hand.
+    return; // Another button was pressed during a drag.
   pressed_ = last_ = event.localPos();
   moved_ = false;
   const bool left = event.button() == Qt::LeftButton;

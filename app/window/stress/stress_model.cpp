@@ -32,7 +32,7 @@ int extremeOf(const deformation::StressMap& map, live::StressQuantity quantity, 
   return most;
 }
 
-/// The unit vector across `direction` that is nearest to `wish`; both are unit vectors.
+/// The unit vector perpendicular to `direction` that is nearest to `wish`; both are unit vectors.
 Vec3 perpendicularTo(const Vec3& direction, const Vec3& wish) {
   constexpr double kParallel = 1e-6;
   const Vec3 across = wish - wish.dot(direction) * direction;

@@ -69,7 +69,8 @@ void VolumeMonitor::watch(Side& side) {
     const bool released = first && dragging_ && !change.interactive;
     if (first && (moved || released))
       sampleDrag(change.interactive);
-    if (released || (change.pose() && !change.interactive)) // Nobody waits for numbers that are there.
+    if (released || (change.pose() && !change.interactive)) // At the end of a drag numbers are updated at
+                                                            // once.
       sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
@@ -305,7 +306,8 @@ bool VolumeMonitor::beats(std::size_t line) const {
   const sequences::Sequence* sequence = playbackOf(line).sequence();
   if (!sequence)
     return false;
-  // A motion that was measured is in the document as keys. The second view has it when it shows the same.
+  // A tracked motion is in the document as keys. The second view shows it if both views have the same
+  // sequence.
   const bool measured =
       measured_ && measured_->surfaceOf(lines_[line].organ) && sequence == sides_[0].playback->sequence();
   return measured || sequences::isHeartbeat(*sequence);

@@ -250,7 +250,7 @@ std::optional<std::size_t> MeasuredMotion::surfaceOf(document::OrganId id) const
   return std::nullopt;
 }
 
-/// Undo takes the organs of a motion out of the document and brings them back.
+/// Undo and redo remove the organs of a motion from the document and restore them.
 void MeasuredMotion::sync() {
   const auto& organs = workspace_.document().organs();
   const auto isThere = [&](const Found& found) {
@@ -359,7 +359,7 @@ const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
         if (present_ && present_->series == series && !result.cancelled()) {
           if (result.error && !std::exchange(reported_, true))
             workspace_.report(*result.error);
-          // Without surfaces where they cannot be made: nobody asks for them again.
+          // Stores an empty phase after an error, so that it is not computed again.
           phases_[phase] = std::make_unique<motion::MeasuredPhase>(result.value ? std::move(*result.value)
                                                                                 : motion::MeasuredPhase());
         }

@@ -287,7 +287,7 @@ void MotionDialog::sync() {
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
   start_->setToolTip(lacks);
   missing_->setText(lacks);
-  // Without a series, or with one image, that is said above.
+  // Without a series, or with one image, another label shows the reason.
   missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
 }
 

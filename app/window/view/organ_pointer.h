@@ -13,15 +13,14 @@ class QMenu;
 
 namespace viscera::app {
 
-/// Handles the mouse for organs in a view: the name of the organ under the cursor stands beside it and its
-/// handles stand out, a double
-/// click shows that organ alone and another one all of them, and the right button opens the menu of what can
-/// be done to it. A view that only shows has the names alone.
+/// Handles the mouse for organs in a view: shows the name of the organ under the cursor and highlights its
+/// handles; a double click shows that organ alone, and another one all organs; the right button opens the
+/// organ's context menu. In a second view for comparison it shows names only.
 class OrganPointer final : public QObject {
   Q_OBJECT
 
 public:
-  /// All must live longer. `menu` acts on the current organ; null: names alone, nothing can be done.
+  /// All must live longer. `menu` acts on the current organ; null: only names are shown.
   OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu* menu,
                QObject* parent = nullptr);
 
@@ -29,7 +28,7 @@ public:
   QString shownName() const { return name_->isVisible() ? name_->text() : QString(); }
 
 Q_SIGNALS:
-  /// The current organ is to be seen alone, or all organs.
+  /// The user wants to see the current organ alone, or all organs.
   void aloneWanted();
   void allWanted();
 
@@ -45,7 +44,7 @@ private:
   ViewWidget& view_;
   QMenu* menu_;
   QLabel* name_;
-  QTimer rested_; ///< Ends when the mouse has rested: a name does not follow a fast one.
+  QTimer rested_; ///< Ends when the mouse has rested: while it moves fast, no name is shown.
   QPointF place_;
 };
 
