@@ -296,7 +296,7 @@ OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
 }
 
 OrganView::~OrganView() {
-  // Whoever listens may be gone already: a drag that ends here is neither announced nor drawn.
+  // Observers may be destroyed already, so a drag that ends here emits no event and is not drawn.
   parts_->widget->RemoveAllObservers();
   parts_->gizmoWidget->RemoveAllObservers();
   parts_->widget->SetRenderOnChange(false);

@@ -38,7 +38,7 @@ constexpr double kTissueDiffuse = 0.65;
 constexpr double kTissueGhostOpacity = 0.13;
 constexpr const char* kValues = "values";
 
-/// Triangles over points, coloured by numbers; all in somebody else's memory.
+/// Triangles over points, coloured by numbers; refers to memory that it does not own.
 struct Sheet {
   vtkNew<vtkDoubleArray> points;
   vtkNew<vtkDoubleArray> values;

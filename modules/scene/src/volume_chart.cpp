@@ -56,8 +56,8 @@ constexpr int kMostChartTicks = 6;
 constexpr int kBottomLeft = 0, kBottomRight = 1;
 constexpr std::array kAxes = {vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::RIGHT};
 
-/// Takes out numbers that stand alone between gaps: a single point is no line, and VTK says so on every
-/// picture. Whether two neighbours are left.
+/// Takes out numbers that stand alone between gaps: a single point is no line, and VTK warns about it on
+/// every picture. Whether two neighbours are left.
 bool leaveLinesOnly(double* values, std::size_t count) {
   bool any = false, before = false; // Whether the value before is a number.
   for (std::size_t i = 0; i < count; ++i) {

@@ -20,7 +20,7 @@ public:
   vtkVisceraCutPlaneRepresentation* GetPlaneRepresentation();
   void CreateDefaultRepresentation() override;
 
-  /// Whether the plane is under the cursor or in the hand.
+  /// Whether the plane is under the cursor or being dragged.
   bool IsUnderCursor();
 
 protected:
