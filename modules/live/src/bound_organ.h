@@ -90,10 +90,10 @@ public:
   void fail(BindingStatus failure);
   void setState(BindingStatus::State state);
 
-  /// What brings the organ to `pose`, which belongs to the handles of `now`: none when it is there already,
-  /// or at rest at once. While a user drags, a few handles are moved by their columns only; the next pose
-  /// that is not interactive is computed in full, so that what a drag leaves behind depends on where it ended
-  /// and not on its way. Whoever asks poses the organ before anybody looks at it.
+  /// The work that poses the organ in `pose`, which belongs to the handles of `now`: none when it is in that
+  /// pose already, or at rest at once. While a user drags, a few handles are moved by their columns only; the
+  /// next pose that is not interactive is computed in full, so that what a drag leaves behind depends on
+  /// where it ended and not on its way. The caller poses the organ before its points are read.
   std::optional<deformation::NewPose> poseFor(const BindingTarget& now, const Points& pose, bool interactive);
 
 private:
@@ -117,7 +117,7 @@ struct BoundOrgans {
   const BoundOrgan& require(document::OrganId id) const;
   /// Throws `DataError` for a pose of another size or one that is not finite.
   void requirePose(const Points& pose) const;
-  /// Brings all to `shownPose`, in one parallel loop.
+  /// Poses all organs in `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
   void poseOne(BoundOrgan& organ);
   /// As `PosedOrgans::volumes`.

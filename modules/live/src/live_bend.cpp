@@ -87,7 +87,7 @@ void LiveBend::Impl::follow() {
   bind();
 }
 
-/// What is being bound has nobody who wants it any more.
+/// Cancels a binding that is no longer needed.
 void LiveBend::Impl::giveUp() {
   ++jobsBegun;
   binding = false;
@@ -109,7 +109,7 @@ void LiveBend::Impl::bind() {
 
 void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
   binding = false;
-  if (result.cancelled()) { // Somebody gave it up; the next change tries again.
+  if (result.cancelled()) { // The job was cancelled; the next change tries again.
     target.reset();
     return;
   }

@@ -246,7 +246,7 @@ LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& r
   impl_->matchPose();
   impl_->bindWaiting();
   impl_->poseAll(false);
-  impl_->tell(); // Nobody listens yet; what is told later is news.
+  impl_->tell(); // Without observers yet, so that later events only report changes.
   impl_->subscription =
       document.onDerive([this](const document::Change& change) { impl_->onChange(change); });
 }

@@ -156,7 +156,7 @@ LiveStress::Impl::cavitiesOf(document::OrganId parent) const {
   return hollow;
 }
 
-/// Brings mesh and binding to what the document wants, as far as that can be done now.
+/// Updates mesh and binding to the document, as far as that is possible now.
 void LiveStress::Impl::refresh() {
   const auto item = organ ? document.organ(organ) : nullptr;
   if (!item) {
@@ -305,7 +305,7 @@ void LiveStress::Impl::dropBinding() {
   bound = {};
   boundToTarget = false;
   evaluated.resize(0, 3);
-  // Others, not emptied: somebody may still look at those.
+  // New objects, because the old ones may still be referenced.
   points = std::make_shared<Points>(0, 3);
   map = std::make_shared<deformation::StressMap>();
   ++revision;

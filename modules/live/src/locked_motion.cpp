@@ -12,7 +12,7 @@ constexpr double kNoInfluence = 1e-12;
 /// As good as rounding allows; more steps would follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 constexpr int kMostSteps = 12;
-/// How far towards a wish to try to go when all of it is too much.
+/// Fractions of the way to a target that are tried if all of it is too much.
 constexpr double kParts[] = {1, 0.5, 0.25, 0.125};
 
 bool contains(const std::vector<int>& list, int value) {
