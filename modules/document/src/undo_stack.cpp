@@ -147,7 +147,7 @@ UndoStack::Step::Step(UndoStack& undo, const std::string& name) : undo_(&undo) {
 UndoStack::Step::~Step() {
   try {
     cancel();
-  } catch (...) { // An observer's; everybody has heard, and there is nobody to tell.
+  } catch (...) { // Thrown by an observer, after all were called; a destructor cannot report it.
   }
 }
 

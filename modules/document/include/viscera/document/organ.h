@@ -40,14 +40,13 @@ struct Organ {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< At rest, mm, LPS; never null.
   OrganLook look;
   OrganId parent;             ///< The organ whose cavity this is; none for an organ of its own.
-  std::filesystem::path file; ///< Where it was read from; empty for one that the program made.
+  std::filesystem::path file; ///< The file from which it was read; empty for one that the program made.
   OrganOrigin origin;
-  /// Parts of it that have names. Of a sample organ, as its definition says; a session names the sample.
+  /// Parts of it that have names, for a sample organ those of its definition; a session names the sample.
   std::vector<geometry::NamedPlace> places;
-  std::vector<std::string>
-      warnings;             ///< What a user should know: assumed space, implausible size, what was mended.
-  int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.
-  double restVolumeMm3 = 0; ///< Signed, of the rest mesh; 0 for an open one.
+  std::vector<std::string> warnings; ///< What a user should know: assumed space, implausible size, repairs.
+  int boundaryEdges = 0;             ///< Edges with one triangle. An open surface has no volume.
+  double restVolumeMm3 = 0;          ///< Signed, of the rest mesh; 0 for an open one.
 
   /// No motion of the handles in the pose may change the volume. Only of a closed surface.
   bool volumeLocked = false;
@@ -56,9 +55,9 @@ struct Organ {
 };
 
 /// Makes an organ without an id from a surface: checks the indices and coordinates, counts its open edges and
-/// measures its volume, O(m log m), so that a worker can do it before the document is touched. What is wrong
-/// with the surface becomes a warning each; a closed one that is inside out is turned around. A painted one
-/// has the mean of its colours for its own. Throws `DataError` for an invalid mesh or one without triangles.
+/// measures its volume, O(m log m), so that a worker can do it before the document is touched. Each defect of
+/// the surface becomes a warning; a closed one that is inside out is turned around. A painted one has the
+/// mean of its colours for its own. Throws `DataError` for an invalid mesh or one without triangles.
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);
