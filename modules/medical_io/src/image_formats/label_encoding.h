@@ -11,7 +11,7 @@ namespace viscera::medical_io {
 /// A layer and a value in it.
 using LayerLabel = std::pair<int, std::int64_t>;
 
-/// Voxels by the number of their label.
+/// Voxels as numbers of their labels.
 struct EncodedLabels {
   std::vector<LabelMap::Layer> layers;
   std::vector<LayerLabel> labels; ///< Ascending; that of number n is `labels[n - 1]`.

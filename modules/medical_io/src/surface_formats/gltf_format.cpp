@@ -27,8 +27,8 @@
 // glTF is in metres with y up. A file that Viscera writes holds LPS (or RAS) millimetres in its vertices, a
 // node whose matrix turns them upright in metres for other programs, and `"extras": {"SPACE": "LPS", "unit":
 // "mm"}` in its asset; with that mark, vertices are taken as they are and nodes are ignored. Without it
-// nobody can know what a scene's axes mean: nodes are applied, numbers are taken as LPS mm, and a warning
-// says so.
+// the meaning of a scene's axes is unknown: nodes are applied, numbers are taken as LPS mm, and a warning is
+// added.
 namespace viscera::medical_io {
 namespace {
 
