@@ -248,7 +248,7 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   if (report.components == 1 &&
       !(std::abs(filled - std::abs(report.volumeMm3)) <= kVolumeTolerance * std::abs(report.volumeMm3)))
     unusable("its volume differs from that of the surface");
-  if (mesh.witnesses > 0) // None is right for a coarse surface; whoever asked decides.
+  if (mesh.witnesses > 0) // No witness is correct for a coarse surface; the caller decides.
     requireUsable(mesh, "TetGen's tetrahedra");
   return mesh;
 }
