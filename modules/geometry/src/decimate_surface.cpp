@@ -21,7 +21,7 @@ using VertexIndex = EditableSurface::Index;
 constexpr double kFlatSquare = 1e-3;
 /// What an edge's own length adds to its cost, so that even flat parts are thinned evenly.
 constexpr double kEvenness = 1e-4;
-constexpr int kStepsBetweenLooks = 1000; ///< At whether somebody has cancelled.
+constexpr int kStepsBetweenLooks = 1000; ///< Steps between checks for cancellation.
 
 /// The squared distances from some planes, each times its weight, as a function of the point.
 struct Quadric {
