@@ -86,7 +86,7 @@ private:
   const py::object& listener_;
   const std::thread::id caller_ = std::this_thread::get_id();
   Clock::time_point last_ = Clock::now();
-  bool ended_ = false; ///< Somebody in Python wants no more.
+  bool ended_ = false; ///< Python code has ended the job.
   std::optional<py::error_already_set> raised_;
   std::mutex mutex_;   ///< Of what follows.
   bool fresh_ = false; ///< The listener does not know of `fraction_` and `step_` yet.
