@@ -3,11 +3,11 @@
 #include <vtkAbstractWidget.h>
 
 /**
- * The base of our widgets, which drag parts of their representation: a left press grabs a part, moves drag
- * it, the release lets it go. Where no part of it is under the cursor the events go on to widgets of a
- * lower priority and to the camera; while the camera is being moved nothing is under the cursor.
+ * The base class of our widgets, which drag parts of their representation: a left press grabs a part, moves
+ * drag it, the release ends the drag. Where no part of it is under the cursor the events go on to widgets of
+ * a lower priority and to the camera; while the camera is being moved, no part counts as under the cursor.
  *
- * VTK's StartInteractionEvent, InteractionEvent and EndInteractionEvent tell of a drag.
+ * VTK's StartInteractionEvent, InteractionEvent and EndInteractionEvent report a drag.
  */
 class vtkVisceraDragWidget : public vtkAbstractWidget {
 public:
