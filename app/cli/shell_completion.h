@@ -9,6 +9,7 @@ class App;
 class Option;
 } // namespace CLI
 
+/// Makes completion scripts for bash and zsh.
 namespace viscera::app::cli {
 
 /// The words that a shell offers as completions, by the type of an option's value: {"ID", {"s-celestial",

@@ -55,7 +55,7 @@ void BindingMessages::sync() {
   Q_EMIT bound(seconds);
 }
 
-/// Notes change their numbers with every move of a drag; only one more of them is news.
+/// Numbers in notes change with every move of a drag, so a message is shown only for an additional note.
 void BindingMessages::tellNotes(const QStringList& notes) {
   const bool news = notes.size() > notes_.size();
   notes_ = notes;

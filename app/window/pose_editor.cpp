@@ -31,7 +31,7 @@ PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* pa
   }));
 }
 
-/// Other organs are locked, or they are bound in another way.
+/// Prepares the locks after the locked organs or their bindings have changed.
 void PoseEditor::prepareLocks() {
   keeper_.dropOutdated();
   prepareSoon_.start();

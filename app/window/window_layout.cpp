@@ -30,7 +30,7 @@ constexpr int kHandlesHeight = 300;
 /// What a window manager draws around the window, at most.
 constexpr QSize kWindowFrame(16, 48);
 
-/// What the settings and the user's choices call a panel in a mode.
+/// The key of a panel in a mode, for the settings and the user's choices.
 QString nameIn(const std::string& mode, const QDockWidget& dock) {
   return QString::fromStdString(mode) + QLatin1Char('/') + dock.objectName();
 }
@@ -217,7 +217,7 @@ int WindowLayout::heightOf(const QDockWidget& dock) const {
 void WindowLayout::giveHeights() {
   QList<QDockWidget*> docks;
   QList<int> heights;
-  if (timeline_->isVisible()) { // Else the chart pays for its height.
+  if (timeline_->isVisible()) { // Otherwise its height would be taken from the chart.
     docks.push_back(timeline_);
     heights.push_back(timeline_->sizeHint().height());
   }

@@ -173,7 +173,7 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
   return outcome;
 }
 
-/// `viscera info FILE`: what is in an organ, label map or handle file.
+/// `viscera info FILE`: describes the contents of an organ, label map or handle file.
 class InfoCommand final : public Command {
 public:
   std::string name() const override { return "info"; }

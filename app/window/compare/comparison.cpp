@@ -40,7 +40,7 @@ bool sameButPosed(const document::DocumentState& a, const document::DocumentStat
 
 } // namespace
 
-/// Everything that belongs to the second view; the widgets in the window go by themselves.
+/// Everything that belongs to the second view; the window deletes its widgets itself.
 struct Comparison::Second {
   Second(const First& first, QWidget* window)
       : workspace(first.workspace.registry()), playback(workspace, first.playback), placer(workspace),
@@ -99,7 +99,8 @@ const Picture& Comparison::picture() const {
   return *second_->picture;
 }
 
-/// The first view's camera stays as it is: a view that becomes narrower backs off by itself, and comes back.
+/// The first view's camera stays as it is: a view that becomes narrower moves its camera back by itself, and
+/// restores it.
 void Comparison::open() {
   if (on())
     return;
@@ -227,7 +228,7 @@ DifferenceMap* Comparison::differences() const {
   return on() ? second_->differences.get() : nullptr;
 }
 
-/// What only the comparison of coordinates has.
+/// Removes the parts that only the comparison of coordinates has.
 void Comparison::dropSystem() {
   if (!second_->system)
     return;
@@ -411,7 +412,7 @@ void Comparison::setTheme(const Theme& theme) {
   second_->view->setTheme(theme);
 }
 
-/// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay
+/// Makes the second document a copy of the first one. Organs whose surface and handles are the same stay
 /// bound.
 void Comparison::mirror() {
   const document::DocumentState& state = first_.workspace.state();
@@ -440,7 +441,7 @@ void Comparison::takeRate() {
     setSecondRate(first_.playback.player().ratePerMinute());
 }
 
-/// Where the second view's sequence can be as fast and as slow.
+/// Sets the second view's rate, if its sequence can be played at it.
 void Comparison::setSecondRate(double perMinute) {
   const sequences::Sequence* second = second_->playback.sequence();
   if (!second || perMinute < second->lowestRatePerMinute() || perMinute > second->highestRatePerMinute())

@@ -76,7 +76,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
 }
 
 PlayMode::~PlayMode() {
-  delete seriesDialog_; // It works with what goes now.
+  delete seriesDialog_; // The dialog uses objects that are destroyed now.
   comparison_->end();
   if (status_)
     status_->unwatch(recorder_->jobs());
@@ -148,7 +148,7 @@ QString PlayMode::whyNoValves() const {
                         : tr("Only the sample heart has valves to show");
 }
 
-/// The mark is what the view wants where that has an effect; what it wants stays.
+/// The action is checked if the view's choice has an effect; the choice itself is not changed.
 void PlayMode::syncValves() {
   const QString why = whyNoValves();
   valves_->setEnabled(why.isEmpty());

@@ -21,7 +21,7 @@ constexpr double kSameMotionMm = 0.01;
 constexpr const char* kMeasuredField = "measured";
 } // namespace
 
-/// The motions that a view asks for, and what is to be seen of the present one.
+/// The motions of a saved view, and the state of the present one.
 struct SessionView::Wanted {
   struct Motion {
     std::shared_ptr<const document::Organ> organ;
@@ -185,10 +185,10 @@ void SessionView::play(const Wanted& wanted) {
   }
 }
 
-/// What is no curve of volumes, or out of reach, is told; the sequence plays without it.
+/// Shows a message for an invalid curve or volumes that cannot be reached; the sequence plays without them.
 void SessionView::prescribe(const presentation::Prescribed& prescribed) {
   if (!window_.workspace.document().organ(prescribed.organ))
-    return; // Its file is missing, which is told.
+    return; // Its file is missing, for which another message is shown.
   window_.workspace.guarded([&] {
     waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file},
                        window_.playback.sharedSequence()};

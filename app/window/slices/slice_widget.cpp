@@ -19,7 +19,7 @@
 namespace viscera::app {
 namespace {
 
-/// A press that is nearer to a line of the crosshair takes hold of it.
+/// The largest distance from a line of the crosshair at which a press grabs it.
 constexpr double kCrossReach = 6;
 constexpr double kZoomPerPixel = 1.01;
 constexpr double kZoomPerStep = 1.15;
@@ -116,7 +116,7 @@ void SliceWidget::resizeEvent(QResizeEvent* event) {
   Q_EMIT resized();
 }
 
-/// VTK is kept out of what the mouse and the keys do here.
+/// Mouse and key events are handled here and not passed to VTK.
 bool SliceWidget::event(QEvent* event) {
   switch (event->type()) {
   case QEvent::MouseButtonPress:

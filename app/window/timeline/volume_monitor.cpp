@@ -76,7 +76,7 @@ void VolumeMonitor::watch(Side& side) {
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
-    // Once for all organs of a frame; while they are bound one after the other the throttle tells of them.
+    // Once for all organs of a frame; while organs are bound one after the other, updates are throttled.
     const bool oneOfMany = event.status && side.workspace->live().busy();
     if ((event.moved || event.replaced) && !oneOfMany)
       frame_.start();
@@ -124,7 +124,8 @@ void VolumeMonitor::rebuild() {
 
 void VolumeMonitor::refresh() {
   for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
-    // A line may outlive its organ for a moment: who plays may hear of a change before this observer does.
+    // A line may outlive its organ for a moment, because playback may be notified of a change before this
+    // observer.
     std::vector<Line*> measured;
     std::vector<document::OrganId> organs;
     for (Line& line : lines_)
@@ -140,7 +141,7 @@ void VolumeMonitor::refresh() {
   }
 }
 
-/// List, status bar and chart are told together, so that they say the same.
+/// List, status bar and chart are notified together, so that they show the same.
 void VolumeMonitor::update() {
   throttle_.stop();
   followFrame();
@@ -222,7 +223,7 @@ void VolumeMonitor::sample() {
   std::vector<double> row;
   for (const Line& line : lines_)
     row.push_back(line.nowMl);
-  // The same instant again (another mode, another rate) is no news; a record that is given one begins anew.
+  // The same instant again (another mode, another rate) is not recorded, because the record would begin anew.
   const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == seconds;
   if (!row.empty() && !again)
     record_.add(seconds, row);
@@ -230,8 +231,8 @@ void VolumeMonitor::sample() {
     throttle_.start();
 }
 
-/// Whether the first view's organs are in the document's pose. What is asked is what they show: a sequence
-/// that is wanted may not have been started, and one that an undo has just taken away may still be there.
+/// Whether the first view's organs are in the document's pose. This checks the displayed pose, because a
+/// chosen sequence may not have been started, and one that undo has just removed may still be shown.
 bool VolumeMonitor::posesAreSeen() const {
   const Points& seen = sides_[0].workspace->live().shownPose();
   const Points& own = sides_[0].workspace->document().pose();
@@ -271,7 +272,7 @@ void VolumeMonitor::addDrag(bool begins) {
   refresh();
   for (std::size_t line = 0; line < lines_.size(); ++line)
     row[line] = lines_[line].nowMl;
-  // Who holds still for a while does not stretch the chart.
+  // A pause within a drag does not stretch the chart.
   drags_.add(last + std::clamp(passed, 0.2 * step, 2 * step), row);
   sinceDragged_.start();
   if (!throttle_.isActive())

@@ -45,7 +45,7 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
   return organs;
 }
 
-/// How the worst phase of a motion has to be looked at, and how far its surfaces are on average.
+/// The verdict on the worst phase of a motion, and the mean distance of its surfaces.
 QString summaryOf(const MeasuredMotion::Found& found) {
   const motion::PatientMotion& motion = *found.motion;
   QStringList parts;
@@ -172,7 +172,7 @@ QString MeasuredMotion::caution() const {
 }
 
 void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {
-  know(found); // First: the document tells of its new organs from within the step.
+  know(found); // First, because the document notifies observers of its new organs within the step.
   playback_.setSequence(nullptr, {});
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
@@ -193,7 +193,7 @@ void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrg
   playback_.play();
 }
 
-/// What was found, what is doubtful of it, and what can be done about it.
+/// Shows a message with the result, doubts about it, and offers.
 void MeasuredMotion::say(const Found& found) {
   const motion::PatientMotion& motion = *found.motion;
   Message message{Message::Severity::info, summaryOf(found), {}, kSaidSeconds};

@@ -291,7 +291,7 @@ void MotionDialog::sync() {
   missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
 }
 
-/// What has to be given before the motion can be found; empty when everything is.
+/// The input that is missing before the search can start; empty when it is complete.
 QString MotionDialog::missing() const {
   if (contents_.items.empty())
     return tr("Choose a series first");

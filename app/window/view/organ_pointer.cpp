@@ -38,7 +38,7 @@ std::shared_ptr<const document::Organ> OrganPointer::organAt(const QPointF& plac
 
 void OrganPointer::hover(const std::optional<QPointF>& place) {
   name_->hide();
-  // One organ's name tells nothing.
+  // With one organ, its name is not useful.
   if (!place || workspace_.document().organs().size() < 2) {
     picture_.setPointedOrgan({});
     return rested_.stop();

@@ -81,7 +81,7 @@ void ViewArea::setHeaderHeight(int height) {
   if (!header_)
     return;
   header_->setFixedHeight(height);
-  // What lies over the view begins below the header.
+  // Widgets over the view begin below the header.
   grid_->setRowMinimumHeight(0, height + kViewMargin);
 }
 

@@ -104,8 +104,7 @@ void ViewWidget::renderPending() {
     draw(view_->isSlow());
 }
 
-/// What is painted has to be there now, at its new size, say; all else can wait for the events that are
-/// there.
+/// Renders at once within a paint event, for example at a new size; otherwise after the pending events.
 void ViewWidget::onRenderWanted() {
   if (painting_)
     draw(view_->isSlow());
