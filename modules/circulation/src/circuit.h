@@ -9,6 +9,7 @@
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/parameters.h"
 
+/// The differential equations of the circulation.
 namespace viscera::circulation {
 
 /// dyn/cm^2 in a mmHg, and blood's density, g/cm^3.

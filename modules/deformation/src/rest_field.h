@@ -7,6 +7,7 @@
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/geometry/convex_hull.h"
 
+/// The displacement field of the space at rest, on which `InverseMap` works.
 namespace viscera::deformation {
 
 /// Distance from the hull's facets, as a fraction of its diagonal, within which a point does not count as

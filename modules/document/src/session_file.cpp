@@ -50,7 +50,7 @@ bool namesNoFolders(const SessionContents& contents, bool inside) {
   return inside && contents.recovers.empty();
 }
 
-/// What an embedded session says of a file: its name, and what tells its contents from others'.
+/// The record of a file in an embedded session: its name, and the hash of its contents.
 ordered_json nameOnly(const ordered_json& file, bool inside) {
   const std::string name = fs::path(file.at("absolute").get<std::string>()).filename().generic_string();
   ordered_json only{{"relative", name}, {"absolute", name}};

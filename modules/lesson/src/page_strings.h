@@ -6,6 +6,7 @@
 
 class QTranslator;
 
+/// The texts of a lesson's page in its language.
 namespace viscera::lesson {
 
 /// The source text whose translation is the language code (BCP 47) of the translation itself.

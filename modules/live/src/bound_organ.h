@@ -15,9 +15,10 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/plugin/registry.h"
 
+/// Binds one organ of a document to its handles and poses it, for `LiveBinding`.
 namespace viscera::live {
 
-/// Everything about a binding but the organ: what all organs of a document are to be bound to.
+/// The handles, system and parameters to which all organs of a document are bound.
 struct BindingTarget {
   std::shared_ptr<const coordinates::CoordinateSystem> system; ///< Null when there is none of that id.
   std::string problem;                                         ///< Why there is none.
@@ -28,11 +29,10 @@ struct BindingTarget {
 
 BindingTarget makeTarget(const document::DocumentState& state, const plugin::Registry& registry);
 
-/// Whether a binding to one is as good as a binding to the other. Groups and cages count only where the
-/// system looks at them.
+/// Whether bindings to both are equal. Groups and cages only count if the system uses them.
 bool sameBinding(const BindingTarget& a, const BindingTarget& b);
 
-/// Whether it is the rig's own cage that binding works with.
+/// Whether the binding uses the rig's own cage.
 bool usesGivenCage(const BindingTarget& target);
 
 /// Whether a binding to `underWay` is worth waiting for when `wanted` has taken its place: the same handles,

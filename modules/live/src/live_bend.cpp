@@ -65,8 +65,8 @@ struct LiveBend::Impl {
   void take(const JobResult<BoundMap>& result);
 };
 
-/// Binds anew when that is wanted and what there is belongs to other handles. At rest nothing is bound: the
-/// grid is made as fine as the first pose asks for.
+/// Binds anew if the map is needed and the present one belongs to other handles. At rest nothing is bound:
+/// the grid is made as fine as the first pose asks for.
 void LiveBend::Impl::follow() {
   if (!wanted || !posed())
     return;

@@ -169,8 +169,8 @@ void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
   jobs.submit<BindingResult>(phrase("Binding %1", organ.organ->name), organ.slot(), work, done);
 }
 
-/// A result from the queue, perhaps for an organ or a target that nobody wants any more: each job has its
-/// ticket.
+/// Takes a result from the queue, which may be for an organ or a target that has been replaced: each job has
+/// its ticket.
 void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result) {
   const auto found = organs.find(id);
   if (found == organs.end() || found->second.ticket != ticket || found->second.status.state != State::binding)
@@ -204,7 +204,7 @@ void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
     secondsOfSystem[target->system->id()] = organ.status.report.seconds / sizes;
 }
 
-/// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
+/// Notifies the observers after all updates: an observer may read any organ, or show another pose.
 void LiveBinding::Impl::tell(bool otherPose) {
   std::vector<LiveEvent> news;
   for (auto& [id, organ] : organs) {

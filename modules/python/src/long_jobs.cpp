@@ -24,7 +24,7 @@ public:
 
   Progress& progress() { return progress_; }
 
-  /// Tells the listener what it has not heard yet, and looks for Ctrl+C. On the caller's thread.
+  /// Passes new progress to the listener, and checks for Ctrl+C. On the caller's thread.
   void look() {
     const py::gil_scoped_acquire locked;
     try {

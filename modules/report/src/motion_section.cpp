@@ -22,7 +22,7 @@ std::string capital(std::string text) {
   return text;
 }
 
-/// One organ whose volume is told.
+/// One organ whose volume is reported.
 struct Line {
   std::shared_ptr<const document::Organ> organ;
   std::vector<double> milliliters;

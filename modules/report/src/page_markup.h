@@ -6,6 +6,7 @@
 
 #include "viscera/report/report.h"
 
+/// Converts a report to markup for browsers and for Qt's rich text.
 namespace viscera::report {
 
 /// The width of an A4 page between its margins, mm.

@@ -35,7 +35,7 @@ private:
 /// Sets the shape of an actor and the matrix that places it (null: identity), and makes the actor unpickable.
 void attach(vtkActor* actor, vtkPolyData* shape, vtkMatrix4x4* place);
 
-/// The same for a new helper of one flat colour; `behindOnly` as `BlendedActor` has it.
+/// The same for a new helper of one flat colour; `behindOnly` as in `BlendedActor`.
 vtkSmartPointer<BlendedActor> newHelper(vtkPolyData* shape, vtkMatrix4x4* place, double opacity,
                                         bool behindOnly = false);
 

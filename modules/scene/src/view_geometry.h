@@ -5,6 +5,7 @@
 
 class vtkRenderer;
 
+/// Converts between places in space and on the display.
 namespace viscera::scene {
 
 /// The screen density, in dots per inch, at which a logical pixel is one device pixel.

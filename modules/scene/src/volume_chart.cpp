@@ -203,7 +203,7 @@ void VolumeChart::Parts::applyTheme() {
     setPen(axis->GetGridPen(), theme.muted, which == vtkAxis::RIGHT ? 0 : 0.22);
   }
   chart->GetBackgroundBrush()->SetOpacity(0);
-  // The second axis has its curve's colour: one sees whose numbers stand there.
+  // The second axis has the colour of its curve, to show which curve it belongs to.
   const auto second =
       std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return curve->line.rightAxis; });
   if (second != curves.end()) {

@@ -35,7 +35,7 @@ constexpr double kTogether = 8;
 /// No ring closes more than this, however many waves meet.
 constexpr double kDeepest = 0.9;
 
-/// A wave is told of when it is deeper than this.
+/// Waves that are less deep are not reported.
 constexpr double kVisible = 0.05;
 
 /// The part of the way at which the antrum begins.

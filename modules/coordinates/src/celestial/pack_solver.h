@@ -4,6 +4,7 @@
 #include "celestial/small_matrices.h"
 #include "simd/pack_math.h"
 
+/// The Newton solver of celestial coordinates for a pack of points, one in each SIMD lane.
 namespace viscera::coordinates::simd::VISCERA_ISA {
 
 constexpr int kTile = 16;

@@ -6,6 +6,7 @@
 
 #include "image_formats/raw_image.h"
 
+/// Converts the values of an image to consecutive numbers of labels.
 namespace viscera::medical_io {
 
 /// A layer and a value in it.

@@ -8,6 +8,7 @@
 
 #include "viscera/core/arrays.h"
 
+/// The nodes of implicit surfaces, from which sample organs are built.
 namespace viscera::sample_organs {
 
 /// An axis-parallel box, mm; empty at first.

@@ -5,6 +5,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
+/// Generates the surface mesh of a sample organ from its implicit surface.
 namespace viscera::sample_organs {
 
 /// The version of the generator, increased whenever the same definition gives another surface than before;

@@ -5,6 +5,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
+/// Remeshes the surface of a sample organ with equilateral triangles.
 namespace viscera::sample_organs {
 
 /// The area of an equilateral triangle with edges of length 1.

@@ -11,6 +11,7 @@
 #include "ranks.h"
 #include "rig.h"
 
+/// Binds, poses and measures the part of an organ that one rank holds.
 namespace viscera::vtk_filters {
 
 /// The coordinates of one leaf's points, divided into portions.

@@ -21,7 +21,7 @@ public:
   Progress() = default;
   explicit Progress(Listener listener, Look look = {});
 
-  /// Tells the listener, at most once per per mille of progress or per new step name.
+  /// Calls the listener, at most once for each per mille of progress or new step name.
   void report(double fraction, const std::string& step = {});
 
   /// Requests the job to stop; it throws `Cancelled` when it checks next.

@@ -12,6 +12,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/phrase.h"
 
+/// Reads JSON files with checks that name the file and the place of an error.
 namespace viscera::document {
 
 /// A whole file as text. Throws `NoInputError` when it cannot be read.

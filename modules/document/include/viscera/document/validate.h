@@ -4,6 +4,7 @@
 
 #include "viscera/document/document.h"
 
+/// Checks the rules that the state of every document obeys.
 namespace viscera::document {
 
 /// The largest absolute coordinate that a document accepts, mm; volumes computed from such places stay

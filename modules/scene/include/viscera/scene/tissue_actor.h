@@ -11,6 +11,7 @@
 class vtkActor;
 class vtkRenderer;
 
+/// Draws the inside of an organ as coloured tetrahedra that a plane can cut open.
 namespace viscera::scene {
 
 /// `t x 4` corner indices of tetrahedra, row major; the first three corners are counter-clockwise seen from

@@ -9,6 +9,7 @@
 #include "viscera/sequences/heart_motion.h"
 #include "viscera/sequences/pose_compensation.h"
 
+/// Poses the handles of a heart so that its cavities have given volumes.
 namespace viscera::sequences {
 
 /// Measures the volumes of a heart's cavities when its handles are at `pose` (`n x 3`). May be called from

@@ -4,6 +4,7 @@
 
 #include "viscera/tracking/motion_rig.h"
 
+/// Corrects a fitted pose so that every surface has its measured volume.
 namespace viscera::tracking {
 
 /// Solves with the normal matrix of a fit: given the derivative of a quantity with respect to every handle
