@@ -157,7 +157,7 @@ std::pair<double, double> gradients(const Curve& flow, const Curve& from, const 
   return {count > 0 ? sum / count : 0, peak};
 }
 
-/// What flows against the valve's direction over a beat, ml.
+/// The volume that flows backward through a valve over a beat, ml.
 double backward(const Beat& beat, Valve valve) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < beat.time.size(); ++i)

@@ -35,7 +35,7 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
   return error ? target : real;
 }
 
-/// What comes before the target's name in that of its temporary file is a dot, a number and this.
+/// The name of a temporary file is a dot, a number, this character and the target's name.
 constexpr char kBehindNumber = '-';
 
 /// Closes a file when it goes, which gives its lock back.

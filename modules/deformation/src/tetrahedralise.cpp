@@ -42,7 +42,7 @@ std::vector<char> requestFor(const geometry::TriangleMesh& surface, const Tetrah
   return bytes;
 }
 
-/// What TetGen said, as an addition to a sentence; its own hints are about its command line.
+/// TetGen's messages, as an addition to a sentence; its own hints are about its command line.
 std::string said(const std::string& messages) {
   std::string line = messages.substr(0, messages.find("Hint"));
   std::replace(line.begin(), line.end(), '\n', ' ');

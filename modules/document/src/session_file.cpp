@@ -204,7 +204,7 @@ public:
     contents.embedSurfaces = surfaces == kEmbedded;
     contents.embedScan = contents.embedSurfaces;
     contents.recovers = reader_.optionalText(root, "recovers", "");
-    // What is cheap to read comes first: a damaged file is refused before a sample organ is made.
+    // Reads the quick parts first, so that a damaged file is refused before a sample organ is made.
     reader_.readRig(reader_.field(root, "rig", ""), contents.state);
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readKeySequence(reader_.field(root, "recording", ""), contents.state);

@@ -50,7 +50,7 @@ void addDeterminant(ExactSum& sum, double factor, const Vec3& a, const Vec3& b, 
   }
 }
 
-/// What `side` is where rounding could have made its determinant: without rounding.
+/// Computes `side` without rounding, where rounding could have changed the sign of its determinant.
 int exactSide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   ExactSum sum;
   addDeterminant(sum, 1, a, b, c);

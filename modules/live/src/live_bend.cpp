@@ -119,7 +119,7 @@ void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
     problem = result.error->what();
   pose.resize(0, 3);
   ++revision;
-  follow(); // What was wanted meanwhile.
+  follow(); // For changes in the meantime.
   changed.emit();
 }
 

@@ -12,9 +12,9 @@
 namespace viscera::live {
 namespace {
 
-constexpr int kRevisionBits = 40; ///< Moves of one organ that are told apart.
+constexpr int kRevisionBits = 40; ///< Number of bits that count the moves of one organ.
 
-/// What binding is expected to cost before it was measured, s per (vertex x handle).
+/// The expected cost of binding before it was measured, s per (vertex x handle).
 constexpr double kExpectedBindingSeconds = 30e-9;
 
 using State = BindingStatus::State;
@@ -183,7 +183,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
   } else {
     if (result.error && last)
       organ.fail({State::failed, result.error->what()});
-    if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
+    if (result.value && (last || result.value->deformer)) // Errors of outdated bindings are not reported.
       take(organ, std::move(*result.value), of);
     if (!last) {
       organ.attempted.reset();

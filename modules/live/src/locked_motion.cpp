@@ -54,7 +54,7 @@ double LockedMotion::leastInfluence(std::size_t surface) const {
   return kNoInfluence * std::pow(setup_.lock->surfaces()[surface].targetMm3, 2.0 / 3);
 }
 
-/// What of a vector lies in the plane that holds translations.
+/// The component of a vector in the plane in which translations stay.
 Vec3 LockedMotion::inPlane(const Vec3& vector) const {
   return setup_.plane ? Vec3(vector - setup_.plane->dot(vector) * *setup_.plane) : vector;
 }

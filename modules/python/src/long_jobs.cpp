@@ -38,7 +38,7 @@ public:
     last_ = Clock::now();
   }
 
-  /// What Python has raised. With the lock.
+  /// Rethrows the exception raised in Python. Call it with the lock.
   void rethrow() {
     if (raised_)
       throw py::error_already_set(*raised_);

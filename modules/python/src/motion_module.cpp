@@ -73,7 +73,7 @@ std::vector<std::string> sequenceNames() {
   return names;
 }
 
-/// What each file brought, and why it was left out.
+/// The systems of each file, or why it was left out.
 py::list loadPlugins(const std::vector<path>& searchPath) {
   plugin::Registry registry = plugin::builtInRegistry();
   py::list all;

@@ -47,7 +47,7 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 50000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
-/// What an empty view frames, mm.
+/// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 /// The part of a view's height that a legend leaves to organs, at least.
 constexpr double kLeastFree = 0.4;

@@ -29,7 +29,7 @@ constexpr double kFullDepthRate = 4;
 constexpr double kLastWay = 28; ///< mm
 constexpr double kShut = 0.6;
 constexpr double kPyloricWidth = 8; ///< One standard deviation, mm.
-/// What is narrowed by a wave and by the pylorus at once is hardly narrower than by one of them.
+/// A place narrowed by a wave and by the pylorus at once is hardly narrower than by one of them.
 constexpr double kTogether = 8;
 
 /// No ring closes more than this, however many waves meet.

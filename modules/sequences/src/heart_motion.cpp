@@ -107,7 +107,7 @@ double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& 
   const double septum = anatomy.epicardium.radiusAt(std::max(c, anatomy.baseEpicardium));
   const double beyond = handle.surfaceRho - septum;
   const double gap = rho - handle.surfaceRho;
-  // What lies around the left ventricle's wall gives way as if it kept its volume too.
+  // Tissue around the left ventricle's wall moves as if it kept its volume too.
   const double away = 0.5 - 0.5 * std::cos(handle.place.phi);
   const double push = (kRightPush + away * (kFreePush - kRightPush)) * thickening(state, c);
   // Where only the outside is handled, nothing averages over a wall: its handles go with it.

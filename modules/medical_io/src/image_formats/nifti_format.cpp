@@ -32,7 +32,7 @@ constexpr double kAgreement = 0.5;
 /// Less than this is left of the quaternion's length by rounding alone: a half turn, as in nifti1_io.c.
 constexpr double kHalfTurn = 1e-7;
 
-/// What both versions say, whatever the width of the fields.
+/// The fields that both versions of the header have.
 struct Header {
   std::size_t bytes = 0;
   std::endian order = std::endian::little;

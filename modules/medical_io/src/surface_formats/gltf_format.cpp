@@ -103,7 +103,7 @@ private:
       raw_.warnings.push_back(phrase("%n {set|sets} of points or lines ignored", skipped_));
   }
 
-  /// What `writeSurfaces` says of an organ beside its mesh. Whatever is not as it writes it is left out.
+  /// Reads the attributes that `writeSurfaces` stores for an organ beside its mesh. Invalid ones are ignored.
   void readLook(std::size_t part, RawPart& read) const {
     const Json& node = document_.entry("nodes", part);
     const auto extras = node.find("extras");
@@ -506,7 +506,8 @@ Json materialOf(const NamedSurface& surface) {
   return material;
 }
 
-/// What only Viscera reads: colours without the way through linear ones, and what is a cavity of what.
+/// The data that only Viscera reads: colours without conversion to linear values, and the parents of
+/// cavities.
 Json extrasOf(const NamedSurface& surface) {
   Json extras = {{"color", {surface.color.x(), surface.color.y(), surface.color.z()}},
                  {"opacity", surface.opacity}};
