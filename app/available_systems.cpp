@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the plugins that came with this program lie: beside the libraries of the installation, or of the
-/// build.
+/// The folder of the plugins that are installed with this program: beside the libraries of the installation,
+/// or of the build.
 fs::path ownPlugins() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

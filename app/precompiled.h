@@ -1,6 +1,6 @@
-// What most files of the program include, compiled once (option VISCERA_PRECOMPILE). No file relies on it:
-// each includes what it uses, and builds without it. CLI11 and JSON stay out: few files need them, and they
-// slow down all others.
+// The precompiled header of the program: headers that most files include (option VISCERA_PRECOMPILE). No file
+// relies on it: each includes what it uses, and builds without it. CLI11 and JSON are left out, because few
+// files need them and they would slow down all others.
 #pragma once
 
 #include <QAction>

@@ -16,7 +16,8 @@ class App;
 
 namespace viscera::app::cli {
 
-/// The result of a command, as text for the terminal and as JSON for `--json`; the user sees one of them.
+/// The result of a command, as text for the terminal and as JSON for `--json`; the program prints one of
+/// them.
 struct Outcome {
   nlohmann::ordered_json json;       ///< One object; its keys are those of docs/user_guide.md.
   std::string text;                  ///< Lines for a reader, each with its line break.
@@ -27,7 +28,7 @@ struct Outcome {
 /// command runs.
 struct CommandContext {
   Progress& progress;                          ///< Cancelled by Ctrl+C.
-  Threads threads;                             ///< As the user wants it.
+  Threads threads;                             ///< The number of threads that the user has chosen.
   const sample_organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
   const plugin::Registry& systems;             ///< The coordinate systems that `--system` names.
 };
@@ -43,7 +44,7 @@ public:
   /// Adds its options and arguments, tied to its own members. Called once, before `run`.
   virtual void addOptions(CLI::App& options) = 0;
 
-  /// Does it. Throws `Error`; leaves no half-written file behind.
+  /// Runs the command. Throws `Error`; leaves no half-written file.
   virtual Outcome run(CommandContext& context) = 0;
 };
 

@@ -32,14 +32,14 @@ namespace {
 constexpr int kUsage = 64;
 constexpr int kMostThreads = 1024;
 
-/// One line that shows how far a command is, drawn again and again; nothing at all where nobody watches. For
-/// one thread at a time, as `Progress` calls its listener.
+/// A progress bar in one line of the terminal, which is redrawn; draws nothing if the stream is not a
+/// terminal. For one thread at a time, as `Progress` calls its listener.
 class ProgressBar {
   static constexpr int kWidth = 30;
   static constexpr auto kClearLine = "\r\x1b[K";
 
 public:
-  /// Draws on `stream` when `terminal` says that somebody watches it.
+  /// Draws on `stream` if that is a `terminal`.
   ProgressBar(std::ostream& stream, bool terminal) : stream_(stream), terminal_(terminal) {}
   /// Removes the line.
   ~ProgressBar() { clear(); }
@@ -56,7 +56,7 @@ public:
     shown_ = true;
   }
 
-  /// Removes the line, so that something else can be said.
+  /// Removes the line, so that something else can be printed.
   void clear() {
     if (shown_)
       stream_ << kClearLine << std::flush;
@@ -69,7 +69,7 @@ private:
   bool shown_ = false;
 };
 
-/// What every subcommand takes.
+/// The options of every subcommand.
 struct CommonOptions {
   bool json = false;
   int threads = 0;
@@ -87,7 +87,7 @@ struct CommonOptions {
   }
 };
 
-/// What the window takes.
+/// Adds the options of the window.
 void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_option("FILE", window.files,
                  "Sessions, organs, label maps and handles to open in the window, or one sample:NAME");
@@ -128,7 +128,7 @@ int guarded(std::ostream& err, const std::function<int()>& work) {
     return complain(err, error.exitCode(), error.what());
   } catch (const std::bad_alloc&) {
     return complain(err, kInternalError, "out of memory (try a smaller model, or close other programs)");
-  } catch (const std::system_error& error) { // A thread that finds no room for its stack comes as this.
+  } catch (const std::system_error& error) { // Thrown when there is no memory for a thread's stack.
     const bool room = error.code() == std::errc::resource_unavailable_try_again;
     return complain(err, kInternalError,
                     room ? "out of memory for another thread (close other programs)"
@@ -157,7 +157,7 @@ void warn(std::ostream& err, const std::vector<std::string>& warnings) {
 
 int runCommand(Command& command, const CommonOptions& common, std::ostream& out, std::ostream& err) {
   return guarded(err, [&] {
-    ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Gone before an error is said.
+    ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Removed before an error is printed.
     Progress progress([&](double fraction, const std::string& step) { bar.show(fraction, step); });
     const Interrupt interrupt(progress);
     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
@@ -199,9 +199,8 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
   }
 }
 
-/// The terminal names the files that are not there, and so does the window, in which others can be opened.
-/// When none is there, a word that looks like a mistyped command is refused as such, and so is what a picture
-/// of the window should show.
+/// Lists missing files on the terminal; the window lists them too, and can open others. If no file exists,
+/// throws for a word that looks like a mistyped command, and if a picture of the window was to show a file.
 void requireFiles(const WindowOptions& window, std::ostream& err) {
   const auto isThere = [](const std::string& file) {
     std::error_code unreachable;
@@ -237,7 +236,8 @@ std::string nameOf(const CLI::App& app) {
   return chosen.empty() ? "viscera" : "viscera " + chosen.front()->get_name();
 }
 
-/// Only the options of a command that may be meant are made: there are some two hundred in all.
+/// Whether to create the options of this command: only for those that may be on the command line, since there
+/// are some two hundred options in all.
 bool optionsAreNeeded(const Command& command, int argc, const char* const* argv) {
   return std::any_of(argv + std::min(argc, 1), argv + argc, [&command](std::string_view word) {
     return word == command.name() || word.starts_with("--write-manual");
@@ -254,7 +254,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   WindowOptions window;
   std::string windowSize;
   addWindowOptions(app, window, windowSize);
-  std::string manual; // For who makes packages, so --help keeps it to itself.
+  std::string manual; // For packaging, therefore hidden from --help.
   app.add_option("--write-manual", manual)->group("");
   CommonOptions common;
   std::vector<std::unique_ptr<Command>> commands;

@@ -42,7 +42,7 @@ document::Organ organOf(const sample_organs::SampleOrgan& sample,
   return organ;
 }
 
-/// A label map and what is asked for of it.
+/// A label map and the labels to read from it.
 struct LabelReference {
   std::filesystem::path file;
   std::vector<std::string> labels; ///< Empty: all.

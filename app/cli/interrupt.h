@@ -6,8 +6,8 @@
 
 namespace viscera::app::cli {
 
-/// While it lives, Ctrl+C (SIGINT), SIGTERM and SIGHUP cancel `progress` instead of ending the program, so
-/// that the job can leave everything in order. The second one ends the program at once.
+/// Lets Ctrl+C (SIGINT), SIGTERM and SIGHUP cancel `progress` instead of ending the program, as long as the
+/// object lives, so that the job can clean up. The second signal ends the program at once.
 ///
 /// A thread of its own waits for the signals; so nothing runs inside a signal handler, and nothing is global.
 /// Make it before any other thread: threads inherit which signals they do not take.

@@ -6,7 +6,7 @@
 
 namespace viscera::app::cli {
 
-/// The manual page of section 1 of `app` (the program, or one of its subcommands) in roff, made from the very
+/// The manual page (section 1, in roff) of the program or of one of its subcommands `app`, made from the same
 /// options, types, defaults and descriptions that `--help` prints.
 std::string manualPage(const CLI::App& app);
 

@@ -191,7 +191,7 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
   return played;
 }
 
-/// A measured heart's cavities are told apart by the blood in them, as atlases draw it.
+/// The colour of a measured heart's cavity, by the kind of blood in it, as in atlases.
 std::optional<Vec3> bloodColor(const std::string& cavity) {
   const Vec3 arterial(0.81, 0.23, 0.20), venous(0.29, 0.40, 0.72);
   if (cavity == "LV" || cavity == "LA")
@@ -299,7 +299,7 @@ PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
   return played;
 }
 
-/// Throws for options that a session answers itself.
+/// Throws for options that a session sets itself.
 void requireOnlySession(const PlayRequest& request) {
   const std::pair<bool, const char*> given[] = {{!request.organ.empty(), "--organ"},
                                                 {!request.landmarks.empty(), "--landmarks"},
@@ -323,7 +323,7 @@ std::vector<std::string> columnNames(const document::OrganList& organs) {
   return names;
 }
 
-/// What a session plays, with all that the window would keep to.
+/// The sequence that a session plays, with the session's locks, rate and prescribed volume.
 PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) {
   requireOnlySession(request);
   const document::OpenedSession opened =

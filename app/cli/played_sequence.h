@@ -36,7 +36,7 @@ struct PlayedSurface {
 class BoundDocument {
 public:
   BoundDocument(const document::Command& filling, CommandContext& context);
-  /// Of a state that is there already, as a session has it.
+  /// Binds the organs of an existing state, such as a session's.
   BoundDocument(const document::DocumentState& state, CommandContext& context);
 
   const document::DocumentState& state() const { return document_.state(); }
@@ -62,14 +62,14 @@ struct PlayedSequence {
   /// Whether a session is played: with its locks, at its rate, and where a volume cannot be kept the organs
   /// stay as they were, as in the window.
   bool ofSession = false;
-  double ratePerMinute = 0; ///< That the session plays at; 0: the sequence's standard rate.
-  std::optional<motion::PrescribedVolume> prescribed; ///< By the session.
+  double ratePerMinute = 0; ///< Rate of the session; 0: the sequence's standard rate.
+  std::optional<motion::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
   /// What was computed when the organ is not the sequence's own.
   std::optional<motion::RetargetedSequence> retargeted;
 
   /// The place of the surface with that name, or -1.
   int find(const std::string& name) const;
-  /// At rest, ml.
+  /// Volume of a surface at rest, ml.
   double restMl(std::size_t place) const {
     return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
   }
@@ -80,8 +80,8 @@ struct PlayedSequence {
 /// handles in them and around it. A sequence file moves any organ that lies within its handles. A session
 /// moves its organs by its handles, coordinates, locks and circulation, as the window does. Throws
 /// `UsageError` that lists the sequences for an unknown name, for a file that holds no organ, without
-/// `--organ`, and for a session without a motion, or with what it has itself; what reading, fitting and
-/// binding throw.
+/// `--organ`, for a session without a motion, and for options that a session sets itself; also what reading,
+/// fitting and binding throw.
 PlayedSequence playedSequence(const PlayRequest& request, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -53,11 +53,10 @@ public:
   live::LiveBinding& organs() { return live_; }
   live::LiveStress& stress() { return stress_; }
 
-  /// What bends the scan along with the pose, ready; null at rest. Throws `DataError` where it cannot be
-  /// bound.
+  /// The bound deformation of the scan by the pose; null at rest. Throws `DataError` if it cannot be bound.
   live::LiveBend* makeBend();
-  /// Makes the stress map of the organ that the view is about, with its course over the sequence that the
-  /// session was playing. Returns why there is none; empty when there is one.
+  /// Computes the stress map of the view's current organ, with its course over the sequence that the session
+  /// was playing. Returns why that is not possible; empty on success.
   std::string makeStress(const presentation::ViewState& view, CommandContext& context);
 
 private:
@@ -74,7 +73,8 @@ private:
 
 struct SessionPicture {
   vtkSmartPointer<vtkImageData> image;
-  std::vector<std::string> leftOut; ///< What the window showed and the picture does not, for a user.
+  std::vector<std::string> leftOut; ///< Sentences for the user about what the window showed and the picture
+                                    ///< leaves out.
 };
 
 /// The session as the window showed it: looks, pose, the instant of its motion, the influence of a handle or

@@ -23,7 +23,7 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return words;
 }
 
-/// What a shell can offer for the value of an option.
+/// The completions for the value of an option.
 struct OptionValues {
   std::vector<std::string> words;
   bool files = false;
@@ -67,7 +67,7 @@ std::vector<std::string> allSpellings(const CLI::App& app) {
   return result;
 }
 
-/// The lines of `case "$command $previous" in` that say what follows an option, and what stands without one.
+/// The lines of `case "$command $previous" in` with the completions after an option and without one.
 std::string bashCases(const CLI::App& app, const std::string& command, const ValueWords& words) {
   std::string text;
   const auto add = [&](const std::string& pattern, const OptionValues& values) {

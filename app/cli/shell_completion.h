@@ -9,10 +9,11 @@ class App;
 class Option;
 } // namespace CLI
 
+/// Makes completion scripts for bash and zsh.
 namespace viscera::app::cli {
 
-/// The words that a shell offers for a type of value, by the name that options give it: {"ID",
-/// {"s-celestial", ...}}.
+/// The words that a shell offers as completions, by the type of an option's value: {"ID", {"s-celestial",
+/// ...}}.
 using ValueWords = std::map<std::string, std::vector<std::string>>;
 
 /// The options of `app`, without its positionals, or the positionals alone, in the order of `--help`. Options

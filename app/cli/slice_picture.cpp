@@ -43,7 +43,7 @@ SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequ
   drawn.setWindow(window.window());
   drawn.setTheme(stage.theme == "light" ? scene::lightTheme() : scene::darkTheme());
   scene::SlicePicture picture = presenter.picture(slice.direction);
-  picture.cross.reset(); // A picture has nobody who points at something.
+  picture.cross.reset(); // A picture has no mouse, so no crosshair is drawn.
   drawn.show(picture);
   SliceOutcome outcome;
   outcome.image = scene::grabPicture(window.window());

@@ -10,7 +10,7 @@
 namespace viscera::app::cli {
 namespace {
 constexpr int kSmallest = 16;
-constexpr int kLargest = 16384; ///< What OpenGL drivers can be relied on to draw.
+constexpr int kLargest = 16384; ///< The largest size that all OpenGL drivers can draw.
 } // namespace
 
 PictureSize pictureSize(const std::string& text) {

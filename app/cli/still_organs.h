@@ -35,7 +35,7 @@ public:
   const Points& shownPose() const override { return pose_; }
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
   std::uint64_t revision(document::OrganId) const override { return 1; }
-  /// Nobody here measures.
+  /// Volumes are not measured.
   live::OrganVolume volume(document::OrganId) override { return {}; }
   std::vector<live::OrganVolume> volumes(const std::vector<document::OrganId>& organs) override {
     return std::vector<live::OrganVolume>(organs.size());

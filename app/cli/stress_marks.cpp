@@ -21,7 +21,7 @@ constexpr const char* kProfile = "--profile";
 /// Of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
 constexpr double kOnSkin = 1e-9;
 
-/// What is known of a point; null where it lies in no tissue.
+/// The values at a point; null if it lies in no tissue.
 ordered_json jsonOf(const live::StressReading& reading) {
   const auto known = [&](const ordered_json& value) {
     return reading.inTissue ? value : ordered_json(nullptr);

@@ -10,17 +10,17 @@
 
 namespace viscera::app::cli {
 
-/// `--probe` and `--profile` of `viscera stress` with their tables: what the window's pinned probes and their
-/// profiles say, by the same numbers.
+/// `--probe` and `--profile` of `viscera stress` and their tables, with the same numbers as the window's
+/// pinned probes and profiles.
 class StressMarkOptions {
 public:
   void addTo(CLI::App& options);
 
-  /// Throws `UsageError` for texts that are no points or lines, and for a table of what is not asked for.
+  /// Throws `UsageError` for texts that are no points or lines, and for a table without probes or profiles.
   void check() const;
 
-  /// Reads them from a map at the points of `mesh` and writes the tables; adds to the outcome's JSON, text
-  /// and warnings.
+  /// Interpolates the values in a map at the points of `mesh` and writes the tables; adds to the outcome's
+  /// JSON, text and warnings.
   void read(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
             const deformation::StressMap& map, Outcome& outcome) const;
 

@@ -14,7 +14,7 @@ class SystemOptions {
 public:
   void addTo(CLI::App& options);
 
-  /// The system asked for. Throws `UsageError` that lists those there are.
+  /// The chosen system. Throws `UsageError` that lists the existing ones.
   std::shared_ptr<const coordinates::CoordinateSystem> system(const CommandContext& context) const;
 
   /// The values given for it, checked, with the threads. Throws `UsageError` for what is not `name=value`,

@@ -22,19 +22,19 @@ public:
 
   /// Everything about an action but what it does.
   struct Description {
-    QString text;                  ///< In a menu, with its mnemonic.
-    const char* icon = nullptr;    ///< Of the icon set.
+    QString text;                  ///< The text in a menu, with its mnemonic.
+    const char* icon = nullptr;    ///< A name of the icon set.
     QList<QKeySequence> shortcuts; ///< The first is shown.
     QString tip;                   ///< A sentence; the shortcut is added to it.
   };
 
   QAction* add(const char* id, const Description& description, std::function<void()> run);
   QAction* addToggle(const char* id, const Description& description, bool on, std::function<void(bool)> run);
-  /// These can be used while `allowed` says so; `sync` asks it.
+  /// Enables these actions while `allowed` returns true; `sync` calls it.
   void enableWhile(const std::vector<const char*>& ids, std::function<bool()> allowed);
-  /// Calls `bring` whenever actions are to be as things are now.
+  /// Calls `bring` in every `sync`, so that it can update the state of actions.
   void onSync(std::function<void()> bring) { syncs_.push_back(std::move(bring)); }
-  /// Brings all actions to what things are now; after every change that they may depend on.
+  /// Updates which actions are enabled and checked. Call it after every change that they may depend on.
   void sync();
   /// Asserts that it exists.
   QAction* operator[](const char* id) const;

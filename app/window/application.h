@@ -12,7 +12,7 @@ class Application final : public QApplication {
 public:
   using QApplication::QApplication;
 
-  /// Does some work and says, by true, that nothing was thrown; such as `Workspace::guarded`.
+  /// Calls a function and returns true if it did not throw; such as `Workspace::guarded`.
   using Guard = std::function<bool(const std::function<void()>&)>;
   /// Empty: exceptions pass through, as tests want them.
   void setGuard(Guard guard) { guard_ = std::move(guard); }

@@ -11,19 +11,19 @@
 namespace viscera::app {
 
 /// Shows a message when an organ cannot be bound to its handles, with a remedy, and removes it when the organ
-/// is bound. What a binding had to cut or leave out is told once.
+/// is bound. A message also lists once what a binding had to cut or leave out.
 class BindingMessages final : public QObject {
   Q_OBJECT
 
 public:
-  /// Offers change the document of `mended`, of which that of `workspace` may be a mirror image; null: its
-  /// own.
+  /// The remedies that a message offers change the document of `mended`, of which the document of `workspace`
+  /// may be a copy; null: they change the document of `workspace`.
   BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr,
                   Workspace* mended = nullptr);
   ~BindingMessages() override;
 
 Q_SIGNALS:
-  /// Everything is bound anew; how long that took.
+  /// All organs were bound anew, in so many seconds.
   void bound(double seconds);
 
 private:

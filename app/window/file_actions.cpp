@@ -220,7 +220,7 @@ QString FileActions::unopenedBeside(const std::filesystem::path& file) const {
                                               : QString();
 }
 
-/// What was thrown is of the first file alone: those that are not there are all named.
+/// The exception only concerns the first file, so the message lists all missing files.
 void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
   const QStringList missing = missingAmong(files);
   if (missing.isEmpty())
@@ -256,7 +256,7 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
 }
 
 bool FileActions::replacesPresent() const {
-  // What the program made itself was only there to look at.
+  // Sample organs are replaced by opened files.
   const document::OrganList& present = workspace_.document().organs();
   return std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
 }
@@ -284,12 +284,13 @@ void FileActions::reviewOrImport(document::ImportDraft draft, const QStringList&
 
 void FileActions::take(const document::ImportDraft& draft, const QStringList& files) {
   document::OpenedFiles opened = document::accepted(draft);
-  opened.warnings.clear(); // Who checked them has seen them; they stay with the organs.
+  opened.warnings.clear(); // The user has seen them in the check; they stay with the organs.
   take(std::move(opened), files);
 }
 
 void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
-  // Before they come: list, charts, pictures and maps are made anew for every change of the organs there are.
+  // Before the organs are added, because list, charts, pictures and maps are rebuilt for every change of
+  // present organs.
   colorByTissue(opened.organs);
   const document::OrganList& present = workspace_.document().organs();
   const bool replaces = !opened.organs.empty() && replacesPresent();
@@ -370,7 +371,7 @@ void FileActions::loadCage(const QString& file) {
 
 void FileActions::takeCage(const document::GivenCage& cage, const QString& file) {
   const int vertices = static_cast<int>(cage.mesh->points.rows());
-  workspace_.note( // First: what binding to it has to say counts more.
+  workspace_.note( // First, because messages about the binding are more important.
       document::handlesAtAllVertices(workspace_.document().rig(), *cage.mesh)
           ? tr("The handles at the vertices of %1 are now the corners of the cage.").arg(text(cage.name))
           : tr("The %n vertices of %1 are now the handles.", nullptr, vertices).arg(text(cage.name)));

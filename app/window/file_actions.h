@@ -30,16 +30,17 @@ public:
   /// Adds "file.open", "file.openFolder", "file.check", "file.export", "handles.save" and "cage.load".
   void addTo(Actions& actions);
 
-  /// Who gets files of which something should be looked at before they are accepted, and gives them back by
-  /// `take`. Without anybody they are taken as they are.
+  /// Called with files whose contents the user should check before they are accepted by `take`. Without a
+  /// checker, files are accepted as they are.
   using Checker = std::function<void(document::ImportDraft, const QStringList&)>;
   void setChecker(Checker checker) { checker_ = std::move(checker); }
 
-  /// Who shows organs while their files are still being read. Without anybody they are seen when all are
-  /// there.
+  /// Sets the object that shows organs while other files are still being read. Without one, organs are shown
+  /// when all files have been read.
   void setArrivingSurfaces(ArrivingSurfaces* arriving) { arriving_ = arriving; }
 
-  /// Takes what opens a session file, which replaces everything. Without one, sessions are refused.
+  /// Sets the function that opens a session file, which replaces everything. Without one, sessions are
+  /// refused.
   void setSessionOpener(std::function<void(const QString& file)> opener) { openSession_ = std::move(opener); }
 
   /// Asks for files and opens them; with `check` they go to the checker even if nothing is odd.
@@ -48,11 +49,11 @@ public:
   void chooseAndOpenFolder();
   /// Opens organs, label maps and handles as one undo step, and a scan as another. Sample organs make room
   /// for the first files; later ones come beside those there are. Organs that come without handles get some.
-  /// Files that cannot be read are said, and the others opened.
+  /// A message lists the files that cannot be read; the others are opened.
   void open(const QStringList& files, bool check = false);
-  /// Whether what is opened takes the place of what is there: of nothing, or of samples alone.
+  /// Whether opened files replace the present organs: true when there are none, or sample organs only.
   bool replacesPresent() const;
-  /// Adds what a draft has accepted to the document.
+  /// Adds the accepted parts of a draft to the document.
   void take(const document::ImportDraft& draft, const QStringList& files);
   /// Asks where to, and writes the handles at rest as `.mrk.json`.
   void chooseAndSaveHandles();
@@ -75,16 +76,16 @@ Q_SIGNALS:
   void scanOpened();
   /// There are several series of scans at a place, to choose from; none was opened.
   void scansFound(const QString& place);
-  /// These files were looked at, and nothing was odd.
+  /// These files were checked, and nothing was found.
   void foundNothingOdd(const QStringList& files);
   void recentFilesChanged();
 
 private:
-  /// What was read of some files.
+  /// The contents of the files that were read.
   struct Read {
     document::ImportDraft draft;
     std::shared_ptr<const document::ScanItem> scan; ///< Null: none of them was one.
-    bool several = false; ///< There are several series to choose from; nothing was read.
+    bool several = false; ///< There are several series to choose from, and none was read.
   };
 
   /// Reads what can be read, for a worker; throws what one of the files throws where that is nothing.
@@ -92,10 +93,10 @@ private:
                       const document::ArrivingOrganListener& arrives, document::Sessions sessions,
                       Progress& progress);
   QString folder() const;
-  /// A line for each that is not there.
+  /// One line for each file that does not exist.
   static QStringList missingAmong(const QStringList& files);
   void sayNothingOpened(const Error& error, const QStringList& files, bool check);
-  /// Offers to look for what is missing.
+  /// Shows the problems in one message, with an offer to look for missing files.
   void sayProblems(const QStringList& missing, const QStringList& failures, bool check);
   void takeRead(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);

@@ -17,21 +17,21 @@ public:
   explicit HandlePlacer(Workspace& workspace, QObject* parent = nullptr);
 
   const deformation::Placement& placement() const { return placement_; }
-  /// The fewest and the most that can be asked for.
+  /// The smallest and the largest number of handles that can be chosen.
   int fewest() const { return placement_.enclosing ? 9 : 4; }
   int most() const { return 200; }
 
-  /// Takes the choice and places anew; all choices until `finish` are one undo step.
+  /// Sets the number of handles and places them anew; all changes until `finish` are one undo step.
   void setCount(int count);
   void setEnclosing(bool enclosing);
   void finish();
-  /// Places with the present choice.
+  /// Places the chosen number of handles.
   void place();
   /// The command that places around an organ with the present choice, the enclosing ones around all organs of
   /// the document: every one of them can be bound. May throw `DataError`.
   document::Command command(const document::Organ& organ) const;
-  /// The same for an organ that has just come: where its surface has no room for as many handles, the corners
-  /// of a box around it, so that no organ is refused for its handles.
+  /// The same for an organ that was just added: where its surface has no room for as many handles, the
+  /// corners of a box around it, so that no organ is refused for its handles.
   document::Command commandOrBox(const document::Organ& organ) const;
 
 Q_SIGNALS:

@@ -24,7 +24,7 @@ void Help::makeCards(const QMenuBar& menus, QMenu* samples) {
   parts_.area.addCard(shortcuts_, Qt::AlignCenter);
   connect(welcome_, &WelcomeCard::openRequested, &parts_.files, [this] { parts_.files.chooseAndOpen(); });
   connect(welcome_, &WelcomeCard::tourRequested, this, &Help::startTour);
-  // Who has gone on to another mode is welcome already.
+  // After a change of the mode, the welcome card is not needed any more.
   connect(&parts_.modes, &ModeController::changed, this, [this] { showWelcome(false); });
   connect(welcome_, &WelcomeCard::closed, this,
           [this] { parts_.settings.setValue("window/welcome", false); });

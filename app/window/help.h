@@ -21,7 +21,7 @@ class Help final : public QObject {
   Q_OBJECT
 
 public:
-  /// What help speaks of and where it stands; all have to live longer.
+  /// The parts of the window that the help explains and over which it is shown; all have to live longer.
   struct Parts {
     Workspace& workspace;
     Playback& playback;
@@ -37,7 +37,7 @@ public:
   /// Makes the cards over the view, once the menus are there; `samples` is the one of sample organs.
   void makeCards(const QMenuBar& menus, QMenu* samples);
   void showWelcome(bool shown);
-  /// Puts the list of keys away, or else ends the tour; false when neither was there.
+  /// Closes the list of shortcuts, or else ends the tour; false when neither is open.
   bool close();
 
 private:

@@ -19,7 +19,7 @@ class PhraseTranslator;
 /// A language of the window.
 struct Language {
   QString code; ///< Of ISO 639, such as "de"; also the name of its file in resources/translations.
-  QString name; ///< In itself: "Deutsch".
+  QString name; ///< In the language itself: "Deutsch".
 };
 
 /// All languages of the window, English first.
@@ -69,12 +69,12 @@ inline constexpr double kPercent = 100, kMsPerSecond = 1000;
 /// with so many significant digits. What is written as zero has no sign: never "-0.000".
 QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
-/// What the language of the window writes before decimals, for texts that are drawn: ',' in German.
+/// The decimal mark of the window's language, for texts that are drawn: ',' in German.
 char decimalMark();
-/// What stands between the numbers of a list: ", ", or "; " where decimals follow a comma: "80,5; 163,3".
+/// The separator between the numbers of a list: ", ", or "; " where decimals follow a comma: "80,5; 163,3".
 QString listSeparator();
 
-/// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
+/// Parses a typed number, with the language's decimal mark or a point; empty if the text is not a number.
 std::optional<double> numberIn(const QString& typed);
 
 } // namespace viscera::app

@@ -265,7 +265,7 @@ void MainWindow::connectHints() {
   hint();
   connect(modes_.get(), &ModeController::dragTakenBack, this,
           [this] { workspace_.note(tr("Viscera cancelled the drag because you chose another mode.")); });
-  // Why a drag stops is said where the hint of the mode stands.
+  // The reason why a drag stops is shown in place of the mode's hint.
   connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {
     if (obstacle.isEmpty())
       hint();

@@ -45,7 +45,7 @@ class ViewArea;
 class VolumePanel;
 class WindowLayout;
 
-/// The main window of the program: creates the parts and connects them. What the parts do is in the parts.
+/// The main window of the program: creates the parts of the window and connects them to each other.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -85,7 +85,8 @@ public:
   void setMode(const std::string& id) { modes_->choose(id); }
   void setTheme(ThemeKind kind);
   void showWelcome(bool shown);
-  /// Another way to ask than a dialog whether to close while these files are being written, for tests.
+  /// For tests: replaces the dialog that asks whether to close the window while these files are being
+  /// written.
   void setUnwrittenQuestion(std::function<bool(const QStringList& names)> question) {
     unwrittenQuestion_ = std::move(question);
   }
@@ -130,7 +131,7 @@ private:
   std::unique_ptr<ImportController> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;
-  ExploreMode* explore_ = nullptr; ///< Among the modes, as the next two.
+  ExploreMode* explore_ = nullptr; ///< Owned with the other modes, as are the next two.
   StressMode* stress_ = nullptr;
   PlayMode* play_ = nullptr;
   ViewActions* views_ = nullptr;

@@ -21,9 +21,9 @@ namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
 
-/// Gives an entry whose letter another one of the menu (or of the bar) has already another letter (none, when
-/// it stands in several menus): the first of a word, else any, else none. With two entries of one letter a
-/// key only marks the first of them.
+/// Gives an entry whose mnemonic is already used in the menu (or bar) another letter (none, if it is in
+/// several menus): the first of a word, else any, else none. With two entries of one letter a key only marks
+/// the first of them.
 void giveLetters(const QWidget& menu) {
   QSet<QChar> taken;
   for (QAction* action : menu.actions()) {
@@ -40,7 +40,7 @@ void giveLetters(const QWidget& menu) {
     const auto widgets = action->associatedWidgets();
     const bool elsewhere = std::count_if(widgets.begin(), widgets.end(), [](const QWidget* widget) {
                              return qobject_cast<const QMenu*>(widget) != nullptr;
-                           }) > 1; // There the new letter might be another one's.
+                           }) > 1; // There the new letter might be in use.
     for (const bool starts : {true, false})
       for (int i = 0; !elsewhere && place < 0 && i < label.size(); ++i)
         if (label[i].isLetter() && !taken.contains(label[i].toLower()) &&

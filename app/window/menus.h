@@ -21,7 +21,7 @@ class Menus final : public QObject {
   Q_OBJECT
 
 public:
-  /// What the menus lead to; all have to live longer.
+  /// The parts of the window that the menus call; all have to live longer.
   struct Parts {
     Actions& actions;
     const ModeController& modes;
@@ -39,7 +39,7 @@ public:
   QMenu* samples() const { return samples_; }
 
 public Q_SLOTS:
-  /// The files opened last are others.
+  /// Fills the menu of recently opened files.
   void fillRecent();
 
 private:

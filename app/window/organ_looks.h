@@ -10,11 +10,11 @@
 /// Changes how several organs look. Each change is one undo step; nothing happens where nothing would change.
 namespace viscera::app {
 
-/// The next change of the same name and organs joins the step until `UndoStack::seal`.
+/// Further changes with the same name and organs are merged into the step until `UndoStack::seal`.
 void changeLooks(Workspace& workspace, const QString& name, const std::vector<document::OrganId>& organs,
                  const std::function<void(document::OrganLook&)>& change);
 
-/// Shows the organs of which `visible` says so, and hides all others.
+/// Shows the organs for which `visible` returns true, and hides all others.
 void showWhere(Workspace& workspace, const QString& name,
                const std::function<bool(const document::Organ&)>& visible);
 

@@ -157,7 +157,7 @@ QString PhraseTranslator::ofTwoNames(const QString& text) const {
 }
 
 QString PhraseTranslator::translateWhole(const QString& text) const {
-  // An error begins with a capital letter, whoever says it (viscera/core/error.h).
+  // The texts of errors always begin with a capital letter (viscera/core/error.h).
   QString small = text;
   small[0] = small[0].toLower();
   if (const QString exact = exactly(text.toUtf8().constData()); !exact.isEmpty())

@@ -10,8 +10,9 @@
 namespace viscera::app {
 
 /// Qt's translator, which also translates texts that the numerical modules put together from parts
-/// (viscera/core/phrase.h): it finds the pattern that a text was made of, and translates the pattern and the
-/// parts. "Lock 3 handles" was made of "Lock {handle|%n handles}", and is "3 Griffe sperren" in German.
+/// (viscera/core/phrase.h): it finds the pattern from which a text was made, and translates the pattern and
+/// the parts. "Lock 3 handles" was made from "Lock {handle|%n handles}", and becomes "3 Griffe sperren" in
+/// German.
 ///
 ///     PhraseTranslator translator;
 ///     translator.load("viscera_de", ":/viscera/translations");
@@ -22,7 +23,8 @@ class PhraseTranslator final : public QTranslator {
 public:
   using QTranslator::QTranslator;
 
-  /// Takes the texts with places in them out of a file of translations. One that cannot be read has none.
+  /// Reads the patterns, texts with places for parts, from a file of translations. A file that cannot be read
+  /// has no patterns.
   void readPatterns(const QString& file);
 
   /// Takes the names and messages of a plugin out of a compiled file of translations. What the program itself
@@ -37,26 +39,26 @@ public:
 private:
   /// What one form of a pattern, for one or for several, looks like.
   struct Form {
-    QString source;     ///< Of the pattern, as the file of translations has it.
+    QString source;     ///< The source text of the pattern in the file of translations.
     bool one = true;    ///< For the number 1, or without any number.
     bool joins = false; ///< It has no words of its own ("%1: %2"), and would be found in nearly any text.
     QStringList literals;
     std::vector<int> places; ///< Between the literals: 1 to 9; 0 is the number.
   };
   static Form formOf(const QString& source, bool one);
-  /// What a text has in the places of a form, in their order; nothing when the form did not make it.
+  /// The parts of a text at the places of a form, in their order; empty if the text does not match the form.
   static std::optional<QStringList> partsIn(const QString& text, const Form& form);
   QString made(const Form& form, const QStringList& parts) const;
-  /// By the exact text, else by the most particular pattern that gives it, with a capital letter or without;
-  /// those that only join their parts come last.
+  /// Translates by the exact text, else by the most specific pattern that matches it, with a capital letter
+  /// or without; those that only join their parts come last.
   QString translateWhole(const QString& text) const;
   /// The translation of exactly this text, here or of a plugin; null when there is none.
   QString exactly(const char* text, int n = -1) const;
-  /// Of a name with a number behind it, as sequences give to handles ("LV endocardium 3"): the name's
-  /// translation with the number; null when there is none.
+  /// The translation of a name with a number behind it, as sequences name handles ("LV endocardium 3"); null
+  /// when the name has none.
   QString numbered(const std::string& text) const;
-  /// Of a name that another follows, as a circulation's beat has it ("Heartbeat: Rest"), where the pattern
-  /// of the first ("Heartbeat: %1") has a translation; else null.
+  /// The translation of two names joined by a colon, such as the name of a circulation's beat ("Heartbeat:
+  /// Rest"), if the pattern of the first ("Heartbeat: %1") has a translation; else null.
   QString ofTwoNames(const QString& text) const;
   /// A part of a text: in words where it has a translation, a number with the decimal mark of the language,
   /// and what stands in quotes as it is, with the marks of the language.
@@ -66,10 +68,10 @@ private:
   std::vector<Form> forms_; ///< Those with more letters of their own come first.
 };
 
-/// What the numerical modules say in English (steps, warnings, errors, tasks), in the language of the window;
-/// as it is when it has no translation. Names are not messages: an organ may be called "Open heart", which is
-/// no step (`inWords`). A phase of a sequence is a message here: the keys of a recorded one are numbered
-/// ("key 3").
+/// Translates a message of the numerical modules (steps, warnings, errors, tasks) into the language of the
+/// window; as it is when it has no translation. Names are not messages: an organ may be called "Open heart",
+/// which is no step (`inWords`). A phase of a sequence is a message here: the keys of a recorded one are
+/// numbered ("key 3").
 QString messageInWords(const std::string& text);
 
 } // namespace viscera::app

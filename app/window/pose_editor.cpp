@@ -31,7 +31,7 @@ PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* pa
   }));
 }
 
-/// Other organs are locked, or they are bound in another way.
+/// Prepares the locks after the locked organs or their bindings have changed.
 void PoseEditor::prepareLocks() {
   keeper_.dropOutdated();
   prepareSoon_.start();
@@ -50,7 +50,7 @@ bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId
   return begun;
 }
 
-/// Poses the handles as the motion answers the wish. What is wanted beyond that is said, once.
+/// Applies the motion as far as the locks allow. An error is reported once per gesture.
 void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   if (!motion_)
     return;

@@ -11,24 +11,24 @@
 
 namespace viscera::app {
 
-/// Moves handles in the pose, for the mouse and for typed numbers: it keeps the locked volumes, mirrors where
-/// that is wanted, and makes one undo step of every gesture.
+/// Moves handles in the pose, for the mouse and for typed numbers: it keeps the locked volumes, mirrors the
+/// motion if a mirror is on, and makes one undo step of every gesture.
 class PoseEditor final : public QObject {
   Q_OBJECT
 
 public:
-  /// `model` says which mirror is on.
+  /// `model` holds which mirror is on.
   PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent = nullptr);
 
   /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on; `plane`:
-  /// the unit normal of the plane that its translations keep to. When it is not possible now, says why and
-  /// returns false.
+  /// the unit normal of the plane that its translations keep to. If that is not possible now, shows a message
+  /// and returns false.
   bool begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored,
              const std::optional<Vec3>& plane = std::nullopt);
   bool active() const { return motion_.has_value(); }
   /// The motion of the present gesture, or null.
   const live::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }
-  /// What is wanted since the gesture began. Nothing happens without one.
+  /// Sets the whole motion since the gesture began. Nothing happens without a gesture.
   void translate(const Vec3& by) {
     follow([&by](live::LockedMotion& motion) { motion.translate(by); });
   }
@@ -41,22 +41,22 @@ public:
   void finish() { end(&document::UndoStack::Step::finish); }
   void cancel() { end(&document::UndoStack::Step::cancel); }
 
-  /// Moves handles by a vector, mm, and mirrors it. Returns how far the first one went, or nothing when that
-  /// was not possible.
+  /// Moves handles by a vector, mm, mirrored if a mirror is on. Returns the motion of the first one, or empty
+  /// if that was not possible.
   std::optional<Vec3> moveBy(const std::vector<document::HandleId>& handles, const Vec3& by);
-  /// Puts handles back to rest; under a lock others make up for the volume.
+  /// Moves handles back to rest; with locked volumes, other handles compensate.
   void reset(const std::vector<document::HandleId>& handles);
-  /// Gives an organ another volume; false when it cannot be reached. Like what follows, it ends a gesture:
-  /// the locked volumes are others after it.
+  /// Gives an organ another volume; false when it cannot be reached. Like the functions below, it ends the
+  /// present gesture, because it changes the locked volumes.
   bool setVolume(document::OrganId organ, double milliliters);
   /// Locks or unlocks organs' volumes in one undo step; offers to close surfaces that are open.
   void setLocked(const std::vector<document::OrganId>& organs, bool locked);
-  /// Makes the selected handles compensate, or no longer.
+  /// Sets whether the selected handles compensate.
   void setCompensating(bool compensating);
 
-  /// The plane, when a mirror is on and there is an organ.
+  /// The mirror plane; none when no mirror is on or there is no organ.
   std::optional<deformation::MirrorPlane> mirrorPlane() const;
-  /// Which handles would mirror the selected ones.
+  /// The mirror partners of the selected handles.
   std::vector<document::HandleId> partnersOfSelection() const;
 
 Q_SIGNALS:
@@ -75,9 +75,9 @@ private:
   Workspace& workspace_;
   const ViewModel& model_;
   live::VolumeKeeper keeper_;
-  QTimer prepareSoon_; ///< Once handles at rest and locks are left as they are.
+  QTimer prepareSoon_; ///< Ends when handles at rest and locks have not changed for a while.
   std::optional<live::LockedMotion> motion_;
-  std::optional<document::UndoStack::Step> step_; ///< Of the present gesture.
+  std::optional<document::UndoStack::Step> step_; ///< The undo step of the present gesture.
   QString obstacle_;
   std::vector<Subscription> subscriptions_;
 };

@@ -61,7 +61,7 @@ void waitWhile(int milliseconds) {
   waitFor([] { return false; }, milliseconds);
 }
 
-/// What the options name, or the sample organ; with `play` the motion of that starts.
+/// Loads the files of the options, or the sample organ; with `play` its motion starts.
 void load(MainWindow& window, const WindowOptions& options, bool play) {
   QStringList files;
   for (const std::string& file : options.files)
@@ -196,7 +196,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   QStringList problems;
   for (const std::string& problem : systems.problems)
     problems.push_back(asSentence(problem));
-  if (!problems.isEmpty()) // Together: a second message would take the place of the first.
+  if (!problems.isEmpty()) // In one message, because a second one would replace the first.
     window.workspace().say({Message::Severity::warning, problems.join(QLatin1Char('\n')), {}, 0});
   if (!options.freshSettings) {
     window.sessions().startAutosave(document::standardRecoveryFolder());

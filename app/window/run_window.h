@@ -6,22 +6,22 @@ class QApplication;
 
 namespace viscera::app {
 
-/// Sets up what has to be set before the QApplication is created: the surface format that VTK needs, high
-/// density.
+/// Sets the attributes that Qt needs before the QApplication is created: the surface format for VTK, and
+/// high-DPI scaling.
 void prepareForApplication();
 
-/// Name, version, and the plurals of the English texts.
+/// Sets name and version of the application, and installs the plurals of the English texts.
 void setUpApplication(QApplication& application);
 
 class SessionFiles;
 
-/// The display has gone, and the program is about to end: keeps unsaved work, and says on stderr what became
-/// of it.
+/// Called when the connection to the display is lost and the program is about to end: saves unsaved work in
+/// the recovery file, and reports the result on stderr.
 void keepWithoutDisplay(SessionFiles& sessions) noexcept;
 
 /// Runs the window until the user closes it and returns the exit code. Makes the QApplication: call it once,
-/// from the main thread, before anything of Qt's. Needs a display: without one it says so on stderr and
-/// returns 69.
+/// from the main thread, before anything of Qt's. Needs a display: without one it writes an error to stderr
+/// and returns 69.
 int runWindow(int argc, char** argv, const WindowOptions& options);
 
 } // namespace viscera::app

@@ -24,26 +24,26 @@ class SampleLoader final : public QObject {
 public:
   SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent = nullptr);
 
-  /// The samples there are, by name; empty when none are installed.
+  /// The names of the installed samples.
   QStringList names() const;
   /// What a sample is called in the window's language, within a sentence and by itself: "left kidney" and
   /// "Left kidney" for "kidney_left".
   static QString nameInWords(const QString& name);
   static QString title(const QString& name);
-  /// Takes the place of everything in the document, as one undo step. With `play` its motion starts at once,
-  /// in a mode that shows motions.
+  /// Replaces everything in the document by a sample, as one undo step. With `play` its motion starts at
+  /// once, in a mode that shows motions.
   void load(const QString& name, bool play);
 
 Q_SIGNALS:
-  /// `untouched`: there was no work before that anybody had to save. `first`: nothing was there at all.
+  /// `untouched`: the document held no unsaved work before. `first`: the document was empty before.
   void loaded(const QString& name, bool untouched, bool first);
 
 private:
-  /// What a worker makes.
+  /// The result of the worker.
   struct Sample {
     std::vector<document::NewOrgan> organs;
     std::shared_ptr<const sequences::Sequence> motion;
-    std::string recipe;   ///< Of the motion.
+    std::string recipe;   ///< The recipe of the motion.
     document::NewRig rig; ///< The motion's handles.
     document::SystemChoice system;
   };

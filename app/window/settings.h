@@ -15,8 +15,8 @@ namespace viscera::app {
 inline constexpr const char* kFolderKey = "files/folder";
 inline constexpr const char* kSequencesFolderKey = "files/sequences";
 
-/// The user's settings of the window, an INI file under `$XDG_CONFIG_HOME/viscera`. Passed to whoever needs
-/// it.
+/// The user's settings of the window, an INI file under `$XDG_CONFIG_HOME/viscera`. Passed by reference to
+/// the parts of the window that need it.
 class Settings {
 public:
   /// Keeps everything in `file`; an empty name keeps nothing (tests, screenshots).
@@ -29,10 +29,10 @@ public:
 
   QVariant value(const char* key, const QVariant& standard = {}) const;
   void setValue(const char* key, const QVariant& value);
-  /// The folder remembered by this key; where there is none or it is gone, the user's standard one for what
-  /// is kept in it; where that is not there either, the home folder.
+  /// The folder remembered under this key; if there is none or it does not exist, the user's standard folder
+  /// for such files; if that does not exist either, the home folder.
   QString folder(const char* key, QStandardPaths::StandardLocation standard) const;
-  /// What is kept in memory.
+  /// The settings that are kept in memory.
   QVariantMap values() const { return memory_.value_or(QVariantMap()); }
   /// Forgets one value.
   void remove(const char* key);

@@ -37,7 +37,8 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   bar->addPermanentWidget(job_);
   connect(&volumes, &VolumeMonitor::shown, this, &StatusLine::syncVolume);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
-    if (change.organs()) // A pose's volumes are said together with the list's and the chart's.
+    if (change.organs()) // After a change of the pose, volumes are updated together with those of the list
+                         // and the chart.
       syncVolume();
     syncBinding();
   }));
@@ -144,7 +145,8 @@ void StatusLine::syncJobs() {
                                : tr("%1: %2").arg(messageInWords(job.name), messageInWords(job.step));
       step_->setText(step_->fontMetrics().elidedText(said, Qt::ElideMiddle, kJobWidth));
       step_->setToolTip(said);
-      progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // Of both ends 0: it cannot say how far it is.
+      progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // A range of 0 to 0 shows that the progress is
+                                                           // unknown.
       progress_->setValue(static_cast<int>(1000 * job.fraction));
       return job_->show();
     }

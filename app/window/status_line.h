@@ -22,7 +22,7 @@ public:
   StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar);
 
   void setHint(const QString& hint);
-  /// Shows the jobs of another queue as well, which has to live until it is no longer watched.
+  /// Also shows the jobs of another queue, which has to live until it is unwatched.
   void watch(JobQueue& jobs);
   void unwatch(JobQueue& jobs);
 

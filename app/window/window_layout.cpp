@@ -44,7 +44,7 @@ constexpr int kBetweenPanels = 4;
 /// What a window manager draws around the window, at most.
 constexpr QSize kWindowFrame(16, 48);
 
-/// What the settings and the user's choices call a panel in a mode.
+/// The key of a panel in a mode, for the settings and the user's choices.
 QString nameIn(const std::string& mode, const QDockWidget& dock) {
   return QString::fromStdString(mode) + QLatin1Char('/') + dock.objectName();
 }
@@ -257,8 +257,9 @@ void WindowLayout::fitPanels() {
   QTimer::singleShot(0, this, &WindowLayout::giveWidths); // Those that were shown just now have their place.
 }
 
-/// The timeline has the height of its rows, of which a sequence has more than another. Qt takes them from the
-/// chart and gives them to the view. Qt has not laid the window out anew yet when this hears of it.
+/// The height of the timeline depends on the number of its rows, which depends on the sequence. When it
+/// changes, Qt resizes the chart and gives the difference to the view, so the heights are set again. This
+/// filter receives the event before Qt has laid out the window.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &window_) {
     watchWindow(*event);
@@ -310,8 +311,8 @@ void WindowLayout::giveWidths() {
     window_.resizeDocks(docks, widths, Qt::Horizontal);
 }
 
-/// What Qt made of the heights that were given is no wish of the user: taken for one, panels would shrink
-/// from mode to mode.
+/// Remembers the heights that the user has set. Heights that differ from the requested ones because of Qt's
+/// layout are ignored; otherwise panels would shrink with every change of the mode.
 void WindowLayout::learnHeights() {
   for (auto known = heights_.begin(); known != heights_.end(); ++known)
     if (known.key()->isVisible() && !resizing_ && heightOf(*known.key()) != settled_.value(known.key(), -1))

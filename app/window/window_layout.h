@@ -29,7 +29,7 @@ class WindowLayout final : public QObject {
   Q_OBJECT
 
 public:
-  /// What stands in the window beside the view, which owns it.
+  /// The panels of the window beside the view; the window owns them.
   struct Panels {
     QWidget* rail;
     QWidget* organs;
@@ -47,20 +47,20 @@ public:
   void place(const Panels& panels);
   /// The docks that can be shown and hidden.
   const std::vector<PanelDock*>& docks() const { return docks_; }
-  /// The panel of imports is only there while files are looked at: in front of the properties, in no menu.
+  /// The import panel, shown in front of the properties while files are checked; it is in no menu.
   PanelDock* imports() const { return imports_; }
   void showImports();
   void hideImports();
-  /// Shows the panels that this mode has a use for, or the user wants in it.
+  /// Shows the panels that this mode needs or that the user has shown in it.
   void follow(const Mode& mode);
-  /// With `bare` the view stands alone: no panels, menus, modes and status.
+  /// With `bare` only the view is shown: no panels, menus, modes and status bar.
   void setBare(bool bare);
   bool bare() const { return bare_; }
 
-  /// Makes the charts' panel at least so high; nothing: as high as it was before that.
+  /// Makes the charts' panel at least so high; empty: restores its height before that.
   void fitCharts(std::optional<int> height);
 
-  /// As the settings have it; after `place`.
+  /// Restores the layout from the settings; call it after `place`.
   void restore(const Settings& settings);
   void save(Settings& settings) const;
 
@@ -87,7 +87,7 @@ private:
   void fitPanels();
   bool eventFilter(QObject* watched, QEvent* event) override;
   void learnHeights();
-  /// Gives them now and once Qt has laid the panels out.
+  /// Sets the heights now, and again after Qt has laid out the panels.
   void keepHeights();
   void giveHeights();
   int heightOf(const QDockWidget& dock) const;
@@ -95,7 +95,7 @@ private:
   void watchWindow(const QEvent& event);
   void giveWidths();
 
-  /// How wide a panel is by the user's wish, in a window of that width.
+  /// The width that the user gave a panel, and the width of the window at that time.
   struct Width {
     int panel;
     int window;
@@ -114,9 +114,9 @@ private:
   std::optional<int> chartsBefore_; ///< Their height before `fitCharts` made them higher.
   bool importing_ = false;
   bool bare_ = false;
-  bool wasFullScreen_ = false; ///< Before it was bare.
+  bool wasFullScreen_ = false; ///< Whether the window was in full screen before it was bare.
   QToolBar* rail_ = nullptr;
-  std::string mode_; ///< The one followed, and what it has a use for.
+  std::string mode_; ///< The mode passed to `follow`, and the panels that it needs.
   UsefulPanels useful_;
   /// What the user has chosen, by "mode/panel".
   QVariantMap chosen_;

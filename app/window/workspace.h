@@ -15,8 +15,8 @@
 
 namespace viscera::app {
 
-/// The open document with its binding, workers and messages, shared by all parts of the window. Parts read
-/// the document and change it by `perform` only; what goes wrong becomes a message over the view.
+/// The open document with its binding, workers and messages, shared by all parts of the window. The parts
+/// read the document and change it by `perform` only; errors are shown as a message over the view.
 class Workspace final : public QObject {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
   JobQueue& jobs() { return jobs_; }
   live::LiveBinding& live() { return live_; }
   live::LiveStress& stress() { return stress_; }
-  /// What bends the scan along with the pose: one for the slices, the 3D view and the status line.
+  /// Deforms the scan by the present pose; shared by the slices, the 3D view and the status line.
   live::LiveBend& bend() { return bend_; }
   const plugin::Registry& registry() const { return registry_; }
 
@@ -39,11 +39,11 @@ public:
     return document_.onChange(std::move(observer));
   }
 
-  /// Calls `what` once everybody has heard of the change of the document that is being told; at once when
-  /// none is.
+  /// Calls `what` after all observers were notified of the present change of the document; at once if there
+  /// is no change under way.
   void afterChange(std::function<void()> what) { document_.announce(std::move(what)); }
 
-  /// Does the command as one undo step; when it is not possible, says why and returns false.
+  /// Performs the command as one undo step; if that fails, shows the error and returns false.
   bool perform(const document::Command& command) {
     return guarded([&] { undo_.perform(command); });
   }
@@ -54,8 +54,8 @@ public:
   /// Qt.
   bool guarded(const std::function<void()>& work);
 
-  /// Has a worker do `work`, in the place of what it does in the same slot; `then` takes the result. What
-  /// goes wrong becomes a message, and nothing follows.
+  /// Runs `work` on a worker, and cancels the previous job in the same slot; `then` is called with the
+  /// result. If `work` fails, shows the error as a message and does not call `then`.
   template <typename Result>
   void inBackground(const QString& name, const std::string& slot, std::function<Result(Progress&)> work,
                     std::function<void(Result)> then) {
@@ -68,26 +68,26 @@ public:
                          });
   }
 
-  /// The slot of a job that writes this file: one that writes another file waits for it, one that writes the
-  /// same file takes its place.
+  /// The slot of a job that writes this file: jobs that write other files wait for it, a job that writes the
+  /// same file replaces it.
   static std::string slotOf(const QString& file) { return kWriting + file.toStdString(); }
   /// The names of the jobs that write files.
   QStringList writing() const;
 
-  /// What the chosen coordinates promise; the standard ones' where there are none of that name.
+  /// The traits of the chosen coordinate system; those of the standard system if it does not exist.
   coordinates::Traits systemTraits() const;
 
   void say(const Message& message) { Q_EMIT messageRaised(message); }
-  /// Says something for as long as it takes to read it.
+  /// Shows a message for as long as it takes to read it.
   void note(const QString& text, int seconds = 8) { say({Message::Severity::info, text, {}, seconds}); }
-  /// Says something of a file that was written, and offers to open its folder.
+  /// Shows a message about a file that was written, and offers to open its folder.
   void noteWritten(const QString& text, const QString& file);
   void report(const Error& error);
-  /// What was said is no longer so.
+  /// Removes a message that no longer applies.
   void retract(const QString& said) { Q_EMIT messageRetracted(said); }
 
-  /// The organ that commands act on: the selected one, else the first that is nobody's cavity; null without
-  /// organs.
+  /// The organ that commands act on: the selected one, else the first that is not a cavity of another organ;
+  /// null without organs.
   std::shared_ptr<const document::Organ> currentOrgan() const;
   /// The organ that Properties describe: the selected one, else the only one there is beside its cavities;
   /// null where several could be meant.

@@ -8,7 +8,7 @@
 #include "shared_organs.h"
 #include "viscera/deformation/place_handles.h"
 
-/// The sizes that the thesis and other programs are measured with.
+/// Surfaces for benchmarks, with the sizes that the thesis and other programs use.
 namespace viscera::bench {
 
 /// A lumpy closed surface of `rings * segments + 2` vertices, about 100 mm across.
@@ -60,7 +60,7 @@ inline geometry::TriangleMesh bunnyOrBlob() {
   return bunny ? *bunny : blob(155, 232);
 }
 
-/// 30 handles as the program places them.
+/// 30 handles, placed as by the program.
 inline Points handlesFor(const geometry::TriangleMesh& mesh) {
   return deformation::placeHandles(mesh);
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// What the fuzzers and the replay of their findings share. A target takes any bytes: it comes back, or it
-/// throws `viscera::Error`, which is a refusal. Whatever else happens is a finding.
+/// Code shared by the fuzzers and the replay of their findings. A target takes any bytes: it returns, or it
+/// rejects them by throwing `viscera::Error`. Anything else is a finding.
 namespace viscera::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -19,9 +19,9 @@ struct Target {
   std::vector<std::string> (*seeds)(); ///< Inputs to start from, each accepted or nearly so.
 };
 
-/// Of all that is read from files, and of surfaces.
+/// Targets for all readers of files, and for surfaces.
 std::vector<Target> readerTargets();
-/// Of the program: what is typed, and what is given to it as a plugin.
+/// Targets for the program: its command line and plugins.
 std::vector<Target> programTargets();
 
 /// A promise that does not hold.

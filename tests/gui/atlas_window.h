@@ -19,11 +19,11 @@
 namespace viscera::tests {
 
 /// A window in which a doctor works with an atlas of 95 labels (shared/organs/abdomen_seg.nrrd): each member
-/// is one step, for a test that looks at what it does and for a benchmark that takes its time. None but the
-/// import waits for what the step sets going: `settle` does.
+/// is one step, for a test that looks at what it does and for a benchmark that takes its time. Only the
+/// import waits for the work that a step starts; use `settle` after the others.
 class AtlasWindow : public WindowTest {
 public:
-  /// As large as a doctor has it: a benchmark measures it.
+  /// The usual size of the view, because a benchmark measures it.
   std::optional<QSize> viewSize() const override { return std::nullopt; }
 
   static std::filesystem::path file() { return VISCERA_SHARED_ORGANS "/abdomen_seg.nrrd"; }

@@ -7,9 +7,9 @@
 
 namespace viscera::tests {
 
-/// Makes this test use the display that CTest lends to it, which no other test has meanwhile, with settings
-/// and sockets of that display; keeps the present ones where CTest lends none. Before the application begins.
-/// CTest is told of the displays by `--resource-spec-file`, as test.sh does.
+/// Makes this test use the display that CTest assigns to it exclusively, with settings and sockets of that
+/// display; keeps the present ones if CTest assigns none. Call it before the application is created. CTest
+/// gets the list of displays by `--resource-spec-file`, as in test.sh.
 inline void useLentDisplay() {
   const QString lent = qEnvironmentVariable("CTEST_RESOURCE_GROUP_0_DISPLAYS"); // "id:99,slots:1"
   const QString number = QRegularExpression(QStringLiteral("id:(\\d+)")).match(lent).captured(1);

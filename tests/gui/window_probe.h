@@ -18,8 +18,8 @@
 #include "window/modes/stress_mode.h"
 #include "window/view/view_area.h"
 
-/// What a window shows, read from its parts: the only place where tests of the whole window know how it is
-/// put together.
+/// Reads what a window shows from its parts, so that tests of the whole window do not depend on its structure
+/// elsewhere.
 namespace viscera::tests {
 
 /// Drivers and instruments differ in the last bits of colours and at edges.
@@ -50,7 +50,7 @@ inline int actorCount(app::MainWindow& window) {
   return static_cast<int>(viewOf(window).organs().size());
 }
 
-/// All that the 3D view's renderer would draw and that can be seen, whoever added it.
+/// All visible props of the 3D view's renderer.
 inline std::vector<vtkProp*> visibleProps(app::MainWindow& window) {
   std::vector<vtkProp*> seen;
   vtkPropCollection* props = viewOf(window).renderer()->GetViewProps();
@@ -62,7 +62,7 @@ inline std::vector<vtkProp*> visibleProps(app::MainWindow& window) {
   return seen;
 }
 
-/// The actors that show an organ's surface: one, when all is well.
+/// The actors that show an organ's surface; there should be one.
 inline std::vector<scene::OrganActor*> actorsOf(app::MainWindow& window, const document::Organ& organ) {
   std::vector<scene::OrganActor*> found;
   for (const auto& actor : viewOf(window).organs())
@@ -83,8 +83,7 @@ inline ShownOrgan shownOrgan(app::MainWindow& window, const document::Organ& org
   return shown;
 }
 
-/// In what the 3D view shows something else than the document and the live binding have; empty when all is
-/// one.
+/// The differences between the 3D view and the document with its live binding; empty for none.
 inline std::string disagreement(app::MainWindow& window) {
   std::ostringstream wrong;
   const document::DocumentState& state = window.workspace().state();
@@ -112,8 +111,8 @@ inline std::string disagreement(app::MainWindow& window) {
   return wrong.str();
 }
 
-/// In what the pose that is shown is not the one where the timeline stands; empty when they agree. A timeline
-/// that is not followed stands at the beginning.
+/// The difference between the displayed pose and that at the timeline's instant; empty when they agree. A
+/// timeline that is not followed stands at the beginning.
 inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& playback) {
   if (!playback.sequence())
     return {};
@@ -132,7 +131,7 @@ inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& play
                            std::to_string(fraction) + "; ";
 }
 
-/// Whether nothing is being made: no job runs, every organ is bound, and the stress map is there in its mode.
+/// Whether no work is pending: no job runs, every organ is bound, and the stress map is computed in its mode.
 inline bool atPeace(app::MainWindow& window) {
   app::Workspace& workspace = window.workspace();
   if (!workspace.jobs().idle() || workspace.live().busy())

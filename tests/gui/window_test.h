@@ -29,8 +29,8 @@ protected:
   /// The coordinate systems that the window offers.
   virtual plugin::Registry registry() const { return plugin::builtInRegistry(); }
 
-  /// Of the picture in the window; nothing where a test is about how much room that has. The software
-  /// renderer takes by the pixel, and few tests look at the picture.
+  /// The size of the view; empty for tests of its size. It is small because the time of the software renderer
+  /// depends on the number of pixels, and few tests check the picture.
   virtual std::optional<QSize> viewSize() const { return QSize(480, 360); }
 
   /// Whether the sample organs have as few triangles as at low resolution, as where no test of the fixture
@@ -53,7 +53,7 @@ protected:
 
   /// Handles the window's events until `done` or half a minute has passed; says whether it is done.
   bool waitUntil(const std::function<bool()>& done);
-  /// Until nothing is loaded, bound or waiting to be drawn.
+  /// Handles events until nothing is being loaded, bound or waiting to be drawn.
   void settle();
   /// Handles what is due now, as a frame does.
   void handleEvents();

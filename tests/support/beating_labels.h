@@ -50,7 +50,7 @@ inline std::string nifti4d(const std::vector<LabelImage>& phases, double step, i
   return bytes;
 }
 
-/// As 3D Slicer writes a sequence: time is the first, fastest axis. `keys` as `nrrdFile` has it.
+/// A sequence as written by 3D Slicer: time is the first, fastest axis. `keys` as in `nrrdFile`.
 inline std::string sequenceNrrd(const std::vector<LabelImage>& phases, const std::string& keys) {
   LabelImage all = phases.front();
   all.voxels.clear();

@@ -5,7 +5,7 @@
 
 #include "viscera/core/arrays.h"
 
-/// Seeded points for tests.
+/// Makes seeded random points for tests.
 namespace viscera::tests {
 
 /// `count` points in the cube [-half, half]^3 around `center`.

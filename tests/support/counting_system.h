@@ -9,7 +9,7 @@
 
 namespace viscera::tests {
 
-/// How often the bindings of a `CountingSystem` were asked for what is dear.
+/// Counts the expensive calls of the bindings of a `CountingSystem`.
 struct BindingCounts {
   std::atomic<int> influences{0}; ///< Of one handle each; a volume form asks for all of them.
   std::atomic<int> deforms{0};    ///< Each a pass over all weights.

@@ -7,7 +7,7 @@
 
 namespace viscera::tests {
 
-/// How a segmentation is written.
+/// Options of a DICOM segmentation for tests.
 struct DicomWriting {
   bool fractional = false; ///< Labelled voxels have the largest fraction, 3 of 4 others next to none.
   bool withoutEmptyFrames = true;

@@ -8,7 +8,7 @@
 
 #include "label_files.h"
 
-/// Slices of a scan as DICOM files, written byte by byte, independently of what reads them.
+/// Writes slices of a scan as DICOM files, byte by byte, independently of the program's readers.
 namespace viscera::tests {
 
 /// Data elements in the order of their tags, 0xggggeeee; a value with the two letters of its type before it.

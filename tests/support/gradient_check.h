@@ -5,10 +5,10 @@
 
 #include "viscera/coordinates/coordinate_system.h"
 
-/// Closed-form derivatives of coordinates against differences of the coordinates themselves.
+/// Compares closed-form derivatives of coordinates with differences of the coordinates.
 namespace viscera::tests {
 
-/// What came of it.
+/// The result of the comparison.
 struct GradientCheck {
   double worst = 0; ///< Largest error at a point by the size of its gradients.
   int unsure = 0;   ///< Points where differences of two steps disagree by more than the tolerance: at a seam.

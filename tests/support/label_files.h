@@ -11,7 +11,7 @@
 
 #include "viscera/core/arrays.h"
 
-/// Label maps written byte by byte, independently of what reads them.
+/// Writes label maps byte by byte, independently of the program's readers.
 namespace viscera::tests {
 
 /// Labels on a grid.

@@ -7,7 +7,7 @@
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/coordinates/measure/line_profile.h"
 
-/// What a built-in system does along one of the lines, in one call.
+/// Measures a built-in system along one of the lines, in one call.
 namespace viscera::tests {
 
 inline std::shared_ptr<const coordinates::CoordinateSystem> builtIn(const std::string& id) {

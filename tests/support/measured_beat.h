@@ -10,10 +10,11 @@
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/tracking/surface_distance.h"
 
-/// The sample heart's own beat as if it had been measured: what comes back can be held against the truth.
+/// The sample heart's own beat as simulated measurements, so that a tracked motion can be compared with the
+/// truth.
 namespace viscera::tests {
 
-/// What spoils voxels as real label maps are spoilt.
+/// Defects of voxels as in real label maps.
 struct Spoilt {
   double border = 0;      ///< Chance that a voxel at a border is another one's.
   double sliceMm = 0;     ///< One slice of every phase lies so far aside (breathing).

@@ -15,12 +15,12 @@
 
 namespace viscera::tests {
 
-/// Does all kinds of things to a document, seeded.
+/// Does seeded random commands, drags, undo and redo on a document.
 class Monkey {
 public:
   Monkey(Session& session, unsigned seed) : s_(session), random_(seed) {}
 
-  /// Does one thing: a command, perhaps one that is refused, a drag, a step back or forth.
+  /// Does one action: a command, perhaps one that is refused, a drag, an undo or a redo.
   void act() {
     switch (number(12)) {
     case 0:

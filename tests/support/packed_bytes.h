@@ -4,10 +4,10 @@
 
 #include <zlib.h>
 
-/// What compressed files hold.
+/// Compresses bytes as in compressed files.
 namespace viscera::tests {
 
-/// `bytes` packed by zlib; `windowBits` as `deflateInit2` has it.
+/// `bytes` packed by zlib; `windowBits` as in `deflateInit2`.
 inline std::string packedBytes(const std::string& bytes, int windowBits) {
   std::string out(compressBound(static_cast<uLong>(bytes.size())) + 64, '\0');
   z_stream stream{};

@@ -12,8 +12,8 @@
 
 namespace viscera::tests {
 
-/// How far a picture may be from its reference: drivers differ in the last bits of colours and in the pixels
-/// of edges.
+/// The tolerance between a picture and its reference, because drivers differ in the last bits of colours and
+/// in the pixels of edges.
 inline constexpr double kMostDiffering = 0.006; ///< Part of the pixels.
 inline constexpr double kMostMean = 1.0;        ///< Mean difference, of 255.
 

@@ -1,4 +1,5 @@
-// What most tests include, compiled once for all of them (option VISCERA_PRECOMPILE). No file relies on it.
+// The precompiled header of the tests: headers that most tests include (option VISCERA_PRECOMPILE). No file
+// relies on it.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -11,9 +11,9 @@
 
 namespace viscera::tests {
 
-/// What every coordinate system promises, by its id and then by the name of the promise: the committed table
-/// `tests/contract/systems/promises.csv`. A system that changes its word, or that the measurements of
-/// `properties` contradict, fails against it.
+/// Reads the properties that every coordinate system promises, by its id and then by the name of the
+/// property, from the committed table `tests/contract/systems/promises.csv`. Tests fail for a system whose
+/// traits differ from it, or whose measurements by `properties` contradict it.
 inline std::map<std::string, std::map<std::string, bool>> promises() {
   std::ifstream file(std::filesystem::path(VISCERA_SOURCE_DIR) / "tests/contract/systems/promises.csv");
   std::map<std::string, std::map<std::string, bool>> table;

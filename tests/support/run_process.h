@@ -17,17 +17,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/// Running a program as a user's shell would, for tests.
+/// Runs a program as a user's shell would, for tests.
 namespace viscera::test {
 
-/// What a process left behind.
+/// Exit code and output of a process.
 struct ProcessResult {
   int exitCode = -1; ///< 128 + n when signal n ended it.
   std::string out;
   std::string err;
 };
 
-/// What a process is given beside its arguments.
+/// Environment, limits and signals of a process.
 struct ProcessOptions {
   std::map<std::string, std::optional<std::string>> environment; ///< Set, or unset where there is no value.
   std::optional<std::chrono::milliseconds> interruptAfter;       ///< Sends `signal` then.

@@ -15,11 +15,11 @@
 
 namespace viscera::tests {
 
-/// A screen is kept at a quarter of its size, in few colours: its layout and its colours, not its letters,
-/// which differ with the fonts of a machine.
+/// The factor by which reference pictures of screens are reduced. They keep layout and colours, but not
+/// letters, which differ with the fonts of a machine.
 inline constexpr int kScreenShrink = 4;
 inline constexpr int kScreenColorStep = 8;
-/// What is compared are means of so many pixels of the kept picture, of a channel of 255.
+/// The side of a cell, in pixels of the reference; the means of cells are compared.
 inline constexpr int kScreenCell = 8;
 inline constexpr double kMostCellDifference = 24;
 inline constexpr double kMostDifferentCells = 0.06; ///< Part of all.

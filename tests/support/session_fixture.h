@@ -15,7 +15,7 @@
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 
-/// What the tests of the session start from.
+/// Documents from which tests of sessions start.
 namespace viscera::tests {
 
 inline document::NewOrgan ball(const std::string& name, double radius = 30, int levels = 3,

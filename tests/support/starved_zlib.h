@@ -3,13 +3,13 @@
 #include <dlfcn.h>
 #include <zlib.h>
 
-/// zlib that finds no memory when a test says so. Its functions take the place of the library's in the whole
-/// program: for one file of a test.
+/// A zlib without memory, for tests of that error. Its functions replace those of the library in the whole
+/// program, so include it in one file of a test only.
 namespace viscera::tests {
 
 inline bool zlibIsStarved = false;
 
-/// While it lives there is no memory for zlib.
+/// While the object lives, zlib gets no memory.
 struct StarvedZlib {
   StarvedZlib() { zlibIsStarved = true; }
   ~StarvedZlib() { zlibIsStarved = false; }

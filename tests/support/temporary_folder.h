@@ -8,7 +8,7 @@
 
 namespace viscera::tests {
 
-/// A folder of its own for one test, removed afterwards.
+/// A temporary folder for one test, which is removed afterwards.
 class TemporaryFolder {
 public:
   TemporaryFolder()
@@ -26,8 +26,8 @@ public:
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file and gives its path. One of that name is removed first: file systems bring a file that is
-  /// cut to nothing and written again to the disk at once, which is a hundred times slower.
+  /// Writes a file and gives its path. An existing file is removed first, because file systems flush a file
+  /// that is truncated and rewritten to the disk at once, which is a hundred times slower.
   std::filesystem::path put(const std::string& name, const std::string& bytes) const {
     std::filesystem::remove(path_ / name);
     std::ofstream(path_ / name, std::ios::binary) << bytes;

@@ -8,7 +8,7 @@
 
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Tubes with a known middle line, for tests.
+/// Makes tubes with a known centreline, for tests.
 namespace viscera::tests {
 
 /// A closed, outward tube around `center(t)` with radius `radius(t)`, t from 0 to 1; the radius is 0 at both

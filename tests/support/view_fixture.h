@@ -13,7 +13,7 @@
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 
-/// A view in a window without display, and a hand on its mouse, for tests.
+/// A view in a window without a display, with simulated mouse and keyboard, for tests.
 namespace viscera::tests {
 
 struct ViewInWindow {

@@ -19,7 +19,7 @@ namespace {
 /// `points x handles` coordinates, row major.
 using Weights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr std::size_t kAlignment = 64; ///< Of the data in the file; so says the format.
+constexpr std::size_t kAlignment = 64; ///< Alignment of the data in the file, as the format requires.
 
 /// Of a file in NumPy's own format, version 1.0:
 /// https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
@@ -52,7 +52,7 @@ Weights weightsOf(const coordinates::Binding& binding) {
   return weights;
 }
 
-/// `viscera bind`: computes coordinates and says how good they are.
+/// `viscera bind`: computes coordinates and reports their errors.
 class BindCommand final : public Command {
 public:
   std::string name() const override { return "bind"; }

@@ -181,7 +181,7 @@ Outcome CirculateCommand::run(CommandContext& context) {
   const PictureSize size = pictureSize(size_);
   for (const std::string& target : {csv_, png_})
     if (!target.empty())
-      const AtomicFile writable(target); // Said before the work, not after it.
+      const AtomicFile writable(target); // Fails before the work, not after it.
   const std::optional<circulation::PatientFit> patient = fit(context);
   const Parameters parameters = patient ? patient->parameters : parametersOf(scenario_, parameters_);
   const PeriodicState found =

@@ -12,7 +12,7 @@
 namespace viscera::app::cli {
 namespace {
 
-/// `viscera commands SESSION`: the session as a script.
+/// `viscera commands SESSION`: prints the session as a script of commands.
 class CommandsCommand final : public Command {
 public:
   std::string name() const override { return "commands"; }

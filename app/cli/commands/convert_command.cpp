@@ -34,7 +34,7 @@ medical_io::Space spaceNamed(const std::string& name) {
   return name == "RAS" ? medical_io::Space::ras : medical_io::Space::lps;
 }
 
-/// Whether what was read as `read` has to be turned so as to come from `stated` instead.
+/// Whether coordinates that were read as `read` have to be rotated because they are in `stated`.
 bool turned(medical_io::Space read, const std::string& stated) {
   return !stated.empty() && spaceNamed(stated) != read;
 }

@@ -31,7 +31,7 @@ int movedHandles(const Points& rest, const Points& pose) {
   return static_cast<int>(((pose - rest).rowwise().squaredNorm().array() > 0).count());
 }
 
-/// `viscera deform`: poses an organ and says what became of its volume.
+/// `viscera deform`: poses an organ and reports the change of its volume.
 class DeformCommand final : public Command {
 public:
   std::string name() const override { return "deform"; }
@@ -119,7 +119,7 @@ public:
   }
 
 private:
-  /// Moves compensating handles so that the volume is the one asked for. Nothing to do when none is.
+  /// Moves compensating handles so that the organ has the volume given by an option, if any.
   void keepVolume(deformation::Deformer& deformer, const BoundInput& input,
                   std::vector<std::string>& warnings, Progress& progress) const {
     if (!lockVolume_ && !targetMl_) {
@@ -141,8 +141,8 @@ private:
     deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, *restoration);
   }
 
-  /// What a compensating motion costs, as `--restore` says. Fills the organ with witness points where that
-  /// takes some.
+  /// The restoration model chosen by `--restore`. Fills the organ with witness points if the model needs
+  /// them.
   std::unique_ptr<deformation::RestorationModel>
   model(const BoundInput& input, std::vector<std::string>& warnings, Progress& progress) const {
     if (restore_ == kLeastDisplacement)
@@ -159,7 +159,7 @@ private:
     return targetMl_.value_or(deformer.restVolumeMm3() / kMm3PerMl);
   }
 
-  /// Writes the posed surface, the displacements and the displacement field that are asked for, and says so.
+  /// Writes the requested files (posed surface, displacements, displacement field) and lists them.
   void writeOutputs(const BoundInput& input, const deformation::Deformer& deformer, Progress& progress,
                     Outcome& outcome, Listing& listing) const {
     const document::Organ& organ = input.organ;

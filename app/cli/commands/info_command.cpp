@@ -43,7 +43,7 @@ std::string yesNo(bool value) {
   return value ? "yes" : "no";
 }
 
-/// A surface as the file has it, before anything is mended but what reading mends.
+/// Describes a surface as read from its file, without further repairs.
 Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file, CommandContext& context) {
   const medical_io::SurfaceAssessment assessment = medical_io::assessSurface(
       surface.mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
@@ -173,7 +173,7 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
   return outcome;
 }
 
-/// `viscera info FILE`: what is in an organ, label map or handle file.
+/// `viscera info FILE`: describes the contents of an organ, label map or handle file.
 class InfoCommand final : public Command {
 public:
   std::string name() const override { return "info"; }

@@ -28,7 +28,7 @@ namespace viscera::app::cli {
 namespace {
 
 constexpr int kMostLessonHandles = 60;
-constexpr double kErrorToTell = 0.05; ///< mm; more is said.
+constexpr double kErrorToTell = 0.05; ///< mm; a larger error is reported.
 
 bool isSequence(const std::string& name) {
   const auto& known = motion::sampleSequences();
@@ -106,7 +106,7 @@ private:
   std::string language_;
   std::vector<std::string> names_;
   double rate_ = 0;
-  int handles_ = -1; ///< As the spec has it, or as it comes.
+  int handles_ = -1; ///< -1: the number in the spec, or the default.
   bool ready_ = false;
 };
 

@@ -111,7 +111,7 @@ struct KeptVolume {
   }
 };
 
-/// What is measured of the sample heart's walls.
+/// Measurements of the sample heart's walls.
 struct Walls {
   KeptVolume chambers; ///< Chambers from outside less both cavities: muscle, and the atria with their blood.
   KeptVolume muscle;   ///< The left ventricle from outside less its cavity.
@@ -171,7 +171,7 @@ int ventricleOf(const PlayedSequence& played) {
   return cavity == organs.end() ? -1 : static_cast<int>(cavity - organs.begin());
 }
 
-/// What was found out about an organ that the sequence was fitted to.
+/// Adds the results of fitting the sequence to an organ.
 void addFit(const motion::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
   json["retargeted"] = {{"scale", fitted.scale},
                         {"handles", fitted.rig.handles.size()},
@@ -267,7 +267,7 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     stage_.size = pictureSize(size_);
     if (!csv_.empty())
-      const AtomicFile writable(csv_); // Said before the work, not after it.
+      const AtomicFile writable(csv_); // Fails before the work, not after it.
     request_.ratePerMinute = rate_;
     PlayedSequence played = playedSequence(request_, context);
     writeRig(played);
@@ -285,7 +285,7 @@ public:
   }
 
 private:
-  /// What playing has shown.
+  /// The measurements of a played sequence.
   struct Measured {
     motion::VolumeRecord volumes; ///< At the frames.
     motion::VolumeRecord atKeys;  ///< Of a key sequence: at its keys, which frames may miss.

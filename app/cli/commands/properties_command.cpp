@@ -37,7 +37,7 @@ bool interpolates(const SceneProperties& scene) {
   return scene.handleGaps == 0 && scene.handleError < coordinates::kInterpolated;
 }
 
-/// What is known of one scene, or of the worst of all.
+/// Adds the measurements of one scene, or of the worst of all.
 void addNumbers(ordered_json& row, const SceneProperties& scene) {
   row["identityError"] = scene.identityError;
   row["unityError"] = scene.unityError;
@@ -64,7 +64,7 @@ std::string optionalText(const std::optional<int>& value) {
   return value ? std::to_string(*value) : "-";
 }
 
-/// A cell in quotes, as CSV wants it.
+/// A quoted cell of CSV.
 std::string quoted(const std::string& text) {
   std::string cell = "\"";
   for (const char letter : text)

@@ -29,7 +29,7 @@ ordered_json jsonOf(const TaughtQuantity& row, const norms::Range& range) {
           {"source", row.norm->source}};
 }
 
-/// `viscera reference`: what healthy adults have, and what the program shows.
+/// `viscera reference`: compares the program's numbers with those of healthy adults.
 class ReferenceCommand final : public Command {
 public:
   std::string name() const override { return "reference"; }

@@ -30,7 +30,7 @@
 namespace viscera::app::cli {
 namespace {
 
-/// What the files named hold.
+/// The contents of the given files.
 struct Contents {
   std::vector<document::Organ> organs;
   std::optional<RigInput> rig;
@@ -39,7 +39,7 @@ struct Contents {
   std::vector<std::string> warnings;
 };
 
-/// One of the pictures: the coordinates that it is about, and what they say.
+/// The coordinates of one picture, with the values to show.
 struct Shown {
   std::shared_ptr<const coordinates::CoordinateSystem> system;
   coordinates::BindOptions options;
@@ -120,7 +120,7 @@ void showPose(StillOrgans& organs, const Contents& contents, const coordinates::
   organs.showPose(*contents.pose);
 }
 
-/// The rotational stress of every organ's tissue at the surface, in degrees; what is folded has a colour of
+/// The rotational stress of every organ's tissue at the surface, in degrees; folded tissue has a colour of
 /// its own.
 presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& contents,
                                   const coordinates::CoordinateSystem& system,
@@ -143,7 +143,7 @@ presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& con
     shown.values[organs.idOf(i)] = std::move(degrees);
   }
   if (!(shown.range.high > kNoStress))
-    shown.range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
+    shown.range.high = 1; // Nothing is distorted: one colour, and a legend from 0 to 1.
   shown.colors = presentation::stressColors(colors);
   shown.title = "Rotational stress";
   shown.unit = "deg";

@@ -18,7 +18,7 @@
 namespace viscera::app::cli {
 namespace {
 
-/// `viscera report SESSION|ORGAN... -o FILE`: what a session or organs are, for a patient's file.
+/// `viscera report SESSION|ORGAN... -o FILE`: writes a report on a session or organs, for a patient's file.
 class ReportCommand final : public Command {
 public:
   std::string name() const override { return "report"; }
@@ -104,7 +104,8 @@ private:
           document::readSession(files_.front(), context.samples, context.progress);
       material.state = opened.contents.state;
       material.view = presentation::viewFromJson(opened.contents.view);
-      material.view.shown.rest = false; // A report is on the pose, also of one who edits the handles.
+      material.view.shown.rest = false; // A report shows the pose, even if the view shows the handles at
+                                        // rest.
       material.file = files_.front();
       material.notes = warnings = opened.warnings;
       return material;

@@ -37,7 +37,7 @@ ordered_json jsonOf(const Result& result) {
           {"seconds", result.seconds}};
 }
 
-/// `viscera reproduce`: the thesis's figures and tables, done again.
+/// `viscera reproduce`: reproduces the thesis's figures and tables.
 class ReproduceCommand final : public Command {
 public:
   std::string name() const override { return "reproduce"; }

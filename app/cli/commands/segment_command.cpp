@@ -25,8 +25,8 @@ constexpr int kMostSegmentTriangles = 2'000'000;
 constexpr double kSmoothest = 2;
 constexpr std::size_t kLongestName = 100;
 
-/// The folder that files go into. Unless `keep` is called, it takes back what was written: the files, and
-/// itself when it was not there before.
+/// The output folder. Unless `keep` is called, the destructor removes the files that were written, and the
+/// folder if it was created.
 class OutputFolder {
 public:
   explicit OutputFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
@@ -68,7 +68,7 @@ private:
   bool kept_ = false;
 };
 
-/// "left_kidney" for "Left kidney / lower": what every file system and shell takes. No two are the same.
+/// "left_kidney" for "Left kidney / lower": names that work in every file system and shell, and are unique.
 class FileNames {
 public:
   std::string of(const std::string& label, const std::string& ending) {
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  /// Some file systems do not tell upper from lower case.
+  /// Some file systems do not distinguish upper and lower case.
   static std::string lowered(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;

@@ -31,7 +31,7 @@ const char* nameOf(live::WitnessOrigin origin) {
   return "";
 }
 
-/// What is measured, at all points of the mesh: the witnesses first.
+/// The stress map at all points of the mesh, witnesses first.
 struct Measured {
   WitnessedOrgan interior;
   Points posed; ///< The points in the pose, mm.
@@ -91,7 +91,7 @@ Outcome outcomeOf(const Measured& measured, const std::string& organ, const std:
   return outcome;
 }
 
-/// `viscera stress`: the distortion that a pose means for the tissue, at witness points inside the organ.
+/// `viscera stress`: computes the distortion of the tissue by a pose, at witness points inside the organ.
 class StressCommand final : public Command {
 public:
   std::string name() const override { return "stress"; }

@@ -60,7 +60,7 @@ std::string parameterText(const Parameter& parameter) {
   return parameter.name + " (" + range + "; " + significant(parameter.standard, 6) + "): " + parameter.help;
 }
 
-/// `viscera systems`: the coordinate systems there are.
+/// `viscera systems`: lists the available coordinate systems.
 class SystemsCommand final : public Command {
 public:
   std::string name() const override { return "systems"; }

@@ -22,7 +22,7 @@
 namespace viscera::app::cli {
 namespace {
 
-/// `viscera track PHASES... -o M.sequence.json`: a patient's own motion out of a series.
+/// `viscera track PHASES... -o M.sequence.json`: tracks a patient's own motion in a series.
 class TrackCommand final : public Command {
 public:
   std::string name() const override { return "track"; }
@@ -31,7 +31,7 @@ public:
   Outcome run(CommandContext& context) override;
 
 private:
-  /// What is asked for, checked. Throws `UsageError`.
+  /// The request from the options, checked. Throws `UsageError`.
   motion::SeriesRequest request() const;
   /// The series, or the one that a single image has while it beats as the textbook's.
   motion::MotionSeries read(const motion::SeriesRequest& asked, Progress& progress, Threads threads) const;
@@ -253,7 +253,7 @@ Outcome TrackCommand::run(CommandContext& context) {
                      "as in -o beat.sequence.json");
   for (const std::string* target : {&output_, &handlesOut_})
     if (!target->empty())
-      const AtomicFile writable(*target); // Said before the work, not after it.
+      const AtomicFile writable(*target); // Fails before the work, not after it.
   const motion::SeriesRequest asked = request();
   std::vector<std::string> warnings;
   const motion::TrackOptions options = trackOptions(warnings);

@@ -15,7 +15,7 @@
 namespace viscera::app::cli {
 namespace {
 
-/// What was bent, before it is told.
+/// The warped image, before it is reported.
 struct Bent {
   std::string kind;
   std::array<int, 3> size = {};
@@ -23,7 +23,7 @@ struct Bent {
   medical_io::BendReport report;
 };
 
-/// `viscera warp`: a scan or a label map as a pose of the handles bends it.
+/// `viscera warp`: warps a scan or a label map by a pose of the handles.
 class WarpCommand final : public Command {
 public:
   std::string name() const override { return "warp"; }

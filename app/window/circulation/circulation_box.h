@@ -18,8 +18,8 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// The controls for what moves the heart: the textbook's beat or a circulation, with scenarios, parameters
-/// with their normal ranges, and a circulation that is kept to compare with.
+/// The controls that choose how the heart beats: by the textbook's beat or by a computed circulation, with
+/// scenarios, parameters with their normal ranges, and a circulation that is kept to compare with.
 class CirculationBox final : public QWidget {
   Q_OBJECT
 
@@ -50,7 +50,7 @@ private:
   CirculationModel& model_;
   QAbstractButton* textbook_ = nullptr;
   QAbstractButton* circulation_ = nullptr;
-  QWidget* details_ = nullptr; ///< All that is of a circulation.
+  QWidget* details_ = nullptr; ///< The controls that only apply to a circulation.
   std::map<std::string, QAbstractButton*> scenarios_;
   std::map<std::string, ValueSlider*> controls_;
   QLabel* summary_ = nullptr;

@@ -12,7 +12,7 @@
 namespace viscera::app {
 namespace {
 
-/// One solves while the other lets the heart follow.
+/// One worker solves the circulation while the other computes the heart's motion.
 constexpr int kWorkers = 2;
 /// ms after which a control rests.
 constexpr int kControlRestMilliseconds = 200;
@@ -48,7 +48,7 @@ CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QOb
   connect(&rests_, &QTimer::timeout, this, &CirculationModel::sync);
 }
 
-/// A motion cannot be exchanged while others hear of a change.
+/// Deferred, because a motion cannot be exchanged while observers of a change are called.
 void CirculationModel::scheduleSolve() {
   if (!std::exchange(asked_, true))
     QMetaObject::invokeMethod(this, &CirculationModel::sync, Qt::QueuedConnection);
@@ -102,7 +102,7 @@ CirculationModel::SolvedPointer CirculationModel::solved(std::string name,
       {std::move(name), parameters, std::move(found.beat), indices}, found.start, found.failureReason});
 }
 
-/// True when all that the document wants is there; else a worker begins with it, or is at it.
+/// Returns true when everything that the document needs is computed; else a worker computes it.
 bool CirculationModel::solve() {
   const auto isOf = [](const SolvedPointer& known, const circulation::Parameters& parameters,
                        const std::string& name) {
@@ -192,7 +192,7 @@ std::shared_ptr<const sequences::Sequence> CirculationModel::ShownBeat::similar(
           tryAt(static_cast<double>(i) / kTriedOfSimilar);
       });
     return found;
-  } catch (const DataError&) { // They are not that similar: `follow` will tell.
+  } catch (const DataError&) { // The courses are not similar enough: `follow` will report errors.
     return nullptr;
   }
 }

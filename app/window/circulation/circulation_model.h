@@ -54,7 +54,7 @@ public:
   bool settled() const { return !solving_ && !following_ && !rests_.isActive(); }
 
 Q_SIGNALS:
-  /// Another circulation is present or kept, or none is, or the failureReason is another one.
+  /// The present circulation, the kept one or the failureReason has changed.
   void changed();
 
 private:
@@ -62,13 +62,13 @@ private:
   struct Solved {
     Shown shown;
     circulation::State start{};
-    std::string failureReason; ///< Why it is none.
+    std::string failureReason; ///< Why no periodic beat was found.
   };
   using SolvedPointer = std::shared_ptr<const Solved>;
   struct Solutions {
     SolvedPointer present, kept; ///< Null: as before.
-    /// The heart's beat of what is present, from that of the one before; null where there is none to begin
-    /// with.
+    /// The heart's beat under the present circulation, derived from the beat before; null where there was
+    /// none.
     std::shared_ptr<const sequences::Sequence> similarBeat;
   };
   /// The heart that follows, and its beat.
@@ -79,7 +79,7 @@ private:
     std::shared_ptr<const sequences::Sequence> keptBeat; ///< Of what was kept; null: as before.
   };
 
-  /// The present beat of the heart, and where it stands, from which that of the next choice is taken.
+  /// The present beat of the heart and the circulation it belongs to, from which the next beat is derived.
   struct ShownBeat {
     std::shared_ptr<const sequences::CourseHeartbeat> beat; ///< Null: none is shown.
     double fraction = 0;
@@ -114,19 +114,20 @@ private:
   SolvedPointer solved_;  ///< Last, and what the heart is to follow.
   SolvedPointer present_; ///< What is told.
   SolvedPointer kept_;
-  SolvedPointer refused_; ///< Tried last, and found to have no beat, or one that the heart cannot follow.
+  SolvedPointer refused_; ///< The choice tried last that has no periodic beat, or one that the heart cannot
+                          ///< follow.
   QString failureReason_;
   Followed followed_;
   SolvedPointer followedBy_; ///< What `followed_` was made from.
   SolvedPointer beatBy_;     ///< The same of its sequence, which may be one that is similar.
   std::shared_ptr<const sequences::Sequence> keptBeat_;
   SolvedPointer keptBeatBy_;
-  /// Of each heart, the beat that it had before it followed a circulation.
+  /// For each heart, the beat that it had before it followed a circulation.
   std::map<document::OrganId, std::shared_ptr<const sequences::Sequence>> textbook_;
   bool solving_ = false;
   bool following_ = false;
-  QTimer rests_; ///< Runs while a similar beat is shown, until the heart is to follow as exactly as it can.
-  bool asked_ = false; ///< `sync` comes after what is being told.
+  QTimer rests_;       ///< Runs while a derived beat is shown; when it ends, the exact beat is computed.
+  bool asked_ = false; ///< `sync` is scheduled after the present notification.
   Subscription subscription_;
   JobQueue jobs_;
 };

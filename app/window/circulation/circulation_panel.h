@@ -21,8 +21,8 @@ class ViewModel;
 
 /// A panel with the charts of the circulation: Wiggers's diagram over one beat with a cursor at the instant
 /// that is shown, the pressure-volume loops of both ventricles with a mark at that instant, and their
-/// numbers; dashed and in a column of its own what was kept to compare with. Cursor and marks follow every
-/// frame; the charts are drawn anew when the circulation is another one.
+/// numbers. A circulation kept for comparison is drawn dashed and has a column of its own. Cursor and marks
+/// follow every frame; the charts are drawn anew when the circulation changes.
 class CirculationPanel final : public QWidget {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ protected:
 private:
   void rebuild();
   void placeInstant();
-  /// Where a point of the panel's axes is in the chart.
+  /// The place in the chart of a point in the axes of the panel.
   static ChartCursor::Ring placeIn(const scene::CurvePanel& panel, double x, double y);
   void draw();
   QString legendText() const;

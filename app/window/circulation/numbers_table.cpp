@@ -22,8 +22,8 @@ const circulation::Reading& readingOf(int row) {
   return circulation::readings()[static_cast<std::size_t>(row)];
 }
 
-/// Names of one vessel differ behind their comma ("Aorta, systolic"), and two vessels before it: what there
-/// is no room for goes from both, after the unit.
+/// Names of one vessel differ behind their comma ("Aorta, systolic"), and two vessels before it: if there is
+/// no room, the unit is left out first, then both parts are shortened.
 QString readingName(const QString& name, const QString& unit, const QFontMetrics& metrics, int room) {
   constexpr int kLeastShare = 3; // Of the room, for what is before the comma.
   for (const QString& whole : {name + unit, name})

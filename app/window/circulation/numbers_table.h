@@ -9,7 +9,7 @@ namespace viscera::app {
 
 /// A normal range with the numbers of the window's language: "60–100", "from 60", "up to 5".
 QString normalText(const circulation::NormalValues& normal, int decimals);
-/// What the range means, who was measured, and who says so, in the language of the window.
+/// The meaning of the range, the people that were measured, and the source, in the language of the window.
 QString sourceText(const circulation::NormalValues& normal);
 
 /// A table of the computed numbers of a circulation, with normal ranges and the numbers of a kept
@@ -20,9 +20,9 @@ class NumbersTable final : public QTableWidget {
 public:
   explicit NumbersTable(QWidget* parent = nullptr);
 
-  /// Null: there is none.
+  /// Null: that circulation does not exist.
   void setIndices(const circulation::Indices* now, const circulation::Indices* before);
-  /// Whose normal ranges are beside the numbers.
+  /// Sets the person whose normal ranges are shown beside the numbers.
   void setPerson(const norms::Person& person);
   void setTheme(const Theme& theme);
 

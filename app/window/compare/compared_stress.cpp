@@ -21,7 +21,7 @@ ComparedStress::~ComparedStress() {
   first_.picture.setStressRange(std::nullopt);
 }
 
-/// The organ of the first view where the second one has it, too; else its own first one.
+/// The first view's organ if the second view has it too; else the second view's first organ.
 void ComparedStress::follow() {
   const presentation::ViewState& state = view_.state();
   const auto wanted = first_.workspace.currentOrgan();

@@ -14,7 +14,7 @@ namespace viscera::app {
 
 /// Shows the stress map of the compared organ in the second view while the first view shows one, with the
 /// same look. When the look asks for it, both maps share one range of colours, and the first view's legend
-/// says so.
+/// shows that.
 class ComparedStress final : public QObject {
   Q_OBJECT
 

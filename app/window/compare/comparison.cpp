@@ -40,7 +40,7 @@ bool sameButPosed(const document::DocumentState& a, const document::DocumentStat
 
 } // namespace
 
-/// Everything that belongs to the second view; the widgets in the window go by themselves.
+/// Everything that belongs to the second view; the window deletes its widgets itself.
 struct Comparison::Second {
   Second(const First& first, QWidget* window)
       : workspace(first.workspace.registry()), playback(workspace, first.playback), placer(workspace),
@@ -100,7 +100,8 @@ const Picture& Comparison::picture() const {
   return *second_->picture;
 }
 
-/// The first view's camera stays as it is: a view that becomes narrower backs off by itself, and comes back.
+/// The first view's camera stays as it is: a view that becomes narrower moves its camera back by itself, and
+/// restores it.
 void Comparison::open() {
   if (on())
     return;
@@ -228,7 +229,7 @@ DifferenceMap* Comparison::differences() const {
   return on() ? second_->differences.get() : nullptr;
 }
 
-/// What only the comparison of coordinates has.
+/// Removes the parts that only the comparison of coordinates has.
 void Comparison::dropSystem() {
   if (!second_->system)
     return;
@@ -327,7 +328,7 @@ void Comparison::end() {
     delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
   what_.reset();
   rates_.clear();
-  // The picture lets go of the view's renderer before the view goes.
+  // The picture releases the view's renderer before the view is deleted.
   second->differences.reset();
   second->system.reset();
   second->cameras.reset();
@@ -412,7 +413,7 @@ void Comparison::setTheme(const Theme& theme) {
   second_->view->setTheme(theme);
 }
 
-/// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay
+/// Makes the second document a copy of the first one. Organs whose surface and handles are the same stay
 /// bound.
 void Comparison::mirror() {
   const document::DocumentState& state = first_.workspace.state();
@@ -441,7 +442,7 @@ void Comparison::takeRate() {
     setSecondRate(first_.playback.player().ratePerMinute());
 }
 
-/// Where the second view's sequence can be as fast and as slow.
+/// Sets the second view's rate, if its sequence can be played at it.
 void Comparison::setSecondRate(double perMinute) {
   const sequences::Sequence* second = second_->playback.sequence();
   if (!second || perMinute < second->lowestRatePerMinute() || perMinute > second->highestRatePerMinute())

@@ -61,14 +61,15 @@ public:
   void showFiles(const QStringList& files);
   /// Asks for files and shows them.
   void chooseFiles();
-  /// One view again.
+  /// Ends the comparison; the window shows one view again.
   void end();
 
-  /// What is compared with, for a session. None of files, of what has not come yet, and of a kept pose whose
-  /// organs, handles or coordinates are no longer the document's.
+  /// What the first view is compared with, for saving in a session. Empty for a comparison with files, while
+  /// a comparison is still loading, and for a kept pose whose organs, handles or coordinates are no longer
+  /// the document's.
   std::optional<presentation::Compared> compared() const;
-  /// Compares with that again, with the first view as it is: its organs, its motion and its camera. Says so
-  /// when what is asked for is not there.
+  /// Restores a saved comparison; organs, motion and camera of the first view stay as they are. Shows a
+  /// message when what was compared with is missing.
   void restore(const presentation::Compared& compared);
 
   void setTheme(const Theme& theme);
@@ -80,11 +81,11 @@ public:
   const Picture& picture() const;
   /// The other coordinates of the second view, or null.
   ComparedSystem* comparedSystem() const;
-  /// How far the two lie apart, while other coordinates are compared, or null.
+  /// The colours of the distances between both views, while other coordinates are compared, else null.
   DifferenceMap* differences() const;
 
 Q_SIGNALS:
-  /// It began or ended.
+  /// The comparison began or ended.
   void toggled(bool on);
 
 private:
@@ -118,9 +119,9 @@ private:
   bool same_ = false;
   std::optional<presentation::Compared::What> what_; ///< None: files, or nothing yet.
   QString sample_;                                   ///< The one that was asked for.
-  /// That were wanted of the second view's sequences, a minute: an undo brings these back.
+  /// The rates that the user chose for the second view's sequences, per minute; restored on undo.
   std::map<std::shared_ptr<const sequences::Sequence>, double> rates_;
-  double wantedRate_ = 0; ///< Of the sample that is being loaded, a minute; 0: as fast as the first view's.
+  double wantedRate_ = 0; ///< Rate of the sample that is being loaded, per minute; 0: the first view's rate.
 };
 
 } // namespace viscera::app

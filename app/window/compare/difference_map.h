@@ -22,9 +22,9 @@ public:
 
   void setOn(bool on);
   bool on() const { return on_; }
-  /// Forgets how far the colours reached: what is compared is something else.
+  /// Resets the range of the colours; called when something else is compared.
   void restart();
-  /// In what is shown now, mm.
+  /// The greatest distance in the current frame, mm.
   double greatest() const { return greatest_; }
 
 private:
@@ -37,7 +37,7 @@ private:
   bool on_ = false;
   bool waiting_ = false;
   double greatest_ = 0;
-  double reach_ = 0; ///< Of the colours, mm.
+  double reach_ = 0; ///< Upper end of the colour range, mm.
   std::vector<Subscription> subscriptions_;
 };
 

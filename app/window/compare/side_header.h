@@ -9,8 +9,8 @@
 
 namespace viscera::app {
 
-/// The heading of one of two compared views: its number, what moves there and how fast, the phase and the
-/// volumes. In a narrow view its controls have a second row.
+/// The heading of one of two compared views: its number, the sequence it plays and its rate, the phase and
+/// the volumes. In a narrow view its controls have a second row.
 class SideHeader final : public QFrame {
   Q_OBJECT
 
@@ -18,8 +18,8 @@ public:
   explicit SideHeader(int number, QWidget* parent = nullptr);
 
   void setTitle(const QString& title) { title_->setFullText(title); }
-  /// The names of all phases that follow one another: the longest one's width is every phase's, as far as the
-  /// title leaves it, so that the title stands still. None: each phase has its own width.
+  /// Sets the names of all phases of a cycle. As far as the title leaves room, every phase gets the width of
+  /// the longest name, so that the title does not move. None: each phase has its own width.
   void setPhases(const QStringList& phases);
   /// What changes with every frame.
   void setState(const QString& phase, const QString& volumes);
@@ -43,7 +43,7 @@ private:
   void arrange();
   void arrangeIn(bool two);
   void sharePhase();
-  /// All but phase and volumes, which give way.
+  /// The width of everything but phase and volumes, which are shortened first.
   int widthInOneRow() const;
 
   QVBoxLayout* rows_;

@@ -8,7 +8,7 @@
 
 namespace viscera::app {
 namespace {
-/// ms: often enough to be seen to go on, seldom enough to leave the processor to the reading.
+/// ms: often enough to show progress, seldom enough to leave the processor to the reading.
 constexpr int kInterval = 200;
 } // namespace
 
@@ -56,7 +56,7 @@ void ArrivingSurfaces::look() {
   picture_.setTransientSurfaces(transient_, alone_);
 }
 
-/// What is not seen need not move, and between two arrivals there is no time for a smooth frame.
+/// Hidden organs need not move, and between two updates there is no time for a smooth frame.
 void ArrivingSurfaces::show(const Bounds& whole) {
   played_ = alone_ && playback_.player().playing();
   if (played_)

@@ -16,31 +16,32 @@ class Picture;
 class Playback;
 
 /// Shows organs in the view one after another while a worker still reads the others, so that the user sees at
-/// once whether it is the right patient. The document gets them when all are read.
+/// once whether it is the right patient. They are added to the document when all are read.
 class ArrivingSurfaces final : public QObject {
   Q_OBJECT
 
   struct Box;
 
 public:
-  /// Of one job that reads files.
+  /// Identifies one job that reads files.
   using Ticket = std::shared_ptr<Box>;
 
   /// All have to live longer.
   ArrivingSurfaces(Playback& playback, Picture& picture, QObject* parent = nullptr);
   ~ArrivingSurfaces() override;
 
-  /// Begins to show what arrives by this ticket, and nothing of other tickets any more. `alone`: in place of
-  /// what the document holds, which rests meanwhile.
+  /// Begins to show the organs of a new ticket, and stops showing those of older ones. `alone`: in place of
+  /// the document's organs, whose sequence is paused meanwhile.
   Ticket begin(bool alone);
-  /// What the worker tells. It may do so as long as it likes; what comes after the end is not shown.
+  /// The listener through which the worker passes organs. It may be called at any time; organs that it passes
+  /// after `end` are not shown.
   static document::ArrivingOrganListener listener(const Ticket& ticket);
-  /// Takes the surfaces away. Nothing happens for an old ticket. Unless the organs themselves follow
-  /// (`taken`), what was there before is seen and plays again.
+  /// Removes the surfaces. Nothing happens for an old ticket. Unless the organs are added to the document
+  /// (`taken`), the previous organs are shown and played again.
   void end(const Ticket& ticket, bool taken);
 
 private:
-  /// Where organs lie between the worker and the window.
+  /// Holds organs between the worker and the window.
   struct Box {
     std::mutex mutex;
     std::vector<document::ArrivingOrgan> organs;
@@ -55,7 +56,7 @@ private:
   QTimer timer_;
   std::vector<presentation::TransientSurface> transient_;
   bool alone_ = false;
-  bool played_ = false; ///< The document's motion, before the first organ arrived.
+  bool played_ = false; ///< Whether the document's motion was playing before the first organ arrived.
 };
 
 } // namespace viscera::app

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kImportSlot = "import";
 constexpr double kGlass = 0.5, kSolid = 1;
-/// Of the diagonal: less is not worth a jump of the camera.
+/// As a fraction of the diagonal: for a smaller difference the camera does not move.
 constexpr double kElsewhere = 0.01;
 
 } // namespace

@@ -14,8 +14,9 @@ class ImportPanel;
 class Picture;
 class Workspace;
 
-/// Controls the import of files that the user checks first: keeps the draft, lets a worker repair it, shows
-/// it in panel and view. Accepting is one undo step; cancelling leaves everything as it was.
+/// Controls the import of files that the user checks first: holds the draft, has a worker repair it, and
+/// shows it in the import panel and the view. Accepting is one undo step; cancelling leaves everything as it
+/// was.
 class ImportController final : public QObject {
   Q_OBJECT
 
@@ -23,18 +24,18 @@ public:
   ImportController(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent);
   ~ImportController() override;
 
-  /// The panel; whoever shows it owns it.
+  /// The panel; the widget that shows it takes ownership.
   ImportPanel* panel() const { return panel_; }
   bool isOpen() const { return open_; }
   const document::ImportDraft& draft() const { return draft_; }
 
-  /// Puts files on the desk. While others lie there, it says so and leaves these alone.
+  /// Opens the import panel with these files. If it already holds files, shows a message and does nothing.
   void begin(document::ImportDraft draft, const QStringList& files);
   void accept();
   void cancel();
   void repair(const std::vector<std::size_t>& organs, const std::string& repair);
 
-  /// Whatever it watches, cancels when that is closed.
+  /// Cancels the import when the watched widget is closed.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:

@@ -18,7 +18,7 @@
 namespace viscera::app {
 namespace {
 
-/// Worst first, so that what needs a look is not below forty good ones.
+/// Worst first, so that organs to check are not below forty good ones.
 std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
   std::vector<std::size_t> order(draft.organs.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -162,7 +162,8 @@ void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& t
   import_->setEnabled(!draft.empty());
 }
 
-/// What organs have in common is said above them, once, with the repairs that help all of them.
+/// Findings that several organs share are listed once above the organs, with the repairs that help all of
+/// them.
 void ImportPanel::addCommon(const document::ImportDraft& draft) {
   std::vector<std::size_t> all(draft.organs.size());
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -212,7 +213,7 @@ void ImportPanel::addOrgan(const document::ImportDraft& draft, std::size_t place
       {place, text(draft.organs[place].name), draft.organs[place].assessment.questionable(), check});
 }
 
-/// The choice stays where it means something still.
+/// The selection is kept if it still exists.
 void ImportPanel::fillFindings() {
   const QSignalBlocker quiet(finding_);
   const QVariant chosen = finding_->currentData();

@@ -18,7 +18,8 @@ class OrganCheck;
 
 /// A panel that shows the organs of files before they are imported: findings that several organs share, a
 /// list of organs with what was found in each, buttons that repair, and Import and Cancel. Many organs can be
-/// filtered by name and by finding, and taken along or left out together. Changes nothing itself.
+/// filtered by name and by finding, and included or left out together. The panel only sends signals; it does
+/// not change the draft itself.
 class ImportPanel final : public QWidget {
   Q_OBJECT
 
@@ -27,7 +28,7 @@ public:
 
   /// Shows a draft under a title such as a file's name.
   void showDraft(const document::ImportDraft& draft, const QString& title);
-  /// While a worker repairs nothing but Cancel can be pressed.
+  /// While a worker repairs, only Cancel is enabled.
   void setBusy(bool busy);
 
 Q_SIGNALS:
@@ -56,7 +57,7 @@ private:
   QLabel* summary_;
   QLineEdit* name_;
   QComboBox* finding_;
-  QWidget* filter_; ///< With these two, where there are many organs.
+  QWidget* filter_; ///< Shown, with the next two widgets, when there are many organs.
   QWidget* organs_;
   QVBoxLayout* column_;
   QPushButton* import_;

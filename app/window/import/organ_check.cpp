@@ -23,7 +23,7 @@ namespace {
 constexpr int kSeverityWidth = 18;
 constexpr int kButtonSpacing = 4;
 
-/// A shape beside the colour, for people who tell colours badly.
+/// A shape beside the colour, for colour-blind users.
 QLabel* severityLabel(medical_io::FindingSeverity severity, QWidget* parent) {
   struct Look {
     const char* name;

@@ -36,11 +36,11 @@ class OrganCheck final : public QFrame {
   Q_OBJECT
 
 public:
-  /// What is said of an organ.
+  /// Which facts are shown about an organ.
   struct Detail {
     bool file = false;  ///< Its file's name.
-    bool size = true;   ///< A doubt about its size; not where that is said for all organs together.
-    bool brief = false; ///< Of one in which nothing is to be looked at, the name and the size only.
+    bool size = true;   ///< A doubt about its size; false where the panel shows it for all organs together.
+    bool brief = false; ///< For an organ without findings to check: the name and the size only.
   };
 
   OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent = nullptr);
@@ -57,7 +57,7 @@ private:
   QLayout* makeHeading(const document::DraftOrgan& organ, bool withFile);
   QLayout* makeFoot(const document::DraftOrgan& organ);
   void addRepairs(QMenu& menu);
-  /// All that is as it should be, in one line.
+  /// Lists all good findings in one line.
   QWidget* makeGoodLine(const document::DraftOrgan& organ);
 };
 

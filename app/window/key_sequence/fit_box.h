@@ -24,9 +24,9 @@ namespace viscera::app {
 
 /// The controls that fit a sequence to the current organ, so that a patient's heart beats or a patient's
 /// stomach moves its waves. The sequence that suits the organ is chosen. Landmarks are clicked in the view,
-/// or found by the shape of the organ; while the box is seen they stand in the view with their names, and
-/// follow the organ. A heart with chambers gets a recorded sequence that moves these too, with the ejection
-/// fraction that is asked for.
+/// or found by the shape of the organ; while the box is visible, the view shows them with their names, and
+/// they follow the organ. A heart with chambers gets a recorded sequence that moves these too, with the
+/// ejection fraction that the user has set.
 class FitBox final : public QWidget {
   Q_OBJECT
 
@@ -35,9 +35,9 @@ public:
          QWidget* parent = nullptr);
   ~FitBox() override;
 
-  /// Of the current organ, mm, at rest.
+  /// The landmarks of the current organ, mm, at rest.
   const motion::Landmarks& landmarks() const { return landmarks_; }
-  /// The landmarks as they stand in the view.
+  /// The glyphs that show the landmarks in the view.
   const scene::MeasurementGlyphs& glyphs() const { return glyphs_; }
   /// Fits the sequence of that id to the current organ, and plays it.
   void fit(const QString& sequence);
@@ -51,7 +51,7 @@ private:
     QToolButton* pick = nullptr;
     QLabel* place = nullptr;
   };
-  /// A landmark in the view. One inside the organ moves as the surface that is nearest to it.
+  /// A landmark in the view. A landmark inside the organ moves with the nearest point of the surface.
   struct Mark {
     std::string name;
     Vec3 rest = Vec3::Zero();
@@ -68,9 +68,9 @@ private:
   bool isMarked(const document::Organ& organ) const;
   void syncMarks();
   void syncGlyphs();
-  /// The organ that is fitted to: the current one; of a chamber, the heart around it.
+  /// The organ to which the sequence is fitted: the current one, or the heart around it if that is a chamber.
   std::shared_ptr<const document::Organ> target() const;
-  /// The same where it is a heart whose chambers move, too.
+  /// The same organ if it is a heart with chambers that move too; else null.
   std::shared_ptr<const document::Organ> hollowHeart() const;
   void syncTarget();
   void chooseMatchingSequence(const document::Organ& organ);
@@ -92,9 +92,10 @@ private:
   QDoubleSpinBox* ejection_;
   QPushButton* fit_;
   motion::Landmarks landmarks_;
-  std::shared_ptr<const document::Organ> organ_; ///< Whose landmarks they are; null without organs.
+  std::shared_ptr<const document::Organ> organ_; ///< The organ that the landmarks belong to; null without
+                                                 ///< organs.
   std::vector<Mark> marks_;
-  std::string picking_; ///< The role for which a click is waited; empty: none.
+  std::string picking_; ///< The role of the landmark that the next click sets; empty: none.
   scene::MeasurementGlyphs glyphs_;
   std::vector<Subscription> subscriptions_;
 };

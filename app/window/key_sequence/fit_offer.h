@@ -13,7 +13,7 @@ namespace viscera::app {
 
 /// A card over the view that asks which organ a sequence is to move when the user's own organs are open: the
 /// current organ, to which it is fitted, or its sample organ, which takes the place of all organs. Hidden
-/// until something is asked; the better answer by the organ's name is the button that stands out.
+/// until `ask` is called; the answer that suits the organ's name better is the highlighted button.
 class FitOffer final : public QFrame {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ private:
 
   Workspace& workspace_;
   QString sequence_;
-  std::shared_ptr<const document::Organ> asked_; ///< About which it asks.
+  std::shared_ptr<const document::Organ> asked_; ///< The organ that the question is about.
   QLabel* question_;
   QPushButton* fit_;
   QPushButton* sample_;

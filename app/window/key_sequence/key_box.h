@@ -14,8 +14,8 @@ class QTableWidget;
 namespace viscera::app {
 
 /// The controls that record a key sequence: each key stores the pose of Deform mode with a time. Keys are
-/// listed, moved in time, given another easing, taken back into the pose, replaced and removed; the whole is
-/// played, saved and opened. Every change is an undo step.
+/// listed, moved in time, given another easing, copied back to the document's pose, replaced and removed; the
+/// sequence is played, saved and opened. Every change is an undo step.
 class KeyBox final : public QWidget {
   Q_OBJECT
 

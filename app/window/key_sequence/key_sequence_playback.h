@@ -20,12 +20,12 @@ public:
   /// The key sequence as a sequence to play; null without keys for the handles there are.
   const sequences::Sequence* sequence() const { return present_.get(); }
 
-  /// Where the next key is proposed: at the beginning, then a step behind the last one.
+  /// The time proposed for the next key: 0 for the first one, else a step after the last one.
   double nextSeconds() const;
   /// Takes the document's pose as a key at `seconds`; a later time than the key sequence lasts makes it
   /// longer. One undo step.
   bool addKey(double seconds, sequences::Easing easing);
-  /// The pose of a key becomes the document's, for changing it.
+  /// Sets the document's pose to that of a key, so that it can be edited.
   bool takePose(document::KeyId key);
   void save(const QString& file);
   void open(const QString& file);

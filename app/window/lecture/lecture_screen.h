@@ -36,7 +36,7 @@ public:
 
   bool on() const { return parts_.layout.bare(); }
   void begin();
-  /// Back to the window as it was. False when it was not on.
+  /// Ends the presentation and restores the window. False when it was not on.
   bool end();
 
 protected:

@@ -45,7 +45,7 @@ void Slides::onView() {
   Q_EMIT changed();
 }
 
-/// An organ whose look is changed while a slide shows it otherwise is seen as the user wants it now.
+/// When the user changes the look of an organ that a slide overrides, the new look is shown.
 void Slides::onDocument(const document::Change& change) {
   const auto lookOf = [](const document::DocumentState& state, document::OrganId id) {
     const auto organ = state.organ(id);
@@ -64,7 +64,7 @@ void Slides::edit(const std::function<void(std::vector<presentation::Slide>&)>& 
   editing_ = false;
 }
 
-/// What is seen, whether the document or a slide says so.
+/// The visible organs, whether the document or a slide determines that.
 presentation::SlideLook Slides::lookNow() const {
   const presentation::ViewState& view = view_.state();
   presentation::SlideLook look{view.cut, view.labels, view.partNames, view.organsSeen};

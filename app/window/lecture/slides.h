@@ -15,7 +15,7 @@ namespace viscera::app {
 
 /// Manages the slides of the session: kept views, each with a caption, an instant of a sequence, and which
 /// organs are seen, cut or whole, with or without names. They are part of the view's state, which a session
-/// keeps. Showing one does not change the document: what it hides is hidden in the view's state.
+/// keeps. Showing a slide does not change the document: organs are hidden in the view's state only.
 class Slides final : public QObject {
   Q_OBJECT
 
@@ -30,27 +30,28 @@ public:
   int current() const { return current_; }
 
   /// Keeps the present view after the current slide, and makes it the current one. A sequence that stands
-  /// still keeps its instant; one that plays goes on playing when the slide is shown. Organs are kept as they
-  /// are seen.
+  /// still keeps its instant; one that plays goes on playing when the slide is shown. The visibility of
+  /// organs is kept as shown.
   void add();
   void remove(int slide);
   void rename(int slide, const QString& caption);
   void move(int from, int to);
-  /// Brings the view to a slide.
+  /// Shows a slide in the view.
   void show(int slide);
-  /// Organs, cut and names are again as before the first slide that had some of its own; the camera stays.
+  /// Restores organs, cut and names to what they were before the first slide that changed them; the camera
+  /// stays.
   void leave();
-  /// After `leave`, they are those of the current slide again.
+  /// After `leave`, applies those of the current slide again.
   void resume();
-  /// What `leave` goes back to; none while no slide has changed it.
+  /// The look that `leave` restores; none while no slide has changed it.
   const std::optional<presentation::SlideLook>& lookBefore() const { return before_; }
   void next() { show(current_ + 1); }
   void previous() { show(current_ - 1); }
 
 Q_SIGNALS:
-  /// Other slides, other captions, or another current one.
+  /// The slides, their captions or the current slide have changed.
   void changed();
-  /// The present view is a slide now.
+  /// The present view was added as a slide.
   void kept(const QString& caption);
 
 private:
@@ -67,9 +68,10 @@ private:
   ViewWidget& widget_;
   Playback& playback_;
   int current_ = -1;
-  /// As it was before the first slide with a look of its own.
+  /// The look before the first slide that has one of its own.
   std::optional<presentation::SlideLook> before_;
-  std::vector<presentation::Slide> known_; ///< Others than these came with another session.
+  std::vector<presentation::Slide> known_; ///< The slides known so far; different ones come from another
+                                           ///< session.
   bool editing_ = false;
   Subscription subscription_;
 };

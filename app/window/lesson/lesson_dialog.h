@@ -22,15 +22,15 @@ public:
 
   /// The plan with the texts as they are in the dialog.
   lesson::LessonPlan plan() const;
-  /// A page; else animated glTF.
+  /// Whether the user chose a page; else animated glTF.
   bool wantsPage() const;
 
 private:
   QWidget* makeTexts();
-  /// What a user should think of before he sends this; empty for nothing.
+  /// A warning to show before the user passes the file on; empty for none.
   QString caution() const;
 
-  mutable lesson::LessonPlan plan_; ///< `textsOf` leads into it.
+  mutable lesson::LessonPlan plan_; ///< `textsOf` returns references into it.
   QLineEdit* title_;
   QPlainTextEdit* notes_;
   QTableWidget* texts_;

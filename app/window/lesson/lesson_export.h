@@ -19,7 +19,7 @@ class LessonExport final : public QObject {
   Q_OBJECT
 
 public:
-  /// What the lesson is taken from; all have to live longer.
+  /// The parts of the window from which the lesson is made; all have to live longer.
   struct Window {
     Workspace& workspace;
     Playback& playback;
@@ -33,9 +33,10 @@ public:
   /// Adds "export.lesson".
   void addTo(Actions& actions);
 
-  /// What there is to export now.
+  /// The present contents of the window that a lesson is made from.
   lesson::LessonSource source() const;
-  /// With what the program knows of a sample organ's parts. Throws `UsageError` when no organ is shown.
+  /// The plan of the lesson, with the texts that the program has about the parts of sample organs. Throws
+  /// `UsageError` when no organ is shown.
   lesson::LessonPlan plan() const;
   /// Makes the lesson on a worker and writes it: a page, or a .glb by the file's name.
   void write(const lesson::LessonPlan& plan, const QString& file);

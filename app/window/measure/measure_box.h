@@ -15,7 +15,8 @@ class QTreeWidgetItem;
 namespace viscera::app {
 
 /// The controls for measurements: buttons that begin one, and the list of all with each value now and at
-/// rest. Names are edited in the list; the chosen one is highlighted in the view, and the other way round.
+/// rest. Names are edited in the list; a measurement that is selected in the list is highlighted in the view,
+/// and vice versa.
 class MeasureBox final : public QWidget {
   Q_OBJECT
 
@@ -36,8 +37,8 @@ private:
   QLabel* hint_;
   QTreeWidget* list_;
   QPushButton* remove_;
-  std::vector<QPushButton*> forAll_; ///< Of use while there is any measurement.
-  QTimer values_;                    ///< Ends with the frame that is drawn of what has moved.
+  std::vector<QPushButton*> forAll_; ///< Enabled while there is any measurement.
+  QTimer values_;                    ///< Updates the values when the frame with the new positions is drawn.
   document::RegionMemory memory_;
   bool updating_ = false;
   std::vector<Subscription> subscriptions_;

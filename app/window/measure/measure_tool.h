@@ -13,10 +13,10 @@
 
 namespace viscera::app {
 
-/// Handles the mouse for measuring in the 3D view: while a kind is being measured every click on an organ is
-/// a point, and the last one completes a measurement; else points that are there can be dragged along the
-/// organs, which is one undo step. Nothing is in the document before a measurement is complete. The mouse on
-/// slices comes by `SliceMeasuring`; rectangles and spheres are measured there alone.
+/// Handles the mouse for measuring in the 3D view: while the user measures, every click on an organ adds a
+/// point, and the last one completes the measurement; otherwise existing points can be dragged along the
+/// organs, which is one undo step. A measurement is added to the document when it is complete.
+/// `SliceMeasuring` handles the mouse on slices; rectangles and spheres can be measured there only.
 class MeasureTool final : public QObject {
   Q_OBJECT
 
@@ -27,39 +27,39 @@ public:
   MeasureTool(Workspace& workspace, ViewWidget& view, const Picture& picture, const HandleController& handles,
               QObject* parent = nullptr);
 
-  /// Measures again and again until `end`, or until the tool is no longer enabled.
+  /// Begins to measure, one measurement after another, until `end` or until the tool is disabled.
   void begin(Kind kind);
   void end();
   bool active() const { return kind_.has_value(); }
   std::optional<Kind> kind() const { return kind_; }
-  /// Whether there are points that are no measurement yet.
+  /// Whether the present measurement has points already but is incomplete.
   bool begun() const { return !points_.empty(); }
   void setEnabled(bool enabled);
   bool enabled() const { return enabled_; }
-  /// Takes back what the mouse is at: a drag, points that are no measurement yet, measuring, the choice.
-  /// False when there was nothing.
+  /// Cancels the first of these that is under way: a drag, an incomplete measurement, measuring, the
+  /// selection. False when there was nothing to cancel.
   bool escape();
 
-  /// The measurement that is chosen in the list or by a press on one of its points.
+  /// The measurement selected in the list or by a press on one of its points.
   document::MeasurementId chosen() const { return chosen_; }
   void choose(document::MeasurementId measurement);
 
-  /// What is being measured, with the points so far and the place under the mouse behind them when there is
-  /// one.
+  /// The measurement under way: its points so far, then the place under the mouse if there is one.
   document::Measurement pending() const;
-  /// The mark under the mouse that a press would take hold of.
+  /// The mark under the mouse, which a press would grab.
   std::optional<scene::MeasurementGlyphs::Mark> hovered() const { return hovered_; }
   void setHovered(const std::optional<scene::MeasurementGlyphs::Mark>& mark);
 
-  /// A point of what is being measured; the last one completes it. `axis` is that of the slice that it is on,
-  /// none for one on an organ. A rectangle begins anew in another slice.
+  /// Adds a point to the measurement under way; the last one completes it. `axis` is that of the slice in
+  /// which the point lies, none for a point on an organ. A rectangle begins anew in another slice.
   void add(const document::MeasuredPoint& point, std::optional<int> axis);
-  /// What would be the next point; none: the mouse is on nothing.
+  /// Sets the place under the mouse, which would become the next point; none: there is nothing to measure
+  /// there.
   void setUnderMouse(const std::optional<document::MeasuredPoint>& point, std::optional<int> axis);
-  /// Takes a point of the document into the hand; false when it is not there.
+  /// Grabs a point of a measurement in the document; false when it does not exist.
   bool hold(const scene::MeasurementGlyphs::Mark& mark);
   bool holding() const { return held_.has_value(); }
-  /// Where the point in the hand is, mm; there has to be one.
+  /// The position of the grabbed point, mm. Requires that a point is grabbed.
   Vec3 placeHeld() const;
   void moveHeld(const document::MeasuredPoint& point);
   void letGo();
@@ -67,7 +67,7 @@ public:
 Q_SIGNALS:
   /// Measuring began or ended.
   void stateChanged();
-  /// Something looks different, or something else is chosen.
+  /// The marks to draw or the selection have changed.
   void changed();
 
 protected:
@@ -97,7 +97,7 @@ private:
   std::optional<Kind> kind_;
   std::vector<document::MeasuredPoint> points_;
   std::optional<document::MeasuredPoint> underMouse_;
-  int axis_ = 2; ///< Of the slice that the points are on.
+  int axis_ = 2; ///< Axis of the slice in which the points lie.
   std::optional<scene::MeasurementGlyphs::Mark> hovered_;
   std::optional<Held> held_;
   document::MeasurementId chosen_;

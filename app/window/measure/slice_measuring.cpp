@@ -31,7 +31,7 @@ bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyb
   return true;
 }
 
-/// What the point has of distance from the plane it keeps.
+/// The point keeps its distance from the plane.
 void SliceMeasuring::drag(int direction, const Eigen::Vector2d& pixel) {
   if (!tool_.holding())
     return tool_.setUnderMouse(pointAt(direction, pixel), axisOf(direction));

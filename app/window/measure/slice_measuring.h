@@ -8,8 +8,8 @@ namespace viscera::app {
 
 class SlicePanes;
 
-/// Handles the mouse for measuring on slices: while a kind is being measured a click is a point, and so are
-/// both ends of a drag; else points that are on no organ can be dragged in the slice.
+/// Handles the mouse for measuring on slices: while the user measures, a click adds a point, and a drag adds
+/// both its ends; otherwise points that lie on no organ can be dragged in the slice.
 class SliceMeasuring final : public SliceGrip {
 public:
   /// Both have to live longer.
@@ -26,9 +26,9 @@ private:
 
   MeasureTool& tool_;
   SlicePanes& panes_;
-  bool drawing_ = false;      ///< The press was a first point, so that the release may be the next one.
-  Vec3 start_ = Vec3::Zero(); ///< Where the point in the hand was, mm.
-  Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(); ///< From the mouse to it then, pixels.
+  bool drawing_ = false;      ///< The press added the first point, so the release may add the next one.
+  Vec3 start_ = Vec3::Zero(); ///< Where the grabbed point was at first, mm.
+  Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(); ///< From the mouse to that point at the press, pixels.
 };
 
 } // namespace viscera::app

@@ -146,7 +146,7 @@ QString ExploreMode::hint() const {
   return tr("Drag on a slice from the middle of a sphere to its border; Esc ends");
 }
 
-/// What the mouse is at, which is in no document yet.
+/// Shows the measurement under way, which is in no document yet.
 void ExploreMode::showMeasuring() {
   presentation::PendingMeasurement now{{}, tool_.pending()};
   if (tool_.chosen())

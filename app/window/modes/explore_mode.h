@@ -29,7 +29,7 @@ public:
   void enter() override { tool_.setEnabled(true); }
   void leave() override;
   bool escape() override;
-  /// For points of a measurement, drags of such a point and answers of the quiz.
+  /// True for points of a measurement, drags of such a point and answers to the quiz.
   bool takesClicks() const override { return measuring() || tool_.hovered() || quiz_.active(); }
   void click(const ClickedPlace* place) override;
 

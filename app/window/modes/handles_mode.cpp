@@ -43,7 +43,7 @@ void HandlesMode::makeRigActions(Actions& actions) {
               [this] { workspace_.perform(document::dropCage()); });
   actions.enableWhile({"handles.place", "handles.addEnclosing"},
                       [this] { return !workspace_.document().organs().empty(); });
-  // What nobody sees is not removed by a key.
+  // Handles can be removed and selected by keys only while they are visible.
   const auto seen = [this] { return parts_.view.state().shown.handles || parts_.view.state().handles; };
   actions.enableWhile({"handles.remove"},
                       [this, seen] { return seen() && !workspace_.selection().handles().empty(); });

@@ -20,7 +20,7 @@ public:
   }
   motion::WantedPose pose() const override { return motion::WantedPose::rest; }
   UsefulPanels panels() const override { return {true, false, false}; }
-  /// While it is on, how long binding took is said over the view.
+  /// Shows in the view how long each binding took while this mode is on.
   void enter() override;
   void leave() override { disconnect(bound_); }
   bool takesClicks() const override { return true; }

@@ -64,12 +64,12 @@ class Mode : public QObject {
   Q_OBJECT
 
 public:
-  /// The mode as the user meets it.
+  /// Name, icon and texts of the mode.
   struct Description {
     const char* id = "";   ///< "explore"; as in sessions and options.
     const char* icon = ""; ///< Of the icon set.
     int key = 0;           ///< The digit that chooses it; stays the same whatever other modes there are.
-    QString name;          ///< Under the icon.
+    QString name;          ///< Shown under the icon.
     QString hint;          ///< For the status bar: what the mouse does.
   };
 
@@ -83,30 +83,30 @@ public:
   virtual QWidget* makePage(const Actions& actions) = 0;
   /// The chart below the timeline, the caller's; null: the volumes.
   virtual QWidget* makeChart() { return nullptr; }
-  /// Whether its own chart is to be seen now, else the volumes; `chartWantedChanged` tells that it is
-  /// otherwise.
+  /// Whether to show the mode's own chart instead of the volumes; `chartWantedChanged` is emitted when that
+  /// changes.
   virtual bool chartWanted() const { return true; }
 
-  /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
+  /// What the view shows while the mode is on; `shownChanged` is emitted when that changes.
   virtual presentation::Shown shown() const = 0;
   virtual motion::WantedPose pose() const = 0;
   /// Asked when the mode begins, and when another sequence is there or none; `panelsChanged` tells that it is
   /// otherwise.
   virtual UsefulPanels panels() const = 0;
-  /// What the mouse does; `hintChanged` tells that it is something else.
+  /// A text for the status bar about what the mouse does; `hintChanged` is emitted when it changes.
   virtual QString hint() const { return description_.hint; }
 
   virtual void setTheme(const Theme&) {}
   virtual void enter() {}
   virtual void leave() {}
-  /// Takes back what the user is at; false when there is nothing.
+  /// Cancels what the user is doing; false when there is nothing to cancel.
   virtual bool escape() { return false; }
   /// Whether each click on the view counts on its own now, so that two quick ones are no double click.
   virtual bool takesClicks() const { return false; }
-  /// A click at a place of the view: true when the mode has used it, because it looks deeper than to the
-  /// organs' surfaces. Else `click` follows.
+  /// Called for a click at a place in the view before `click`. Returns true when the mode has handled it, for
+  /// modes that pick something behind the organs' surfaces; else `click` is called.
   virtual bool press(const QPointF&) { return false; }
-  /// A click, not on a handle; null: beside all organs. Selects the organ, where a mode has no other use.
+  /// Called for a click that is not on a handle; null: on no organ. The base class selects the organ.
   virtual void click(const ClickedPlace* place) {
     if (place)
       workspace_.selection().setOrgan(place->organ);
@@ -115,7 +115,7 @@ public:
   }
 
 Q_SIGNALS:
-  /// It asks to be the present mode.
+  /// The mode asks to become the present one.
   void wanted();
   void shownChanged();
   void hintChanged();
@@ -124,7 +124,7 @@ Q_SIGNALS:
 
 protected:
   const ModeParts parts_;
-  Workspace& workspace_; ///< Of `parts_`: what all modes use.
+  Workspace& workspace_; ///< Taken from `parts_`, since all modes use it.
 
 private:
   Description description_;

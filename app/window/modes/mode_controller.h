@@ -15,13 +15,13 @@
 
 namespace viscera::app {
 
-/// Switches between the modes of the window. It alone knows the current one, and writes what that mode shows
-/// into the view's state, which everything that draws reads.
+/// Switches between the modes of the window. It holds the current mode, and writes what that mode shows into
+/// the view's state, from which the views are drawn.
 class ModeController final : public QObject {
   Q_OBJECT
 
 public:
-  /// What modes change, and where the mouse works; all have to live longer.
+  /// The parts of the window that modes change or whose mouse events they handle; all have to live longer.
   struct Parts {
     Playback& playback;
     ViewModel& model;
@@ -32,7 +32,7 @@ public:
 
   explicit ModeController(const Parts& parts, QObject* parent = nullptr);
 
-  /// Adds a mode behind the others in the rail; the first one is on at first.
+  /// Adds a mode after the others in the rail. The first one is the current mode at the start.
   template <typename AnyMode>
   AnyMode& add(std::unique_ptr<AnyMode> mode) {
     AnyMode& added = *mode;
@@ -43,19 +43,20 @@ public:
   void addTo(Actions& actions);
 
   const std::vector<std::unique_ptr<Mode>>& all() const { return modes_; }
-  /// Only when there are modes.
+  /// The current mode. Requires at least one mode.
   const Mode& present() const { return *modes_[present_]; }
-  /// Of the present mode, among `all`.
+  /// Index of the present mode in `all`.
   int index() const { return static_cast<int>(present_); }
   /// The mode of that id; the first one when there is none.
   const Mode& find(const std::string& id) const { return *modes_[rowOf(id)]; }
   /// Changes to the mode of that id, or to the first one.
   void choose(const std::string& id);
-  /// Puts back what the mouse holds, or takes back what the mode is at; false when there is nothing.
+  /// Cancels the present drag, or else what the user is doing in the mode; false when there is nothing to
+  /// cancel.
   bool escape() { return parts_.handles.cancelDrag() || modes_[present_]->escape(); }
 
 Q_SIGNALS:
-  /// A mode was chosen while the mouse held something, which went back to where it was.
+  /// A mode was chosen during a drag, which was therefore cancelled.
   void dragTakenBack();
   /// Another mode is on.
   void changed();

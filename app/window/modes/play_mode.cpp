@@ -76,7 +76,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
 }
 
 PlayMode::~PlayMode() {
-  delete seriesDialog_; // It works with what goes now.
+  delete seriesDialog_; // The dialog uses objects that are destroyed now.
   comparison_->end();
   if (status_)
     status_->unwatch(recorder_->jobs());
@@ -147,7 +147,7 @@ QString PlayMode::whyNoValves() const {
                         : tr("Only the sample heart has valves to show");
 }
 
-/// The mark is what the view wants where that has an effect; what it wants stays.
+/// The action is checked if the view's choice has an effect; the choice itself is not changed.
 void PlayMode::syncValves() {
   const QString why = whyNoValves();
   valves_->setEnabled(why.isEmpty());
@@ -396,7 +396,7 @@ void PlayMode::addKey() {
   parts_.area.showBadge(keyRemark_);
 }
 
-/// Undo may have removed the key that the view still speaks of, or its time may be another one.
+/// Removes the remark about a key when undo has removed the key or changed its time.
 void PlayMode::retractKey() {
   const document::SequenceKey* key = workspace_.document().keySequence().key(toldKey_);
   if (!keyRemark_.isEmpty() && (!key || keyRemark(*key) != keyRemark_))

@@ -49,17 +49,17 @@ public:
   MeasuredMotion& measured() { return *measured_; }
   /// The table for a motion out of a series; the caller owns it.
   QWidget* makeResiduals();
-  /// Shows what asks for a series, and returns it.
+  /// Opens the dialog that asks for a series, and returns it.
   MotionDialog& chooseSeries();
 
-  /// Shows a sequence: on the organ that is there when it has it, else on its sample organ.
+  /// Shows a sequence: on the present organ if the sequence was made for it, else on its sample organ.
   void chooseSequence(const QString& id);
   /// Whether the sample heart is there, which a circulation can move.
   bool hasSampleHeart() const;
-  /// Whether that would take organs of the user's own out of the document.
+  /// Whether choosing that sequence would remove the user's own organs from the document.
   bool replacesOrgans(const QString& sequence) const;
-  /// Lets the circulation move the heart, in a scenario or (empty) as it was last: on the sample heart when
-  /// it is there, else it is loaded.
+  /// Lets the circulation move the heart, in a scenario or (empty) as it was last: the sample heart, which is
+  /// loaded if it is not present.
   void chooseScenario(const QString& id);
   /// Plays the beat of the sample heart, whatever makes it; false when there is none.
   bool playSampleHeart();
@@ -87,14 +87,14 @@ private:
   std::unique_ptr<CirculationModel> circulation_;
   std::unique_ptr<MeasuredMotion> measured_;
   QAction* valves_ = nullptr;           ///< The window's.
-  QString valvesTip_;                   ///< Of the action while it can be used.
+  QString valvesTip_;                   ///< Tooltip of the action while it is enabled.
   QPointer<MotionDialog> seriesDialog_; ///< The window's.
   QPointer<ResidualTable> residuals_;
   QPointer<CirculationPanel> chart_;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
-  document::KeyId toldKey_; ///< The view said that it was recorded.
-  QString keyRemark_;       ///< What was said of it; empty when that no longer holds.
+  document::KeyId toldKey_; ///< The key about which the status bar shows a remark.
+  QString keyRemark_;       ///< That remark; empty when it no longer applies.
   Subscription subscription_;
 };
 

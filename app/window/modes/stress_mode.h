@@ -26,12 +26,12 @@ public:
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
-  /// Its chart is of a sequence that is shown.
+  /// The chart needs a sequence that is shown.
   UsefulPanels panels() const override {
     return {false, parts_.playback.sequence() != nullptr, parts_.playback.showing()};
   }
-  /// Whoever comes from posing the organ sees the map of that pose, not of the sequence that was paused
-  /// before.
+  /// After a mode in which the user has posed the organ, shows the map of that pose, not of the sequence that
+  /// was paused before.
   void enter() override;
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
@@ -57,7 +57,7 @@ private:
   StressPage* page_ = nullptr;
   StressChart* chart_ = nullptr;
   StressExport* exports_;
-  bool posed_ = false; ///< In a mode that shows the own pose, and no sequence was shown since.
+  bool posed_ = false; ///< The last mode showed the document's pose, and no sequence was shown since.
   Subscription subscription_;
 };
 

@@ -17,18 +17,18 @@ class QSpinBox;
 namespace viscera::app {
 
 /// The controls that choose how a movie is recorded, and start it: kind, file, size, frames a second, cycles.
-/// Kinds that this computer cannot write are not offered, and it says why.
+/// Kinds that this computer cannot write are disabled, with the reason.
 class MovieBox final : public QWidget {
   Q_OBJECT
 
 public:
   explicit MovieBox(Settings& settings, QWidget* parent = nullptr);
 
-  /// What files are called: "heartbeat_75".
+  /// Sets the name of new files: "heartbeat_75".
   void setName(const QString& name);
   void setRunning(bool running);
   MoviePlan plan() const;
-  /// Looks again for what is installed and for a file name that is free.
+  /// Checks again which encoders are installed and which file name is free.
   void refresh();
 
 Q_SIGNALS:

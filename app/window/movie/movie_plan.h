@@ -33,7 +33,7 @@ struct MoviePlan {
   bool caption = true; ///< Phase and volumes are written into the picture.
   bool table = false;  ///< The volumes go into a table beside it as well.
 
-  /// Where the table goes: the file's name with another ending.
+  /// The file of the table: the movie's file name with another ending.
   QString tableFile() const;
 };
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kRecordSlot = "record";
 constexpr double kDrawingShare = 0.95; ///< Of the progress; the rest is closing the movie.
-/// What is recorded of organs that do not move, s.
+/// Duration of a movie of organs that do not move, s.
 constexpr double kStillSeconds = 2;
 
-/// What the recording thread is handed: nothing in it belongs to the window any more.
+/// The data passed to the recording thread, none of which belong to the window.
 struct Take {
   MoviePlan plan;
   std::vector<std::unique_ptr<MovieStage>> stages;

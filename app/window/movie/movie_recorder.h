@@ -12,16 +12,17 @@
 namespace viscera::app {
 
 /// Records a movie of one view, or of two side by side: a job on a thread of its own poses, draws off the
-/// screen, encodes and writes, shows its progress and can be cancelled. What is cancelled or fails leaves
-/// nothing behind.
+/// screen, encodes and writes, shows its progress and can be cancelled. A recording that is cancelled or
+/// fails leaves no file.
 class MovieRecorder final : public QObject {
   Q_OBJECT
 
 public:
-  /// `workspace` is told what went wrong.
+  /// Errors are reported to `workspace`.
   explicit MovieRecorder(Workspace& workspace, QObject* parent = nullptr);
 
-  /// Starts; false when it cannot (and says why), or when one is being made.
+  /// Starts recording; false when that is not possible (a message gives the reason), or while another movie
+  /// is recorded.
   bool start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources);
   bool running() const { return running_; }
   void cancel();
@@ -30,13 +31,13 @@ public:
 
 Q_SIGNALS:
   void stateChanged();
-  /// It ended: complete, or cancelled or failed with nothing left.
+  /// The recording ended: complete, or cancelled or failed without a file.
   void finished(bool complete, const viscera::app::MoviePlan& plan);
 
 private:
   Workspace& workspace_;
   bool running_ = false;
-  /// Last: it waits for its thread before anything else goes.
+  /// The last member, so that its thread ends before other members are destroyed.
   JobQueue jobs_;
 
   void end(const JobResult<int>& result, const MoviePlan& plan);

@@ -21,11 +21,11 @@
 
 namespace viscera::app {
 
-/// A copy of a view and its organs, made when the recording of a movie begins: whatever the user does in the
-/// meantime, the movie goes on unchanged. Made on the main thread, drawn on one other.
+/// A copy of a view and its organs, made when the recording of a movie begins: changes that the user makes in
+/// the meantime do not affect the movie. Created on the main thread, used on one other.
 class MovieStage {
 public:
-  /// What is recorded; only looked at while the stage is made.
+  /// The view to record; only read by the constructor.
   struct Source {
     Workspace& workspace;
     Playback& playback;
@@ -38,7 +38,7 @@ public:
   /// Poses the organs at `seconds` of the sequence, as the window would show them; organs without one stay as
   /// they are. Returns the volumes of what is tracked, ml.
   const std::vector<double>& show(double seconds);
-  const std::vector<std::string>& names() const { return names_; } ///< Of what is tracked.
+  const std::vector<std::string>& names() const { return names_; } ///< Names of the tracked organs.
   /// Draws the pose that is shown, as the window would. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
@@ -55,16 +55,16 @@ private:
   live::StressCopy stress_;
   motion::MotionRunner runner_;
   presentation::ViewState view_;
-  std::optional<scene::ValueRange> stressRange_; ///< Of both views, as it was.
+  std::optional<scene::ValueRange> stressRange_; ///< Range of both views at the start.
   bool stressLegend_;
   scene::Theme theme_;
   QSize size_;
   bool captionWanted_;
   double seconds_ = 0;
   std::vector<std::string> names_;
-  std::vector<double> milliliters_; ///< One a name, of the pose that is shown.
+  std::vector<double> milliliters_; ///< One for each name, in the pose that is shown.
   vtkNew<vtkTextActor> caption_;
-  std::unique_ptr<presentation::Stage> stage_; ///< Of the thread that draws.
+  std::unique_ptr<presentation::Stage> stage_; ///< Belongs to the thread that draws.
 };
 
 /// Two pictures of the same height beside one another.

@@ -20,7 +20,7 @@ Vec3 asVec3(const QColor& color);
 /// A rounded square of that colour, for lists.
 QIcon swatch(const QColor& color);
 
-/// The colour of the tissue that a name speaks of ("liver_left.vtk" is liver); none for other names.
+/// The colour of the tissue named in a file or organ name ("liver_left.vtk" is liver); none for other names.
 std::optional<QColor> tissueColor(const QString& name);
 
 /// The colour that an organ called `name` gets from its tissue: where its file gives it none, and where that

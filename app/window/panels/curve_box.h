@@ -12,15 +12,15 @@ class QPushButton;
 namespace viscera::app {
 
 /// The controls that prescribe an organ's volume over the cycle of the present sequence by a file, and remove
-/// it again. That belongs to the view: it is no step of undo, a session keeps it, and another sequence begins
-/// without it.
+/// it again. That belongs to the view: it is not an undo step, a session saves it, and another sequence
+/// begins without it.
 class CurveBox final : public QWidget {
   Q_OBJECT
 
 public:
   CurveBox(Workspace& workspace, Playback& playback, Settings& settings, QWidget* parent = nullptr);
 
-  /// Reads a file and prescribes it for the organ that is chosen; what is wrong becomes a message.
+  /// Reads a file and prescribes it for the organ that is chosen; errors are shown as a message.
   void load(const QString& file);
 
 private:

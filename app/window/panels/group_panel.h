@@ -40,9 +40,9 @@ private:
   Workspace& workspace_;
   QTreeWidget* list_;
   QLabel* empty_;
-  QLabel* unused_;   ///< Said when the coordinates do not look at groups.
+  QLabel* unused_;   ///< Shown when the chosen coordinates do not use groups.
   QLabel* added_;    ///< What automatic grouping has added.
-  QPushButton* use_; ///< Offers coordinates that do.
+  QPushButton* use_; ///< Switches to coordinates that use groups.
   QPushButton* create_ = nullptr;
   QPushButton* add_ = nullptr;
   QPushButton* takeOut_ = nullptr;

@@ -12,21 +12,21 @@ class QAction;
 
 namespace viscera::app {
 
-/// The menu of what can be done to the chosen organs, in the list and in the view. What it does is done to
-/// all of them in one undo step.
+/// The context menu of the selected organs, in the list and in the view. An action applies to all of them in
+/// one undo step.
 class OrganMenu final : public QMenu {
   Q_OBJECT
 
 public:
   using Chosen = std::function<std::vector<document::OrganId>()>;
 
-  /// All have to live longer; `chosen` says which organs are meant.
+  /// All have to live longer; `chosen` returns the selected organs.
   OrganMenu(Workspace& workspace, PoseEditor& poses, Chosen chosen, QWidget* parent);
 
   /// Adds "volume.lock", and fills the menu with that and with the actions of the list and the view, which
-  /// have to be there.
+  /// have to exist.
   void addTo(Actions& actions);
-  /// Lets the user choose a colour for organs, beside what was clicked.
+  /// Opens the colour menu for organs beside the clicked place.
   void chooseColorOf(const std::vector<document::OrganId>& organs, const QPoint& globalPlace);
 
 private:

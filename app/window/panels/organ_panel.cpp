@@ -149,14 +149,14 @@ void OrganPanel::addTo(Actions& actions) {
       {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
       [this] { return !workspace_.document().organs().empty(); });
   menu_->addTo(actions);
-  // What can be done depends on all rows that are chosen.
+  // Which actions are enabled depends on all selected rows.
   connect(list_, &QTreeWidget::itemSelectionChanged, &actions, [this, &actions] {
     if (!updating_)
       actions.sync();
   });
 }
 
-/// Handles without an organ are of no use: they go with the last one.
+/// Handles without an organ are useless, so they are removed with the last one.
 void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
   document::Command command = document::removeOrgans(organs);
   const document::OrganList& all = workspace_.document().organs();
@@ -190,7 +190,7 @@ std::vector<document::OrganId> OrganPanel::chosen() const {
   std::vector<document::OrganId> organs;
   for (const auto& organ : workspace_.document().organs()) {
     const auto found = items_.find(organ->id);
-    // What the search hides is not meant; a new organ may have no row yet.
+    // Hidden rows are not included; a new organ may have no row yet.
     if (found == items_.end() || found->second->isHidden())
       continue;
     const QTreeWidgetItem* item = found->second;
@@ -282,17 +282,17 @@ void OrganPanel::rebuild() {
   opacity_->setVisible(!organs.empty());
   search_->setVisible(!systems_.empty());
   if (systems_.empty())
-    search_->clear(); // A field that nobody sees hides no row.
+    search_->clear(); // A hidden search field must not filter rows.
   updateVolumes();
-  // Rows that stay are chosen as they were: what was done to them may be followed by something else.
+  // Rows that stay keep their selection, so that the user can apply further actions to them.
   if (!rowsStay || list_->selectedItems().isEmpty())
     syncSelection();
   syncOpacity();
   giveNamesRoom();
 }
 
-/// Numbers give way where names would be cut: a wider panel has room for both, and tips and the status bar
-/// tell them, too.
+/// Hides numbers if names would be cut: a wider panel has room for both, and tooltips and the status bar show
+/// the numbers too.
 void OrganPanel::giveNamesRoom() {
   widestVolume_ = 0;
   leaveNumbersOut();
@@ -343,7 +343,7 @@ void OrganPanel::updateSystems() {
   }
 }
 
-/// Rows that have what is searched for in the name that they show; a system without such a row is hidden.
+/// Shows the rows whose name contains the search text; a system without such a row is hidden.
 void OrganPanel::filter() {
   const QString part = search_->text().trimmed();
   for (const auto& [id, item] : items_)
@@ -375,7 +375,7 @@ void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) 
 }
 
 void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item) {
-  // Only what is locked is to catch the eye.
+  // Only locks that are on should be conspicuous.
   const QPixmap open = icon("unlock").pixmap(kOrganIconSize, QIcon::Disabled);
   item->setIcon(kOrganLock, organ.volumeLocked ? icon("lock") : QIcon(open));
   if (!organ.closed())
@@ -469,8 +469,8 @@ void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
   const std::string name = item->text(kOrganName).trimmed().toStdString();
   const auto present = workspace_.document().organ(id);
   if (present && item->text(kOrganName) == inWords(presentation::labelOf(*present)))
-    return; // What is written for its name.
-  // A name that is refused goes back to what it was.
+    return; // The text that is shown as its name.
+  // A name that is refused is reset.
   if (!workspace_.perform(document::renameOrgan(id, name)))
     if (const auto organ = workspace_.document().organ(id))
       updateRow(*organ, item);

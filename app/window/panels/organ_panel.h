@@ -36,7 +36,7 @@ public:
   /// The organs whose rows are chosen, those of chosen systems included, as far as the search shows them;
   /// else the current one; may be none.
   std::vector<document::OrganId> chosen() const;
-  /// What can be done to the chosen organs; there after `addTo`.
+  /// The context menu of the selected organs; null before `addTo`.
   OrganMenu* menu() const { return menu_; }
   /// Opens the name of the selected organ for editing.
   void editName();
@@ -51,7 +51,7 @@ private:
   bool sameRows() const;
   void makeRows();
   QTreeWidgetItem* rowUnder(QTreeWidgetItem* parent);
-  /// The row of a system of the body, made when it is not there yet.
+  /// The row of a system of the body; creates it if needed.
   QTreeWidgetItem* systemRow(const std::string& system);
   void updateSystems();
   void filter();
@@ -78,7 +78,7 @@ private:
   QLineEdit* search_;
   std::map<document::OrganId, QTreeWidgetItem*> items_;
   std::map<std::string, QTreeWidgetItem*> systems_; ///< Empty while the organs are few.
-  OrganMenu* menu_;                                 ///< What can be done to the chosen organs.
+  OrganMenu* menu_;                                 ///< The context menu of the selected organs.
   bool updating_ = false;
   int widestVolume_ = 0; ///< Of the numbers since the panel or its rows were others last, in pixels.
   std::vector<Subscription> subscriptions_;

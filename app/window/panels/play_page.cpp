@@ -255,7 +255,7 @@ void PlayPage::syncTable() {
   table_->setFixedHeight(height);
 }
 
-/// Measured on the surfaces of the sample heart; beside the number what healthy adults have.
+/// Measured on the surfaces of the sample heart; beside the number the normal range.
 void PlayPage::syncWalls() {
   const auto wall = volumes_.wall();
   const auto& ranges = sequences::wallMotionRanges();

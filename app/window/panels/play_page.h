@@ -52,9 +52,9 @@ private:
   QLabel* output_ = nullptr;
   std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
   QLabel* normal_ = nullptr;
-  QAbstractButton* patient_ = nullptr; ///< Circulation of this heart.
+  QAbstractButton* patient_ = nullptr; ///< The button "Circulation of this heart".
   QLabel* patientFit_ = nullptr;
-  /// The left ventricle of an organ with a motion of its own; nothing while there is none.
+  /// The left ventricle of an organ with a tracked motion; empty while there is none.
   std::optional<motion::CardiacIndices> ventricle_;
   MovieBox* record_ = nullptr;
   Subscription subscription_;

@@ -14,7 +14,7 @@ namespace viscera::app {
 namespace {
 constexpr double kFarthest = 10000;
 constexpr double kFarthestMove = 1000;
-/// mm; what is nearer to the wish is as typed.
+/// mm; a handle that is nearer to the typed position counts as being there.
 constexpr double kAsTyped = 0.005;
 
 /// A line of a name and a field in mm for each axis.

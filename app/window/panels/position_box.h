@@ -20,7 +20,8 @@ class PositionBox final : public QWidget {
 public:
   enum class Of { rest, pose };
 
-  /// `poses` keeps the locked volumes when a place in the pose is typed; not needed for places at rest.
+  /// `poses` keeps the locked volumes when a position in the pose is typed; may be null for positions at
+  /// rest.
   PositionBox(Workspace& workspace, Of what, QWidget* parent = nullptr, PoseEditor* poses = nullptr);
 
 private:

@@ -7,7 +7,7 @@
 namespace viscera::app {
 
 /// A list of the sequences that can be played, each with a picture: those that suit the current organ first,
-/// then the others that the program brings, then those of the user.
+/// then the program's other sequences, then those of the user.
 class SequenceList final : public QListWidget {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
   QSize sizeHint() const override;
 
 Q_SIGNALS:
-  /// The user has chosen one, by its id.
+  /// The user has chosen the sequence with this id.
   void sequenceChosen(const QString& id);
 
 protected:
@@ -26,7 +26,7 @@ protected:
 
 private:
   void rebuild();
-  /// One of the list.
+  /// An entry of the list.
   struct Item {
     QString id;
     QString name;

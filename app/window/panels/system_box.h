@@ -17,8 +17,8 @@ namespace viscera::app {
 class SystemCombo;
 
 /// The controls that choose the coordinate system: a list of the systems, a line about the chosen one, badges
-/// for what it can do, and its parameters, made from what the system says of itself. A slider ends where the
-/// handles bound its parameter.
+/// for what it can do, and its parameters, made from the system's description of itself. If the handles limit
+/// a parameter, its slider ends there.
 class SystemBox final : public QWidget {
   Q_OBJECT
 
@@ -39,8 +39,8 @@ private:
   QWidget* parameterBox_ = nullptr;
   QVBoxLayout* column_;
   std::string shownSystem_;
-  std::map<std::string, double> upperBounds_;  ///< Of parameters that the handles bound.
-  std::vector<std::function<void()>> readers_; ///< Bring the editors up to date.
+  std::map<std::string, double> upperBounds_;  ///< Limits of parameters that depend on the handles.
+  std::vector<std::function<void()>> readers_; ///< Functions that update the editors.
   Subscription subscription_;
 };
 

@@ -24,8 +24,8 @@ private:
   PoseEditor& poses_;
   QDoubleSpinBox* field_;
   QPushButton* apply_;
-  document::OrganId shown_; ///< The organ that the field is about.
-  bool typed_ = false;      ///< Something was typed and not applied yet.
+  document::OrganId shown_; ///< The organ whose volume the field shows.
+  bool typed_ = false;      ///< A number was typed and is not applied yet.
 };
 
 } // namespace viscera::app

@@ -10,7 +10,7 @@
 namespace viscera::app {
 
 /// A quiz about the parts of the organs: labels are hidden, the user is asked to click on a part, and the
-/// label of a part that was found stays. Changes nothing in the document; another list of organs ends it.
+/// label of a part that was found stays. Does not change the document; when the organs change, the quiz ends.
 class QuizTool final : public QObject {
   Q_OBJECT
 
@@ -18,17 +18,17 @@ public:
   /// All have to live longer.
   QuizTool(Workspace& workspace, Picture& picture, QObject* parent = nullptr);
 
-  /// Whether there is anything to ask for.
+  /// Whether the organs have parts to ask for.
   bool possible() const;
   bool active() const { return quiz_.has_value(); }
   void begin();
   void end();
-  /// A click on an organ, null for one beside all. False when no answer is awaited.
+  /// Handles a click on an organ; null: on no organ. False when no answer is awaited.
   bool click(const ClickedPlace* place);
 
   /// "Click: Left atrium"; empty while nothing is asked.
   const QString& question() const { return question_; }
-  /// What became of the last answer, and how far one is.
+  /// Whether the last answer was right, and the progress of the quiz.
   const QString& result() const { return result_; }
   const presentation::PartQuiz* quiz() const { return quiz_ ? &*quiz_ : nullptr; }
 
@@ -42,7 +42,7 @@ private:
   Workspace& workspace_;
   Picture& picture_;
   std::optional<presentation::PartQuiz> quiz_;
-  std::shared_ptr<const document::OrganList> organs_; ///< Of which is asked.
+  std::shared_ptr<const document::OrganList> organs_; ///< The organs that the quiz is about.
   QString question_;
   QString result_;
   Subscription documents_;

@@ -14,7 +14,7 @@
 namespace viscera::app {
 namespace {
 
-/// What a worker needs, and keeps as long as it works.
+/// The data that a worker needs, kept as long as it works.
 struct Material {
   explicit Material(Workspace& workspace) : organs(workspace.live().copy()), systems(workspace.registry()) {}
 
@@ -48,7 +48,7 @@ void ReportExport::addTo(Actions& actions) {
 
 presentation::ViewState ReportExport::view() const {
   presentation::ViewState view = presentation::viewFromJson(window_.view.gather(true));
-  view.shown.rest = false; // Also who edits the handles reports on the pose.
+  view.shown.rest = false; // The report shows the pose, even in the mode Handles.
   return view;
 }
 

@@ -15,12 +15,12 @@ class Actions;
 class SessionFiles;
 
 /// Exports the session as a report (File > Report...) or as a script of commands (Edit > Copy as commands).
-/// Both are made by a worker from what there is at that moment.
+/// A worker makes both from the state of the window at that moment.
 class ReportExport final : public QObject {
   Q_OBJECT
 
 public:
-  /// What they are taken from; all have to live longer.
+  /// The parts of the window from which they are made; all have to live longer.
   struct Window {
     Workspace& workspace;
     Playback& playback;

@@ -216,7 +216,7 @@ void SessionFiles::read(const QString& file, std::optional<document::Recovery> r
           if (autosave_)
             autosave_->adopt(*recovery);
         };
-        // Work that was done while the file was read has not been asked about.
+        // If something was changed while the file was read, the user has to be asked again.
         if (workspace_.state() == asked.state && view_.slides() == asked.slides)
           takeIt();
         else
@@ -272,7 +272,7 @@ void SessionFiles::sayWarnings(const document::OpenedSession& session, const QSt
   const bool missing =
       !file.isEmpty() && (!session.contents.missingScan.empty() ||
                           std::any_of(session.surfaces.begin(), session.surfaces.end(), isMissingFile));
-  // Where nothing has opened, there is nothing else to see.
+  // Whether no organ could be opened, so that the document is empty.
   const bool all = missing && session.contents.state.organs->empty();
   const std::size_t shown = all ? warnings.size() : std::min(warnings.size(), kShownSessionWarnings);
   QStringList lines;
@@ -304,7 +304,7 @@ void SessionFiles::startAutosave(const std::filesystem::path& folder, double del
 document::SessionContents SessionFiles::recoveryContents() const {
   document::SessionContents kept = contents();
   kept.recovers = file_.toStdString();
-  kept.embedScan = false; // Every minute a hundred megabytes that are in a file, too.
+  kept.embedScan = false; // Would write a hundred megabytes every minute that are in a file already.
   return kept;
 }
 
@@ -379,7 +379,7 @@ void SessionFiles::endCleanly() {
 void SessionFiles::sampleLoaded(const QString&, bool untouched, bool first) {
   if (!untouched || !file_.isEmpty())
     return;
-  if (first) // Work begins with it: there is nothing to go back to.
+  if (first) // The sample is the first content, so there is no earlier state for undo.
     workspace_.undo().reset(workspace_.state());
   else
     workspace_.undo().markSaved();

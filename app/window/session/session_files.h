@@ -26,7 +26,7 @@ class SessionFiles final : public QObject {
   Q_OBJECT
 
 public:
-  /// What is to become of changes that are not saved.
+  /// The user's answer to the question about unsaved changes.
   enum class Answer { save, discard, cancel };
 
   SessionFiles(Workspace& workspace, Playback& playback, SessionView& view, Settings& settings,
@@ -41,72 +41,75 @@ public:
   QString name() const;
   /// Whether there are changes that are not saved.
   bool modified() const { return !workspace_.undo().isClean() || view_.slides() != savedSlides_; }
-  /// Everything that is saved, as it is now.
+  /// The present contents of the session to save.
   document::SessionContents contents() const;
 
-  /// Saves to the session's file, or asks for one. `then` follows once it is saved.
+  /// Saves to the session's file, or asks for one. Calls `then` when it is saved.
   void save(std::function<void()> then = {});
-  /// Asks for a file, and whether the surfaces are to be inside.
+  /// Asks for a file and whether to store the surfaces in it, and saves.
   void chooseAndSave(std::function<void()> then = {});
   void saveTo(const QString& file, bool embed, std::function<void()> then = {});
-  /// Opens a session in place of what there is; asks first when that is not saved.
-  /// Organs' files are looked for in the folder `alsoIn`, too.
+  /// Opens a session in place of the present one; asks first if that has unsaved changes. Also looks for
+  /// organs' files in the folder `alsoIn`.
   void open(const QString& file, const QString& alsoIn = {}) {
     whenSaved([this, file, alsoIn] { read(file, std::nullopt, alsoIn); });
   }
-  /// An empty document; asks first.
+  /// Begins an empty document; asks first if there are unsaved changes.
   void begin();
-  /// Calls `then` when no change can be lost any more: all is saved, or the user does not want it. False
-  /// when the answer is still awaited, or no.
+  /// Calls `then` once changes are saved or the user discards them. Returns false if the answer is still
+  /// awaited or the user cancels.
   bool whenSaved(std::function<void()> then);
 
-  /// From now on the work is kept in recovery files in this folder.
+  /// Begins to save recovery files in this folder.
   void startAutosave(const std::filesystem::path& folder,
                      double delaySeconds = document::Autosave::kDelaySeconds);
-  /// Offers what an earlier run of the program has left.
+  /// Offers to open the recovery files of earlier runs of the program.
   void offerRecovery();
-  /// Opens the youngest of what was left.
+  /// Opens the newest of these recovery files.
   void recover();
-  /// The program ends without having been asked to: brings unsaved work into the recovery file and waits for
-  /// that. False when there is nothing to keep, or it is not kept. Throws when it cannot be written.
+  /// Called when the program ends unexpectedly: writes unsaved work to the recovery file and waits until that
+  /// is done. Returns false if there is no unsaved work, or no recovery file. Throws when it cannot be
+  /// written.
   bool keepNow();
-  /// Everything is saved or not wanted, and the program ends.
+  /// Called when the program ends and all changes are saved or discarded.
   void endCleanly();
 
-  /// Another way to ask than a dialog, for tests.
+  /// For tests: replaces the dialog that asks about unsaved changes.
   void setQuestion(std::function<Answer(const QString& name)> question) { question_ = std::move(question); }
 
 Q_SIGNALS:
-  /// Another file, or saved, or not saved any more.
+  /// The session's file or its saved state has changed.
   void changed();
   void recentFilesChanged();
-  /// A document was opened in place of the one before.
+  /// Another document was opened.
   void opened();
 
 public Q_SLOTS:
-  /// A sample organ took the place of everything: nothing that somebody has to save when `untouched`, and no
-  /// step that could be undone when it is the `first` thing in the window.
+  /// Called when a sample organ has replaced everything. If the document was `untouched`, the session counts
+  /// as saved; if the sample is the `first` thing in the window, loading it cannot be undone.
   void sampleLoaded(const QString& name, bool untouched, bool first);
 
 private:
   void read(const QString& file, std::optional<document::Recovery> recovery, const QString& alsoIn = {});
   void take(const document::OpenedSession& session, const QString& file);
   void takeContents(const document::SessionContents& contents, const QString& file);
-  /// What a session file keeps, and undo or the user can change.
+  /// The parts of a session that decide whether it has unsaved changes.
   struct Kept {
     document::DocumentState state;
     std::vector<presentation::Slide> slides;
   };
 
-  /// Whether surfaces are inside; none: it was written for a session that is no longer open.
+  /// Called after writing. `embed`: whether the file holds the surfaces; none: it was written for a session
+  /// that is no longer open.
   void wrote(const QString& file, std::optional<bool> embed, const Kept& kept);
   void takeSlides();
   void onView();
-  /// Offers to look for files that are missing where `file` can be opened again.
+  /// Shows the warnings of an opened session, and offers to look for missing files if `file` can be opened
+  /// again.
   void sayWarnings(const document::OpenedSession& session, const QString& file);
   void lookForFiles(const QString& file);
   void onUndo();
-  /// Says in the window's title which session it is and whether it is saved.
+  /// Shows the session's name and whether it is saved in the window's title.
   void syncTitle();
   void autosaveIfDue();
   document::SessionContents recoveryContents() const;
@@ -119,17 +122,17 @@ private:
   QWidget* window_;
   QString file_;
   bool embed_ = false;
-  int session_ = 0; ///< Another number for every document that takes the place of the one before.
+  int session_ = 0; ///< Number of the present document; increases with every document that is opened.
   std::vector<presentation::Slide> savedSlides_;
   std::vector<presentation::Slide> seenSlides_;
   std::vector<document::MissingOrgan> missing_;
-  std::string missingScan_; ///< As in the session file, of a scan that was not found there.
-  JobQueue writes_;         ///< Of its own: saving waits for no long work.
+  std::string missingScan_; ///< Path of a scan in the session file that was not found.
+  JobQueue writes_;         ///< A queue of its own, so that saving does not wait for long jobs.
   std::unique_ptr<document::Autosave> autosave_;
   std::vector<document::Recovery> recoveries_;
-  QString recoveryText_; ///< The offer of the first of them.
+  QString recoveryText_; ///< The text of the offer to recover the first of them.
   std::function<Answer(const QString&)> question_;
-  bool autosaveFailed_ = false; ///< It was said.
+  bool autosaveFailed_ = false; ///< A message about the failure was shown.
   bool wasModified_ = false;
   QTimer timer_;
   Subscription subscription_;

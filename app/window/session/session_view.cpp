@@ -21,7 +21,7 @@ constexpr double kSameMotionMm = 0.01;
 constexpr const char* kMeasuredField = "measured";
 } // namespace
 
-/// The motions that a view asks for, and what is to be seen of the present one.
+/// The motions of a saved view, and the state of the present one.
 struct SessionView::Wanted {
   struct Motion {
     std::shared_ptr<const document::Organ> organ;
@@ -179,16 +179,16 @@ void SessionView::play(const Wanted& wanted) {
       prescribe(*playing.prescribed);
     if (playing.shown) {
       playback.seek(playing.fraction);
-      if (!waiting_) // Its handles are still where the sequence alone brings them.
+      if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
         warnAboutChangedMotion(wanted.shownPose);
     }
   }
 }
 
-/// What is no curve of volumes, or out of reach, is told; the sequence plays without it.
+/// Shows a message for an invalid curve or volumes that cannot be reached; the sequence plays without them.
 void SessionView::prescribe(const presentation::Prescribed& prescribed) {
   if (!window_.workspace.document().organ(prescribed.organ))
-    return; // Its file is missing, which is told.
+    return; // Its file is missing, for which another message is shown.
   window_.workspace.guarded([&] {
     waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file},
                        window_.playback.sharedSequence()};
@@ -203,7 +203,8 @@ void SessionView::prescribeWaiting() {
     window_.playback.prescribe(waiting->volume);
 }
 
-/// A program that has learnt another motion shows that one; whoever kept the picture is told.
+/// Warns when this version of the program computes the saved motion differently: the view then shows other
+/// positions of the handles than the session was saved with.
 void SessionView::warnAboutChangedMotion(const Points& saved) {
   const Points& now = window_.workspace.live().shownPose();
   if (saved.rows() != now.rows() || saved.rows() == 0)

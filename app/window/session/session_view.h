@@ -19,8 +19,8 @@ class Comparison;
 class Slides;
 
 /// Saves and restores the view of a session: gathers camera, selection, motions and the second view from the
-/// parts of the window into the view's state, and brings the window to a state that was saved. The theme and
-/// the panels are not in it: they are the user's, not the session's.
+/// parts of the window into the view's state, and restores a saved state in the window. Theme and panels are
+/// not included, because they are settings of the user.
 class SessionView final : public QObject {
   Q_OBJECT
 
@@ -42,17 +42,17 @@ public:
   /// The present view as JSON (docs/session_format.md); `shown` as a slide shows it, else with the look from
   /// before the slide: a session opens with that.
   std::string gather(bool shown = false) const;
-  /// Brings the window to that view. Motions are made on a worker and shown when they are there. Throws
-  /// `DataError` for text that is no such view, with nothing of it done.
+  /// Restores that view in the window. A worker creates the motions, which are shown when it is done. Throws
+  /// `DataError` for text that is not such a view, and then changes nothing.
   void apply(const std::string& view);
-  /// The view without what belongs to the document that goes: slides, person, cuts and slices.
+  /// Resets the parts of the view that belong to the closed document: slides, person, cuts and slices.
   void forget();
 
   const std::vector<presentation::Slide>& slides() const { return window_.view.state().slides; }
 
 Q_SIGNALS:
   void changed();
-  /// The view that was applied has no camera.
+  /// Emitted when an applied view has no camera.
   void framingWanted();
 
 private:
@@ -67,7 +67,7 @@ private:
   void prescribeWaiting();
   void warnAboutChangedMotion(const Points& saved);
 
-  /// A volume that can be judged once the organs are bound, and the sequence that it is for.
+  /// A prescribed volume that is applied once the organs are bound, and its sequence.
   struct Waiting {
     motion::PrescribedVolume volume;
     std::shared_ptr<const sequences::Sequence> sequence;

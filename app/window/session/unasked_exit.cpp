@@ -27,7 +27,7 @@ void doLastThing() {
   const std::function<void()> work = std::exchange(thing.work, {});
   try {
     work();
-  } catch (...) { // There is nobody left to tell.
+  } catch (...) { // The error cannot be reported any more.
   }
   std::fflush(nullptr);
   std::_Exit(UnaskedExit::kExitCode);

@@ -4,9 +4,9 @@
 
 namespace viscera::app {
 
-/// Lets the program do a last thing when a library ends it by `exit`, as Qt, Xlib and Mesa do when the
-/// display goes away; none of them has a way back. One at a time, for the thread that the window lives on: an
-/// end that another thread asks for is left alone.
+/// Calls a function when a library ends the program by `exit`, as Qt, Xlib and Mesa do when the connection to
+/// the display is lost; none of them allows to prevent that. Only one object at a time, on the thread of the
+/// window: calls of `exit` on another thread are not affected.
 ///
 /// While it lives, `exit` calls `last` (what that throws is dropped) and then ends the program at once with
 /// `kExitCode`, without the destructors of a window that has no display.

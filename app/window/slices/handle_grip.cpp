@@ -20,7 +20,7 @@ bool HandleGrip::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyboard
   return true;
 }
 
-/// What the handle has of distance from the plane it keeps.
+/// The handle keeps its distance from the plane.
 void HandleGrip::drag(int direction, const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d middle = pixel + offset_;
   Vec3 place = panes_.presenter().frame(direction).at(middle.x(), middle.y());

@@ -9,7 +9,7 @@ class Picture;
 class SlicePanes;
 
 /// Drags handles with the mouse on slices, each in the slice's plane. It moves the handles of the 3D view, so
-/// that all else (undo, locks, mirrors, the handles that move along) is as it is there.
+/// that undo, locks, mirrors and dependent handles work in the same way.
 class HandleGrip final : public SliceGrip {
 public:
   /// Both have to live longer.

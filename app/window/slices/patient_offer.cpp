@@ -38,7 +38,7 @@ bool PatientOffer::misses(ImageContents wanted) const {
                       [](const auto& organ) { return cameFromLabels(*organ); });
 }
 
-/// Most changes are poses, and what a file is is not asked for every one.
+/// Most changes are poses, for which files are not checked again.
 void PatientOffer::look() {
   const document::DocumentState& state = workspace_.state();
   if (state.organs == seenOrgans_ && state.scan == seenScan_)
@@ -56,7 +56,7 @@ void PatientOffer::look() {
 void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents wanted) {
   if (!asked_.insert(image).second)
     return;
-  // What goes wrong here is no news to anybody: nothing is offered then.
+  // Errors are not shown: nothing is offered then.
   workspace_.jobs().submit<std::optional<std::filesystem::path>>(
       tr("Searching beside %1").arg(fileNameOf(image)).toStdString(), "beside",
       [image, wanted](Progress& progress) { return medical_io::imageBeside(image, wanted, progress); },

@@ -22,8 +22,8 @@ class PatientOffer final : public QObject {
   Q_OBJECT
 
 public:
-  /// All have to live longer. `importing` says whether files are being checked before they come in: these
-  /// may be the other half, and nothing is offered then.
+  /// All have to live longer. `importing` returns whether the user is checking files before their import;
+  /// nothing is offered then, because these may be the missing files.
   PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, std::function<bool()> importing,
                QObject* parent = nullptr);
 

@@ -18,7 +18,7 @@ using presentation::ViewState;
 
 constexpr std::size_t kShownFindings = 3;
 
-/// Level and width for what is to be seen in a CT, in Hounsfield units.
+/// Level and width for kinds of tissue in a CT, in Hounsfield units.
 struct Preset {
   const char* id;
   const char* name;
@@ -40,7 +40,7 @@ struct Thickness {
 constexpr Thickness kThicknesses[] = {
     {"scan.slab0", 0}, {"scan.slab5", 5}, {"scan.slab10", 10}, {"scan.slab20", 20}};
 
-/// Where one looks: the 3D view, all four, or one slice.
+/// A layout: the 3D view, all four views, or one slice.
 struct Layout {
   const char* id;
   const char* layout;
@@ -129,7 +129,7 @@ void ScanActions::addChoice(Actions& actions, const char* id, const Actions::Des
     action->setChecked(chosen(view_.state().scan));
   };
   connect(&view_, &ViewModel::changed, action, sync);
-  // A click on the one that is on leaves it on.
+  // A click on the checked action leaves it checked.
   connect(action, &QAction::triggered, action, sync);
   sync();
 }

@@ -24,22 +24,22 @@ public:
 
   /// Adds "file.openScan", "file.openSeries", "scan.close", the layouts, the presets and the switches.
   void addTo(Actions& actions);
-  /// Level and width, and what else concerns a slice under the mouse. Filled by `addTo`.
+  /// The context menu of a slice: level, width and others. Filled by `addTo`.
   QMenu* sliceMenu() { return &menu_; }
   const QMenu& sliceMenu() const { return menu_; }
   /// The ids of all layouts, and of the switches, for a menu.
   const std::vector<const char*>& layouts() const { return layouts_; }
   const std::vector<const char*>& switches() const { return switches_; }
 
-  /// Reads a scan on a worker and puts it beside the organs; asks which series where there are several.
+  /// Reads a scan on a worker and adds it to the document; asks for the series if there are several.
   void open(const QString& fileOrFolder);
-  /// Shows a scan that has just come into the document, all of it, and says what is odd with it.
+  /// Shows all of a scan that was just added to the document, and a message about its findings.
   void opened();
-  /// Says what is odd about organs that have just come beside the scan.
+  /// Shows a message about organs, just added, that do not fit the scan.
   void sayFit();
 
 Q_SIGNALS:
-  /// The user wants other views, or a scan that was opened brings them.
+  /// The user has chosen another layout, or opening a scan has changed it.
   void layoutChosen();
 
 private:
@@ -50,7 +50,7 @@ private:
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
   void sayOdd(const std::vector<std::string>& sentences);
-  /// A choice that is marked while the view is as it says.
+  /// Adds a checkable action that is checked while the view has that choice.
   void addChoice(Actions& actions, const char* id, const Actions::Description& description,
                  std::function<bool(const presentation::ScanLook&)> chosen,
                  std::function<void(presentation::ScanLook&)> choose);

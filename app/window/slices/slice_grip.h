@@ -15,13 +15,13 @@ class SliceGrip {
 public:
   virtual ~SliceGrip() = default;
 
-  /// The left button goes down: true when what follows until it is up is his.
+  /// The left button was pressed. Returns true if this tool handles the drag until the release.
   virtual bool press(int direction, const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) = 0;
   virtual void drag(int direction, const Eigen::Vector2d& pixel) = 0;
-  /// `moved`: farther than a hand trembles.
+  /// `moved`: farther than the distance of a click.
   virtual void release(int direction, const Eigen::Vector2d& pixel, bool moved) = 0;
-  /// The mouse is there with no button down, or has left. The cursor that says what a press would do; none
-  /// when it is not his.
+  /// The mouse moves with no button down, or has left the slice. Returns the cursor for what a press would
+  /// do; none if this tool would not handle it.
   virtual std::optional<Qt::CursorShape> hover(int direction,
                                                const std::optional<Eigen::Vector2d>& pixel) = 0;
 };

@@ -97,7 +97,7 @@ void SlicePanes::connectGrips(int direction) {
           });
 }
 
-/// The first one who would take hold of what is there says which cursor it is.
+/// The first tool that would grab something there determines the cursor.
 void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixel) {
   std::optional<Qt::CursorShape> shape;
   for (SliceGrip* grip : grips_) {
@@ -211,7 +211,7 @@ void SlicePanes::pan(int direction, const QPointF& by) {
   });
 }
 
-/// What is at `around` stays there.
+/// The place at `around` stays there.
 void SlicePanes::zoom(int direction, double factor, const Eigen::Vector2d& around) {
   const slices::SliceFrame& frame = presenter_.frame(direction);
   const double mm = frame.right.norm();

@@ -20,9 +20,8 @@ namespace viscera::app {
 
 class Picture;
 
-/// Manages the three slices beside the 3D view: brings their pictures up to date after every change of the
-/// document, of its organs and of the view's state, and turns what the mouse does there into changes of that
-/// state.
+/// Manages the three slices beside the 3D view: updates their pictures after every change of the document, of
+/// its organs and of the view's state, and handles the mouse on them by changing that state.
 class SlicePanes final : public QObject {
   Q_OBJECT
 
@@ -37,15 +36,15 @@ public:
   SliceWidget& widget(int direction) { return *widgets_[static_cast<std::size_t>(direction)]; }
   const presentation::SlicePresenter& presenter() const { return presenter_; }
 
-  /// Asks `grip`, which has to live longer, before the slices answer the left button; those that were added
-  /// before are asked first.
+  /// Adds a tool, which has to live longer, that gets the left button before the slices do; tools are asked
+  /// in the order in which they were added.
   void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
-  /// How far a mouse can be from what it takes hold of, in pixels of a slice's picture.
+  /// The largest distance from the mouse at which something can be grabbed, in pixels of a slice's picture.
   double reach(int direction) const;
-  /// What somebody is measuring at the moment.
+  /// Sets the measurement under way, which the slices draw.
   void setMeasuring(presentation::PendingMeasurement measuring);
 
-  /// Brings the slices that are seen up to date and has them rendered soon.
+  /// Updates the visible slices and schedules their rendering.
   void refresh();
   /// Moves a slice by so many of the scan's voxels, towards head, front and right.
   void scroll(int direction, double steps);
@@ -72,7 +71,7 @@ private:
   presentation::SlicePresenter presenter_;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
   std::vector<SliceGrip*> grips_;
-  SliceGrip* holding_ = nullptr; ///< Whose the present drag is.
+  SliceGrip* holding_ = nullptr; ///< The tool that handles the present drag.
   presentation::PendingMeasurement measuring_;
   std::vector<Subscription> subscriptions_;
 };

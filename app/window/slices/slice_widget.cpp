@@ -19,7 +19,7 @@
 namespace viscera::app {
 namespace {
 
-/// A press that is nearer to a line of the crosshair takes hold of it.
+/// The largest distance from a line of the crosshair at which a press grabs it.
 constexpr double kCrossReach = 6;
 constexpr double kZoomPerPixel = 1.01;
 constexpr double kZoomPerStep = 1.15;
@@ -116,7 +116,7 @@ void SliceWidget::resizeEvent(QResizeEvent* event) {
   Q_EMIT resized();
 }
 
-/// VTK is kept out of what the mouse and the keys do here.
+/// Mouse and key events are handled here and not passed to VTK.
 bool SliceWidget::event(QEvent* event) {
   switch (event->type()) {
   case QEvent::MouseButtonPress:
@@ -160,7 +160,7 @@ bool SliceWidget::onCross(const QPointF& place) const {
 
 void SliceWidget::press(QMouseEvent& event) {
   if (drag_ == Drag::grip)
-    return; // Another button while something is in the hand.
+    return; // Another button was pressed during a drag.
   pressed_ = last_ = event.localPos();
   moved_ = false;
   const bool left = event.button() == Qt::LeftButton;

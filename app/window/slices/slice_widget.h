@@ -15,8 +15,8 @@ class QLabel;
 namespace viscera::app {
 
 /// A widget that shows one slice of a scan. It reports mouse gestures as signals, in pixels of the slice's
-/// picture, and changes nothing itself. Renders at most once for all that changed since the event loop last
-/// came round.
+/// picture, and changes nothing itself. Renders at most once for all changes within one pass of the event
+/// loop.
 class SliceWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -27,12 +27,12 @@ public:
   /// Takes the picture that is shown from the next frame on.
   void setPicture(const scene::SlicePicture& picture);
   void setTheme(const Theme& theme);
-  /// What is written beside the lower edge: value, place and organ under the cursor.
+  /// Sets the text at the lower edge: value, place and organ under the cursor.
   void setReading(const QString& text);
   QString reading() const;
 
-  /// Asks at every press of the left button whether somebody takes hold of what is there: its moves are then
-  /// told as `gripDragged`, and its end as `gripReleased`.
+  /// Sets a function that is called at every press of the left button. If it returns true, the drag is
+  /// reported by `gripDragged` and `gripReleased`.
   void setGripper(std::function<bool(const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers)> grips) {
     grips_ = std::move(grips);
   }
@@ -49,13 +49,13 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void resized();
-  /// The crosshair is to come here: a click, or a drag that began on it.
+  /// The user moves the crosshair to this pixel, by a click or by a drag that began on it.
   void crossWanted(const Eigen::Vector2d& pixel);
-  /// So many logical pixels further to the right and upwards, with the left button.
+  /// The user drags with the left button by so many logical pixels to the right and upwards.
   void windowDragged(const QPointF& by);
   /// The same with the middle button, or with Shift.
   void panDragged(const QPointF& by);
-  /// The same with the right button, from where it went down; the wheel with Ctrl.
+  /// The same with the right button, around the place where it was pressed, or the wheel with Ctrl.
   void zoomWanted(double factor, const Eigen::Vector2d& around);
   /// Turns of the wheel.
   void scrolled(double steps);
@@ -64,7 +64,7 @@ Q_SIGNALS:
   void doubleClicked();
   /// The right button was pressed and released at one place, on the screen.
   void menuWanted(const QPoint& place);
-  /// The mouse is at a pixel with no button down; it has left when there is none.
+  /// The mouse moves with no button down; `pixel` is empty when it has left.
   void hovered(const std::optional<Eigen::Vector2d>& pixel);
 
 protected:

@@ -43,7 +43,7 @@ void CutController::listen() {
     observers_.push_back(widget_->AddObserver(event, command));
 }
 
-/// The plane can be taken hold of while it is drawn.
+/// The plane can be dragged while it is drawn.
 void CutController::enable() {
   const scene::TissueActor* tissue = picture_.presenter().tissue();
   const bool wanted = model_.active() && model_.look().cut && tissue && tissue->visible();

@@ -26,9 +26,9 @@ public:
   ~CutController() override;
 
   vtkVisceraCutPlaneWidget* planeWidget() const { return widget_; }
-  /// Lets the cut face the reader, through the organ's middle.
+  /// Places the cut through the organ's middle, facing the camera.
   void faceReader();
-  /// Asks for the values at the nearest point of what is seen there.
+  /// Shows the values at the nearest visible point there.
   void probeAt(const QPointF& place);
 
 private:

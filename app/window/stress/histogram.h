@@ -10,7 +10,7 @@
 namespace viscera::app {
 
 /// A widget that draws the histogram of a stress map: bars in the colours of a map over its range, with a
-/// line at the mean and one at the 95th percentile, and what is left out by a limit dimmed.
+/// line at the mean and one at the 95th percentile, and values outside of the limit dimmed.
 class Histogram final : public QWidget {
   Q_OBJECT
 
@@ -22,10 +22,10 @@ public:
     scene::ValueRange range;
     double mean = 0;
     double percentile95 = 0;
-    scene::ValueRange shown{-1e300, 1e300}; ///< What is not left out.
+    scene::ValueRange shown{-1e300, 1e300}; ///< Values within the limit.
   };
 
-  /// The first `count` of `values`; numbers beyond the range count at its ends, those that are none nowhere.
+  /// Counts the first `count` of `values`: numbers beyond the range in the bars at its ends, NaN nowhere.
   void show(const Values& values, Eigen::Index count, const Contents& contents);
   void clear();
   /// Numbers in each bar.

@@ -15,8 +15,8 @@ namespace viscera::app {
 
 class ProfileChart;
 
-/// The pinned probes of all organs and the lines between them: a table with place and value in the pose that
-/// is shown, what pins, joins and removes them, and the profiles along the lines.
+/// The controls for pinned probes and the profiles between them, of all organs: a table with place and value
+/// in the pose that is shown, buttons that pin, join and remove, and a chart of the profiles.
 class MarksBox final : public QWidget {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ private:
   QTreeWidget* list_;
   QPushButton* profile_;
   QPushButton* remove_;
-  std::vector<QWidget*> forAll_; ///< Of use while there is any mark.
+  std::vector<QWidget*> forAll_; ///< Enabled while there is any probe or profile.
   ProfileChart* chart_;
   std::vector<Subscription> subscriptions_;
 };

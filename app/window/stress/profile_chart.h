@@ -11,8 +11,9 @@
 
 namespace viscera::app {
 
-/// The quantity that is shown along the lines between pinned probes, over the distance at rest; a curve ends
-/// where its line leaves the tissue, and where tissue is folded. There only while there is a line.
+/// A chart of the displayed quantity along the lines between pinned probes, over the distance at rest; a
+/// curve ends where its line leaves the tissue, and where tissue is folded. Visible only while there is a
+/// line.
 class ProfileChart final : public QWidget {
   Q_OBJECT
 
@@ -24,7 +25,7 @@ public:
   /// What is drawn: a curve for each stretch of tissue, the first of a line with its name.
   const std::vector<scene::PanelCurve>& curves() const { return curves_; }
 
-  /// Draws what the picture has read.
+  /// Draws the values that the picture has interpolated.
   void refresh();
 
 protected:

@@ -18,7 +18,7 @@ class ChartCursor;
 
 /// A chart of the rotational stress over one whole cycle of a sequence: mean, 95th percentile and largest as
 /// curves, with a cursor at the instant that is shown. The cursor follows every frame; the chart is drawn
-/// anew when the cycle is another one.
+/// anew when the cycle changes.
 class StressChart final : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ public:
   ~StressChart() override;
 
   void setTheme(const Theme& theme);
-  /// What is drawn; null: a hint.
+  /// The cycle that is drawn; null: a hint is shown instead.
   const std::shared_ptr<const live::CycleStress>& drawnCycle() const { return drawn_; }
 
 protected:

@@ -29,7 +29,7 @@ void StressCycle::setWanted(std::optional<live::CycleParts> wanted) {
     soon_.start();
 }
 
-/// None while there is nothing to find, or organs are still being bound.
+/// None while there is nothing to compute, or organs are still being bound.
 std::optional<StressCycle::Cause> StressCycle::presentCause() const {
   const live::LiveStress& stress = workspace_.stress();
   const motion::Player& player = playback_.player();
@@ -53,7 +53,7 @@ void StressCycle::forgetIfLost() {
 }
 
 void StressCycle::bringUpToDate() {
-  if (!wanted_) { // Who comes back to the same organ and sequence finds what was there.
+  if (!wanted_) { // The result is kept for a return to the same organ and sequence.
     forgetIfLost();
     return;
   }

@@ -22,16 +22,16 @@ public:
   /// Both have to live longer.
   StressCycle(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// What is looked at; none: nothing. The peak takes several times as long as the curves.
+  /// Sets what to compute; none: nothing. The peak takes several times as long as the curves.
   void setWanted(std::optional<live::CycleParts> wanted);
-  /// Looks again where somebody cancelled it, or where it failed.
+  /// Starts again after the computation was cancelled or has failed.
   void retry();
 
 private:
   /// All that the stress over a cycle depends on.
   struct Cause {
     motion::MotionCause motion;
-    std::shared_ptr<const deformation::WitnessGradients> gradients; ///< Of these witnesses on these handles.
+    std::shared_ptr<const deformation::WitnessGradients> gradients; ///< For these witness points and handles.
     bool operator==(const Cause&) const = default;
   };
 
@@ -42,9 +42,11 @@ private:
   Workspace& workspace_;
   Playback& playback_;
   std::optional<live::CycleParts> wanted_;
-  std::optional<Cause> cause_;                       ///< Of what was found or is being looked for,
-  live::CycleParts parts_ = live::CycleParts::curve; ///< which is this.
-  QTimer soon_;                                      ///< After everybody has heard of a change.
+  std::optional<Cause> cause_;                       ///< The cause of the result or of the computation under
+                                                     ///< way,
+  live::CycleParts parts_ = live::CycleParts::curve; ///< and its parts.
+  QTimer soon_;                                      ///< Starts the computation after all observers were
+                                                     ///< notified of a change.
   std::vector<Subscription> subscriptions_;
 };
 

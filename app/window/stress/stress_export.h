@@ -27,13 +27,13 @@ public:
   void exportMap(const QString& file);
   /// The values at the witness points (.csv).
   void exportPoints(const QString& file);
-  /// How the quantity that is shown is spread over the witness points (.csv).
+  /// The histogram of the displayed quantity over the witness points (.csv).
   void exportHistogram(const QString& file);
   /// The rotational stress over one cycle of the sequence (.csv).
   void exportCurve(const QString& file);
-  /// The pinned probes of the organ with what they say (.csv).
+  /// The pinned probes of the organ with their values (.csv).
   void exportProbes(const QString& file);
-  /// What lies along the lines between them (.csv).
+  /// The values along the lines between them (.csv).
   void exportProfiles(const QString& file);
 
 private:

@@ -14,8 +14,8 @@ constexpr int kStressUpdateMilliseconds = 100;
 constexpr const char* kSetting = "stress/look";
 
 /// The witness with the largest value of a quantity (the smallest, of the smallest stretch) among those with
-/// a value, as the page's numbers are: what is folded has none but on the map of folded tissue. -1: all are
-/// folded.
+/// a value, as for the numbers of the page: folded tissue has no value except on the map of folded tissue.
+/// -1: all are folded.
 int extremeOf(const deformation::StressMap& map, live::StressQuantity quantity, Eigen::Index witnesses) {
   const double sign = quantity == live::StressQuantity::stretchMin ? -1 : 1;
   int most = -1;
@@ -32,7 +32,7 @@ int extremeOf(const deformation::StressMap& map, live::StressQuantity quantity, 
   return most;
 }
 
-/// The unit vector across `direction` that is nearest to `wish`; both are unit vectors.
+/// The unit vector perpendicular to `direction` that is nearest to `wish`; both are unit vectors.
 Vec3 perpendicularTo(const Vec3& direction, const Vec3& wish) {
   constexpr double kParallel = 1e-6;
   const Vec3 across = wish - wish.dot(direction) * direction;
@@ -94,7 +94,7 @@ void StressModel::follow() {
   workspace_.guarded([&] { live_.follow(organ ? organ->id : document::OrganId{}); });
 }
 
-/// The view's state is another one: tells what of it concerns the stress.
+/// Called when the view's state has changed; emits signals for the parts that concern the stress.
 void StressModel::onView() {
   cycle_.setWanted(!active()     ? std::nullopt
                    : look().peak ? std::optional(live::CycleParts::curveAndPeak)
@@ -205,7 +205,8 @@ void StressModel::goToMaximum() {
     look.offset = from.dot(look.normal) / drawn.stressRadius();
     if (std::abs(look.offset) <= 1)
       return;
-    // Moved farther than the plane can be pushed: it is turned, to go through the middle and the point.
+    // The point lies beyond the range of the plane, so the plane is rotated to go through the middle and the
+    // point.
     look.normal = perpendicularTo(from.normalized(), look.normal);
     look.offset = 0;
   });

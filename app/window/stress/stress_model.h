@@ -31,18 +31,18 @@ public:
   StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
               const Picture& picture, QObject* parent = nullptr);
 
-  /// Whether a stress map is wanted: then the current organ is followed.
+  /// Whether the stress map is on, and thus computed for the current organ.
   bool active() const { return view_.state().shown.stress; }
 
   live::LiveStress& live() { return live_; }
   const live::LiveStress& live() const { return live_; }
   const StressLook& look() const { return view_.state().stress; }
-  /// What belongs to another quantity (limit, range) is given up with it.
+  /// Changing the quantity resets its limit and range.
   void setLook(StressLook look);
   /// Changes a part of the look.
   void change(const std::function<void(StressLook&)>& edit);
 
-  /// Where in the cycle the sequence is shown, [0, 1]; none while the own pose is.
+  /// The displayed instant as a fraction of the cycle, [0, 1]; none while the document's pose is shown.
   std::optional<double> shownFraction() const;
 
   /// The numbers that are shown, with their colours and range.
@@ -51,14 +51,14 @@ public:
   /// A number with its unit: "12.3 deg".
   QString format(double value) const;
 
-  /// The peak over a cycle instead of the map of this instant; as soon as it is found.
+  /// Shows the peak over a cycle, once it is computed, instead of the map of this instant.
   void setPeakShown(bool shown);
   bool peakShown() const { return look().peak && cycle() && cycle()->peak; }
   /// When the largest rotational stress of the cycle is reached; null without a cycle.
   const live::StressSample* peakInstant() const;
   /// Shows the sequence at that instant instead of the peak over it.
   void goToPeak();
-  /// Whether there is a map of the current organ in its pose.
+  /// Whether the map of the current organ in its pose is computed.
   bool hasMap() const;
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? *cycle()->peak : live_.map(); }
@@ -75,37 +75,37 @@ public:
 
   /// Pins the point that is being looked at to the tissue, as a step to undo; nothing happens without one.
   void pinProbe();
-  /// What the pinned probes and lines of the current organ say in the map that is shown.
+  /// The values of the displayed map at the pinned probes and along the lines of the current organ.
   const live::ReadMarks& marks() const { return picture_.presenter().readMarks(); }
 
-  /// What the map of the sequence that is shown does not tell; empty: it tells all.
+  /// A caution about the limits of the map for the displayed sequence; empty for none.
   const QString& caution() const { return caution_; }
   void setCaution(const QString& caution) {
     caution_ = caution;
     Q_EMIT statusChanged();
   }
 
-  /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
-  /// what the quantity is about), and moves the cut to where the pose has brought it. It is the point of the
-  /// page's number: what is folded is left out. Nothing happens while there is no map.
+  /// Selects the witness point with the largest value of the displayed quantity (the smallest for quantities
+  /// whose minimum matters), and moves the cut to its place in the pose. This is the point of the number on
+  /// the page; folded tissue is left out. Nothing happens while there is no map.
   void goToMaximum();
 
 Q_SIGNALS:
   void activeChanged();
   void lookChanged();
   void statusChanged();
-  /// Another mesh, or none.
+  /// The mesh of witness points has changed.
   void sampled();
-  /// Points, numbers or legend are new: every frame.
+  /// Points, numbers or legend have changed; emitted with every frame.
   void shownChanged();
   void probeChanged();
-  /// Probes and lines, or the organs that they are in, are others.
+  /// Probes, lines or the organs that they lie in have changed.
   void marksChanged();
-  /// The sequence is at another instant, and its frame comes next: for cursors.
+  /// The sequence has moved to another instant, and its frame is drawn next; for cursors.
   void instantChanged();
-  /// The numbers are those of the frame that is drawn: once a frame, for texts.
+  /// The numbers of the frame that is drawn have changed; emitted once a frame, for texts.
   void numbersChanged();
-  /// The same, at most ten times a second: for what takes longer.
+  /// The same, at most ten times a second, for slower displays.
   void updated();
 
 private:
@@ -121,11 +121,11 @@ private:
   const Picture& picture_;
   live::LiveStress& live_;
   StressCycle cycle_;
-  StressLook known_; ///< That everybody was told of.
+  StressLook known_; ///< The look of the last `lookChanged`.
   bool knownActive_ = false;
   QString caution_;
   QTimer throttle_;
-  QTimer frame_; ///< Ends with the frame that is drawn of what is new.
+  QTimer frame_; ///< Ends when the frame with the new values is drawn.
   std::vector<Subscription> subscriptions_;
 };
 

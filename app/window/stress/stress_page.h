@@ -38,7 +38,7 @@ private:
   void makeInside(const Actions& actions);
   void makeExport(const Actions& actions);
   void makeMarks(const Actions& actions);
-  /// A list of choices for a part of the look; `change` is given the place of the one that was taken.
+  /// A list of choices for a part of the look; `change` is called with the index of the chosen one.
   QComboBox* addChoice(const char* id, const QString& name, const QStringList& items,
                        std::function<void(StressLook&, int)> change);
   QWidget* makePose();
@@ -65,7 +65,7 @@ private:
   QLabel* percentile_ = nullptr;
   QLabel* max_ = nullptr;
   QLabel* folded_ = nullptr;
-  QLabel* peakTime_ = nullptr; ///< Of the cycle; only while there is one.
+  QLabel* peakTime_ = nullptr; ///< Time of the peak in the cycle; visible only while there is one.
   QPushButton* toPeak_ = nullptr;
   Histogram* histogram_ = nullptr;
   MarksBox* marks_ = nullptr;
@@ -82,7 +82,8 @@ private:
   QComboBox* side_ = nullptr;
   ValueSlider* limit_ = nullptr;
   QComboBox* glyphs_ = nullptr;
-  double instant_ = 0; ///< Of the cycle, when the own pose was asked for: there the sequence is shown again.
+  double instant_ = 0; ///< The instant of the cycle when the user switched to the document's pose; the
+                       ///< sequence is shown there again.
 };
 
 } // namespace viscera::app

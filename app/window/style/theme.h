@@ -12,7 +12,7 @@ namespace viscera::app {
 
 enum class ThemeKind { dark, light };
 
-/// "dark" or "light"; anything else is dark.
+/// Parses "dark" or "light"; anything else is dark.
 ThemeKind themeFromName(const QString& name);
 QString nameOf(ThemeKind kind);
 
@@ -22,7 +22,7 @@ struct Theme {
   QColor background; ///< Behind and between the panels.
   QColor panel;
   QColor raised; ///< Buttons, cards.
-  QColor field;  ///< Where one types.
+  QColor field;  ///< Input fields.
   QColor border;
   QColor text;
   QColor muted;
@@ -36,7 +36,7 @@ struct Theme {
 
 Theme themeOf(ThemeKind kind);
 
-/// What goes with it in 3D views and slices.
+/// The matching theme of 3D views and slices.
 scene::Theme viewThemeOf(const Theme& theme);
 
 /// The palette for widgets that no style sheet paints.

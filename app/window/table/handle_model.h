@@ -15,9 +15,9 @@ struct ShownVertex {
   int vertex = -1;
 };
 
-/// An item model with a row for each handle of the document: label, groups, where they are at rest and in the
-/// pose (mm, LPS), how far they moved, and their coordinate at one vertex. Numbers and labels can be typed;
-/// each is one step of undo.
+/// An item model with a row for each handle of the document: label, groups, position at rest and in the pose
+/// (mm, LPS), distance moved, and its coordinate at one vertex. Numbers and labels can be edited; each edit
+/// is one undo step.
 class HandleModel final : public QAbstractTableModel {
   Q_OBJECT
 
@@ -27,16 +27,17 @@ public:
   /// Both have to live longer.
   HandleModel(Workspace& workspace, PoseEditor& poses, QObject* parent = nullptr);
 
-  /// Looks at the coordinates of that vertex from now on; none: at none.
+  /// Shows the coordinates of that vertex; none: shows no coordinates.
   void showVertex(std::optional<ShownVertex> vertex);
   const std::optional<ShownVertex>& shownVertex() const { return vertex_; }
-  /// The coordinates of the vertex, one a handle; empty without one, or while its organ is not bound.
+  /// The coordinates of the vertex, one for each handle; empty without a vertex, or while its organ is not
+  /// bound.
   const Values& weights() const { return weights_; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  /// What a reader sees (`DisplayRole`), the number as it is (`EditRole`: for typing, sorting and copying).
+  /// The displayed text (`DisplayRole`), or the number itself (`EditRole`: for editing, sorting and copying).
   QVariant data(const QModelIndex& index, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -45,7 +46,7 @@ public:
   QString textOf(const std::vector<int>& rows) const;
 
 Q_SIGNALS:
-  /// The coordinates of the vertex are others.
+  /// The coordinates of the vertex have changed.
   void weightsChanged();
 
 private:

@@ -28,7 +28,7 @@ public:
   void addTo(Actions& actions);
 
   HandleModel& model() { return model_; }
-  /// The rows that are selected, or all, into the clipboard.
+  /// Copies the selected rows, or all, to the clipboard.
   void copy() const;
 
 private:

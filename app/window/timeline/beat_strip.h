@@ -18,7 +18,7 @@ class BeatStrip final : public QWidget {
 public:
   explicit BeatStrip(QWidget* parent = nullptr);
 
-  /// The heart and its rate; null: nothing is drawn.
+  /// Sets the heart's beat and its rate; null: nothing is drawn.
   void setHeart(const sequences::Heartbeat* heart, double ratePerMinute);
   bool hasHeart() const { return !valves_.empty(); }
   /// `fraction` of the cycle in [0, 1].
@@ -33,7 +33,7 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  /// One valve: when it is open, as parts of the cycle; it may be open over the beginning.
+  /// One valve: when it is open, as parts of the cycle; the interval may wrap around the beginning.
   struct Valve {
     QString name;
     double opens = 0;

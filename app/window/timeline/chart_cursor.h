@@ -7,8 +7,8 @@
 
 namespace viscera::app {
 
-/// Draws the present instant over a chart, as upright lines and rings, in a layer of its own: rendering a
-/// chart takes as long as the picture of the organs, and this has to be true in every frame. Places are parts
+/// Draws the present instant over a chart, as upright lines and rings, in a widget of its own: it must follow
+/// every frame, and rendering the chart anew would take as long as rendering the organs. Places are fractions
 /// of the chart's width and height, from its lower left.
 class ChartCursor final : public QWidget {
   Q_OBJECT
@@ -45,7 +45,7 @@ protected:
 private:
   QRectF boxOf(const Line& line) const;
   QRectF boxOf(const Ring& ring) const;
-  /// What has to be painted anew when the marks go or come.
+  /// The region to repaint when the marks change.
   QRegion covered() const;
 
   QColor color_;

@@ -11,7 +11,7 @@ namespace viscera::app {
 class VolumePanel;
 class WindowLayout;
 
-/// Shows the current mode's own chart where it has one and that is switched on, else the chart of volumes.
+/// Shows the current mode's own chart if it has one and that is switched on, else the chart of volumes.
 class ModeCharts final : public QStackedWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ private:
   ModeController& modes_;
   VolumePanel* volumes_;
   WindowLayout& layout_;
-  std::vector<QWidget*> ofModes_; ///< One a mode.
+  std::vector<QWidget*> ofModes_; ///< One for each mode.
 };
 
 } // namespace viscera::app

@@ -11,8 +11,8 @@ namespace viscera::app {
 
 class ViewModel;
 
-/// The controls that choose for whom normal ranges are shown: women, men or either, and a body surface. Kept
-/// in the view.
+/// The controls that choose for whom normal ranges are shown: women, men or either, and a body surface. The
+/// choice is part of the view's state.
 class PersonBox final : public QWidget {
   Q_OBJECT
 

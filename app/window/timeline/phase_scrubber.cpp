@@ -36,7 +36,7 @@ PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
 
 QString phaseText(const sequences::Phase& phase, double periodSeconds) {
   const double milliseconds = 1000 * periodSeconds * (phase.end - phase.begin);
-  // A stomach's wave lasts for seconds, which nobody counts in thousandths.
+  // A stomach's wave lasts for many seconds: no milliseconds are shown.
   if (phase.group.empty() || milliseconds <= 0)
     return messageInWords(phase.name);
   return PhaseScrubber::tr("%1, %2 ms").arg(messageInWords(phase.name)).arg(formatNumber(milliseconds, 0));

@@ -13,17 +13,17 @@ namespace viscera::app {
 inline constexpr double kPhaseMargin = 8;
 
 /// A strip that shows one cycle with its phases and the present instant, which mouse and arrow keys move.
-/// Under the strip stand the names of the phases, or what travels through the organ: its way with the names
-/// of places and a mark for each wave.
+/// Under the strip are the names of the phases, or, for waves that travel through an organ, their way with
+/// the names of places and a mark for each wave.
 class PhaseScrubber final : public QWidget {
   Q_OBJECT
 
 public:
   explicit PhaseScrubber(QWidget* parent = nullptr);
 
-  /// `periodSeconds` is the cycle's length, for the milliseconds of its parts; 0: they are not said.
+  /// `periodSeconds` is the cycle's length, for the milliseconds of its parts; 0: they are not shown.
   void setPhases(std::vector<sequences::Phase> phases, double periodSeconds);
-  /// The way of what travels; empty: the names of the phases are shown.
+  /// Sets the way of the waves; empty: the names of the phases are shown.
   void setCourse(std::vector<sequences::NamedPlace> course);
   void setMarks(std::vector<sequences::TravellingMark> marks);
   /// `fraction` of the cycle in [0, 1].
@@ -32,11 +32,11 @@ public:
   const std::vector<sequences::TravellingMark>& marks() const { return marks_; }
   /// The phase at the present instant; empty without phases.
   QString phaseName() const;
-  /// The same with how long it lasts.
+  /// The same with its duration.
   QString phaseText() const;
-  /// What stands over the brackets under the strip, from the left: "systole 322 ms".
+  /// The texts over the brackets under the strip, from the left: "systole 322 ms".
   QStringList groupsShown() const;
-  /// The names that stand under the strip now, from the left; one that finds no room is left out.
+  /// The names shown under the strip now, from the left; names without room are left out.
   QStringList namesShown() const;
 
   QSize sizeHint() const override;
@@ -56,8 +56,8 @@ private:
   /// A name under the strip.
   struct Name {
     QString text;
-    double center = 0; ///< Of the text.
-    double at = 0;     ///< Of what it names.
+    double center = 0; ///< Centre of the text.
+    double at = 0;     ///< Place of what it names.
     bool present = false;
   };
 

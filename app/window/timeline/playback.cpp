@@ -120,8 +120,8 @@ void Playback::takeMatchingMotion() {
     take(there.back());
 }
 
-/// The parts of the window hear of a change one after the other: what a view shows has to wait until all have
-/// heard of it.
+/// The parts of the window are notified of a change one after the other, so the view is updated after all of
+/// them.
 void Playback::showLater() {
   if (!std::exchange(showPending_, true))
     QMetaObject::invokeMethod(this, &Playback::showChanges, Qt::QueuedConnection);
@@ -140,7 +140,7 @@ bool Playback::changeTransport(const std::function<void()>& what) {
   return workspace_.guarded(what);
 }
 
-/// Whether there is something to show; asks for a mode in which it is shown.
+/// Whether there is a sequence to show; requests a mode that shows it.
 bool Playback::start() {
   showChanges();
   if (!sequence())
@@ -176,7 +176,7 @@ void Playback::play() {
 
 void Playback::setRate(double perMinute) {
   if (!changeTransport([&] { player_.setRatePerMinute(perMinute); }))
-    Q_EMIT stateChanged(); // Who asked shows the rate that there is.
+    Q_EMIT stateChanged(); // Resets the control to the actual rate.
 }
 
 void Playback::setSpeed(double speed) {

@@ -184,7 +184,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   syncInstant();
 }
 
-/// A line says where sequences come from; nothing has a rate or is at an instant.
+/// Shows a hint where sequences are chosen, without a rate or an instant.
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion yet: choose a sequence in Play (5)");
   const QSignalBlocker quietRate(rate_), quietSlider(rateSlider_);

@@ -17,9 +17,9 @@ class QToolButton;
 
 namespace viscera::app {
 
-/// Shows a rate that the sequence can have, in whole cycles a minute, quietly. The box offers it also where
-/// no other whole one is in the sequence's range: the beat of a circulation has one rate, which may have a
-/// fraction, and cannot be changed here. The tooltip says what can be chosen, or what sets the rate.
+/// Shows a rate of the sequence in whole cycles per minute, without emitting signals. The box also accepts it
+/// if the sequence's range holds no other whole number: the beat of a circulation has one rate, which may
+/// have a fraction and cannot be changed here. The tooltip names the range, or what determines the rate.
 void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePerMinute);
 
 /// The buttons and the strip that play a sequence: to the start, step, play or pause, loop, rate, slow

@@ -69,13 +69,14 @@ void VolumeMonitor::watch(Side& side) {
     const bool released = first && dragging_ && !change.interactive;
     if (first && (moved || released))
       sampleDrag(change.interactive);
-    if (released || (change.pose() && !change.interactive)) // Nobody waits for numbers that are there.
+    if (released || (change.pose() && !change.interactive)) // At the end of a drag numbers are updated at
+                                                            // once.
       sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
-    // Once for all organs of a frame; while they are bound one after the other the throttle tells of them.
+    // Once for all organs of a frame; while organs are bound one after the other, updates are throttled.
     const bool oneOfMany = event.status && side.workspace->live().busy();
     if ((event.moved || event.replaced) && !oneOfMany)
       frame_.start();
@@ -123,7 +124,8 @@ void VolumeMonitor::rebuild() {
 
 void VolumeMonitor::refresh() {
   for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
-    // A line may outlive its organ for a moment: who plays may hear of a change before this observer does.
+    // A line may outlive its organ for a moment, because playback may be notified of a change before this
+    // observer.
     std::vector<Line*> measured;
     std::vector<document::OrganId> organs;
     for (Line& line : lines_)
@@ -139,7 +141,7 @@ void VolumeMonitor::refresh() {
   }
 }
 
-/// List, status bar and chart are told together, so that they say the same.
+/// List, status bar and chart are notified together, so that they show the same.
 void VolumeMonitor::update() {
   throttle_.stop();
   followFrame();
@@ -221,7 +223,7 @@ void VolumeMonitor::sample() {
   std::vector<double> row;
   for (const Line& line : lines_)
     row.push_back(line.nowMl);
-  // The same instant again (another mode, another rate) is no news; a record that is given one begins anew.
+  // The same instant again (another mode, another rate) is not recorded, because the record would begin anew.
   const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == seconds;
   if (!row.empty() && !again)
     record_.add(seconds, row);
@@ -229,8 +231,8 @@ void VolumeMonitor::sample() {
     throttle_.start();
 }
 
-/// Whether the first view's organs are in the document's pose. What is asked is what they show: a sequence
-/// that is wanted may not have been started, and one that an undo has just taken away may still be there.
+/// Whether the first view's organs are in the document's pose. This checks the displayed pose, because a
+/// chosen sequence may not have been started, and one that undo has just removed may still be shown.
 bool VolumeMonitor::posesAreSeen() const {
   const Points& seen = sides_[0].workspace->live().shownPose();
   const Points& own = sides_[0].workspace->document().pose();
@@ -270,7 +272,7 @@ void VolumeMonitor::addDrag(bool begins) {
   refresh();
   for (std::size_t line = 0; line < lines_.size(); ++line)
     row[line] = lines_[line].nowMl;
-  // Who holds still for a while does not stretch the chart.
+  // A pause within a drag does not stretch the chart.
   drags_.add(last + std::clamp(passed, 0.2 * step, 2 * step), row);
   sinceDragged_.start();
   if (!throttle_.isActive())
@@ -305,7 +307,8 @@ bool VolumeMonitor::beats(std::size_t line) const {
   const sequences::Sequence* sequence = playbackOf(line).sequence();
   if (!sequence)
     return false;
-  // A motion that was measured is in the document as keys. The second view has it when it shows the same.
+  // A tracked motion is in the document as keys. The second view shows it if both views have the same
+  // sequence.
   const bool measured =
       measured_ && measured_->surfaceOf(lines_[line].organ) && sequence == sides_[0].playback->sequence();
   return measured || sequences::isHeartbeat(*sequence);

@@ -23,15 +23,15 @@ namespace viscera::app {
 class MeasuredMotion;
 
 /// Measures the volumes of the tracked organs: now, over the time of a sequence, and over the time in which
-/// handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker, so that
+/// handles were dragged. A worker also measures the whole cycle of each view's sequence ahead, so that
 /// curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a second view
-/// can be followed beside them. Tells of every frame, of a sequence and of a drag, for texts, and at most ten
-/// times a second that there is something new, for pictures.
+/// can be tracked too. Emits `shown` with every frame of a sequence or of a drag, for texts, and `updated` at
+/// most ten times a second, for charts.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 
 public:
-  /// One organ that is followed.
+  /// One tracked organ.
   struct Line {
     document::OrganId organ;
     int side = 0; ///< 1: in the second view; `organ` is one of that view's document.
@@ -45,22 +45,23 @@ public:
 
   VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// Follows the organs of a second view too, whose playback follows the first; null: no longer. They have to
-  /// live until then.
+  /// Also tracks the organs of a second view, whose playback follows the first; null: stops that. Both have
+  /// to live until then.
   void setSecond(Workspace* workspace, Playback* playback);
   bool hasSecond() const { return sides_[1].workspace != nullptr; }
-  /// Knows from now on which organs move as a heart was measured to.
+  /// Sets the source of tracked motions, which determines which organs move as a patient's heart was
+  /// measured.
   void setMeasured(const MeasuredMotion& measured);
 
   /// The first view's organs come first.
   const std::vector<Line>& lines() const { return lines_; }
-  /// A line's name; of two views with the number of its own before it.
+  /// A line's name; with two views, preceded by the number of its view.
   QString nameOf(const Line& line) const;
-  /// The record of the sequence as played; one column a line, the time is the first view's.
+  /// The record of the sequence as played; one column for each line, the time is the first view's.
   const motion::VolumeRecord& record() const { return record_; }
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
-  /// between them. A pose that changes while a sequence is seen in its place has its row once it is seen. One
-  /// column a line.
+  /// between them. A pose that changes while a sequence is shown instead is recorded once it is shown. One
+  /// column for each line.
   const motion::VolumeRecord& drags() const { return drags_; }
   /// Whether the mouse holds what changes the pose.
   bool dragging() const { return dragging_; }
@@ -70,33 +71,33 @@ public:
     std::vector<double> milliliters;
   };
   /// A line over one cycle of its sequence at the present rate, with the present handles, coordinates and
-  /// locks. Empty while there is no sequence that moves it, and for the moment in which it is measured.
+  /// locks. Empty while no sequence moves it, and while the cycle is being measured.
   Curve cycle(std::size_t line) const;
-  /// Another number whenever a `cycle` is another one, or gone.
+  /// A number that changes whenever a `cycle` changes or becomes empty.
   int cycles() const { return cycles_; }
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
-  /// Of a cavity, from `cycle`; none while that is empty.
+  /// The indices of a cavity, from `cycle`; none while that is empty.
   std::optional<motion::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
   /// Whether a line's organ has a heartbeat to follow: the textbook's, one that was fitted, computed by a
   /// circulation or measured. Keys that were recorded by hand are none.
   bool beats(std::size_t line) const;
-  /// The normal ranges of a line for that person. What holds for a beat is not said of an organ without one.
+  /// The normal ranges of a line for that person; ranges for a beating heart only if `beats`.
   std::vector<motion::NormalRange> normals(std::size_t line, const norms::Person& person) const;
-  /// How the walls of the first view's heart move over the cycle; none of other organs, and while the cycle
-  /// is measured.
+  /// How the walls of the first view's heart move over the cycle; none for other organs, and while the cycle
+  /// is being measured.
   std::optional<sequences::WallMotion> wall() const;
-  /// Volumes as they are this moment.
+  /// Measures the volumes now.
   void refresh();
   void update();
 
 Q_SIGNALS:
-  /// Other organs are followed: everything that was recorded is gone.
+  /// The tracked organs have changed, and all records were cleared.
   void linesChanged();
-  /// The volumes of `lines` are those of the organs as they are shown: with every frame of a sequence or of a
-  /// drag, and with `updated`. For texts: pictures take too long for it.
+  /// The volumes of `lines` were updated to the shown pose; emitted with every frame of a sequence or of a
+  /// drag, and with `updated`. For texts; charts take too long to draw.
   void shown();
   /// New volumes or another measured cycle, at most ten times a second.
   void updated();
@@ -106,10 +107,10 @@ private:
   struct Side {
     Workspace* workspace = nullptr;
     Playback* playback = nullptr;
-    std::optional<motion::MotionCause> cause;  ///< Of what is measured or being measured.
+    std::optional<motion::MotionCause> cause;  ///< The cause of the present or pending measurement.
     std::optional<motion::CycleCurves> curves; ///< None while it is being measured.
     std::vector<Subscription> subscriptions = {};
-    int ticket = 0; ///< Of the newest measurement: others come too late.
+    int ticket = 0; ///< Number of the newest measurement; results of older ones are ignored.
   };
 
   void watch(Side& side);
@@ -120,9 +121,9 @@ private:
   bool posesAreSeen() const;
   void sampleDrag(bool goesOn);
   void addDrag(bool begins);
-  /// Has cycles measured after everybody has heard of a change, and later where nobody sees them.
+  /// Schedules measuring after all observers were notified of a change, and later if no cycle is visible.
   void measureSoon(const Side& side);
-  /// Begins to measure each cycle that is not the one known.
+  /// Begins to measure each cycle whose cause has changed.
   void measureCycles();
   void measure(int side);
 
@@ -132,11 +133,11 @@ private:
   motion::VolumeRecord record_;
   motion::VolumeRecord drags_;
   QPointer<const MeasuredMotion> measured_;
-  QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
+  QElapsedTimer sinceDragged_; ///< Time since the last row of the present drag.
   bool dragging_ = false;
-  bool dragsBehind_ = false; ///< The pose was changed while it was not seen.
+  bool dragsBehind_ = false; ///< The pose was changed while it was not shown.
   QTimer throttle_;
-  QTimer frame_;       ///< Ends with the frame that is drawn of what has moved.
+  QTimer frame_;       ///< Ends when the frame with the new positions is drawn.
   QTimer measureSoon_; ///< Until cycles are measured.
 };
 

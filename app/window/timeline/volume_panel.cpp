@@ -66,7 +66,7 @@ QString shortName(const motion::NormalRange& range) {
     return VolumePanel::tr("normal %1").arg(inWords(range.name));
   }
 }
-/// ms: the picture of the organs comes first, for the chart takes as long as that.
+/// ms: the picture of the organs is drawn first, because the chart takes as long as that.
 constexpr int kDelay = 40;
 
 } // namespace
@@ -387,8 +387,8 @@ QString VolumePanel::detailOf(std::size_t line) const {
   return tr("%1 % of rest").arg(formatNumber(kPercent * shown.nowMl / shown.restMl, 1));
 }
 
-/// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty
-/// chart.
+/// Sets the contents of the chart: one cycle, the sequence as played, or the drags. Other contents begin with
+/// an empty chart.
 void VolumePanel::take(const motion::VolumeRecord* record) {
   if (std::exchange(shown_, record) == record)
     return;

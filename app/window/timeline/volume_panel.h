@@ -34,22 +34,22 @@ public:
   VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent = nullptr);
   ~VolumePanel() override;
 
-  /// Draws the volumes that a motion was found from as dots, and puts `table`, of which it becomes the
-  /// parent, under the chart while they are there.
+  /// Draws the measured volumes of a tracked motion as dots, and shows `table`, of which it becomes the
+  /// parent, under the chart while there is such a motion.
   void setMeasured(MeasuredMotion& measured, QWidget* table);
   /// The height that the table needs with the chart; none without it.
   std::optional<int> wantedHeight() const;
 
   void setTheme(const Theme& theme);
-  /// Draws one cycle with a cursor at the present instant; else the last seconds as they went by.
+  /// Sets whether to draw one cycle with a cursor at the present instant, or the last seconds.
   void setCycleShown(bool shown);
   /// Shows the normal ranges of that line.
   void setNormalsOf(std::size_t line);
-  /// What the stripes in the chart are and where they come from; empty when there are none.
+  /// A text about the stripes in the chart and their source; empty when there are none.
   QString normalsText() const;
 
 Q_SIGNALS:
-  /// `wantedHeight` is another one.
+  /// `wantedHeight` has changed.
   void wantedHeightChanged();
 
 protected:
@@ -68,12 +68,12 @@ private:
   void refresh();
   /// As `refresh`, without drawing the same cycle again.
   void refreshIfNew();
-  /// What follows every frame: the numbers, and the cursor.
+  /// Updates what follows every frame: the numbers and the cursor.
   void followFrame();
   void placeCursor();
   double cycleLength() const;
   bool cycleDrawn() const { return cycleShown_ && !dragsShown(); }
-  /// Whether the last drags are in the chart: no sequence is on show.
+  /// Whether the chart shows the last drags, because no sequence is shown.
   bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
   void take(const motion::VolumeRecord* record);
   void draw();
@@ -97,16 +97,16 @@ private:
   ChartCursor* cursor_;
   QVBoxLayout* column_ = nullptr; ///< The chart and what is under it.
   QStackedLayout* stack_;         ///< A hint, or the chart.
-  ElidedLabel* source_ = nullptr; ///< What the stripes are.
-  QWidget* normals_ = nullptr;    ///< That, and whose ranges they are.
+  ElidedLabel* source_ = nullptr; ///< Explains the stripes.
+  QWidget* normals_ = nullptr;    ///< Contains `source_` and the choice of the person.
   norms::Person person_;
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
-  const motion::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
-  int drawnCycles_ = -1;                        ///< Of the monitor, whose curves the chart has.
+  const motion::VolumeRecord* shown_ = nullptr; ///< The record in the chart; null: one cycle.
+  int drawnCycles_ = -1;                        ///< Value of the monitor's `cycles` when the chart was drawn.
   std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
-  bool normalsBeat_ = false;                    ///< That line had a beat when they were.
+  bool normalsBeat_ = false;                    ///< Whether that line had a beat when they were drawn.
   std::size_t prescribed_ = 0; ///< The line whose prescribed volume is drawn; behind the last one: none.
   /// A line of measured volumes in the chart.
   struct Dots {
@@ -120,7 +120,7 @@ private:
   bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;
-  QTimer drawing_; ///< Until the chart is drawn.
+  QTimer drawing_; ///< Ends when the chart is to be drawn.
 };
 
 } // namespace viscera::app

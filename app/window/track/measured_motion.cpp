@@ -45,7 +45,7 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
   return organs;
 }
 
-/// How the worst phase of a motion has to be looked at, and how far its surfaces are on average.
+/// The verdict on the worst phase of a motion, and the mean distance of its surfaces.
 QString summaryOf(const MeasuredMotion::Found& found) {
   const motion::PatientMotion& motion = *found.motion;
   QStringList parts;
@@ -172,7 +172,7 @@ QString MeasuredMotion::caution() const {
 }
 
 void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {
-  know(found); // First: the document tells of its new organs from within the step.
+  know(found); // First, because the document notifies observers of its new organs within the step.
   playback_.setSequence(nullptr, {});
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
@@ -193,7 +193,7 @@ void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrg
   playback_.play();
 }
 
-/// What was found, what is doubtful of it, and what can be done about it.
+/// Shows a message with the result, doubts about it, and offers.
 void MeasuredMotion::say(const Found& found) {
   const motion::PatientMotion& motion = *found.motion;
   Message message{Message::Severity::info, summaryOf(found), {}, kSaidSeconds};
@@ -250,7 +250,7 @@ std::optional<std::size_t> MeasuredMotion::surfaceOf(document::OrganId id) const
   return std::nullopt;
 }
 
-/// Undo takes the organs of a motion out of the document and brings them back.
+/// Undo and redo remove the organs of a motion from the document and restore them.
 void MeasuredMotion::sync() {
   const auto& organs = workspace_.document().organs();
   const auto isThere = [&](const Found& found) {
@@ -359,7 +359,7 @@ const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
         if (present_ && present_->series == series && !result.cancelled()) {
           if (result.error && !std::exchange(reported_, true))
             workspace_.report(*result.error);
-          // Without surfaces where they cannot be made: nobody asks for them again.
+          // Stores an empty phase after an error, so that it is not computed again.
           phases_[phase] = std::make_unique<motion::MeasuredPhase>(result.value ? std::move(*result.value)
                                                                                 : motion::MeasuredPhase());
         }

@@ -15,17 +15,16 @@
 
 namespace viscera::app {
 
-/// Finds a patient's own motion in a series of phases and keeps it: found on a worker, taken into the
-/// document as organs with handles and a recorded sequence in one undo step, and known here as long as these
-/// organs are in the document, with what was measured. While the sequence is shown, the surfaces that were
-/// measured in the nearest phase can stand in the view as glass, and the organs have the distances from them
-/// as colours. A session keeps the numbers: measured volumes and how well each phase fits; the surfaces
-/// themselves are in no session.
+/// Finds a patient's own motion in a series of phases, on a worker, and adds it to the document as organs
+/// with handles and a recorded sequence in one undo step. It keeps the measurements as long as these organs
+/// are in the document. While the sequence is shown, the view can show the measured surfaces of the nearest
+/// phase as glass, and the distances from them as colours on the organs. A session saves the numbers
+/// (measured volumes and how well each phase fits), but not the surfaces.
 class MeasuredMotion final : public QObject {
   Q_OBJECT
 
 public:
-  /// A motion, and what it was found from and how.
+  /// A tracked motion, with the series and the options from which it was found.
   struct Found {
     motion::SeriesRequest request;
     motion::TrackOptions options;
@@ -36,27 +35,27 @@ public:
   MeasuredMotion(Workspace& workspace, Playback& playback, Picture& picture, QObject* parent = nullptr);
   ~MeasuredMotion() override;
 
-  /// Looks for the motion of a series on a worker, in the place of one that is looked for. `ended` tells how
-  /// it went.
+  /// Begins to track the motion of a series on a worker, and cancels a search under way. `ended` is emitted
+  /// with the outcome.
   void find(const motion::SeriesRequest& request, const motion::TrackOptions& options);
   void cancel();
 
   /// The motion whose organs are in the document; null without one.
   const Found* present() const { return present_; }
-  /// The one that was present before it, still known, to be compared with; null without one.
+  /// The motion that was present before it, for comparison; null without one.
   const Found* before() const;
-  /// The surface of the motion before that has the name of one of the present motion's, or is the only one of
-  /// both; none without one.
+  /// The surface of the motion before that corresponds to a surface of the present one: by its name, or
+  /// because both have one surface; else none.
   std::optional<std::size_t> surfaceBefore(std::size_t surface) const;
-  /// Which surface of the present motion an organ is; none for any other.
+  /// The surface of the present motion that an organ was made from; none for other organs.
   std::optional<std::size_t> surfaceOf(document::OrganId organ) const;
-  /// Whether the surfaces that were measured are known: not of a motion out of a session.
+  /// Whether the measured surfaces are available; false for a motion from a session.
   bool surfacesKnown() const;
-  /// What stress and strain of the present motion do not tell; empty where they tell all.
+  /// A caution about the limits of stress maps of the present motion; empty for none.
   QString caution() const;
   /// The numbers of the present motion as JSON for a session; empty without one.
   std::string record() const;
-  /// Takes the numbers of a session whose organs are in the document. Throws `DataError` for other text.
+  /// Restores the numbers of a session whose organs are in the document. Throws `DataError` for invalid text.
   void recall(const std::string& record);
   /// The phase nearest to the instant that is shown.
   std::size_t phaseNow() const;
@@ -65,17 +64,17 @@ public:
 
   bool ghostShown() const { return ghost_; }
   bool distancesShown() const { return distances_; }
-  /// How many measured surfaces stand in the view.
+  /// The number of measured surfaces in the view.
   std::size_t ghostCount() const { return ghosts_; }
   void setGhostShown(bool on);
   void setDistancesShown(bool on);
 
 Q_SIGNALS:
-  /// Another motion is present, or none; or one more is known.
+  /// The present motion or the known ones have changed.
   void changed();
   /// A motion was found and its organs are in the document.
   void found();
-  /// The search is over; what was refused, else nothing. Not after `cancel`.
+  /// The search has ended: `refusal` says why it failed, or is empty. Not emitted after `cancel`.
   void ended(const QString& refusal);
 
 private:
@@ -92,15 +91,16 @@ private:
   Workspace& workspace_;
   Playback& playback_;
   Picture& picture_;
-  std::vector<Found> known_; ///< The latest last; undo brings them back.
+  std::vector<Found> known_; ///< The latest is last; undo may make an earlier one present again.
   const Found* present_ = nullptr;
-  std::vector<std::unique_ptr<motion::MeasuredPhase>> phases_; ///< Of the present one; null: not asked for.
+  std::vector<std::unique_ptr<motion::MeasuredPhase>> phases_; ///< Phases of the present motion; null: not
+                                                               ///< requested.
   int searches_ = 0;
-  bool making_ = false;   ///< A measured phase is on its way.
-  bool reported_ = false; ///< That the surfaces of a phase of this motion cannot be made.
+  bool making_ = false;   ///< A worker computes a measured phase.
+  bool reported_ = false; ///< An error about a phase's surfaces was reported for this motion.
   bool ghost_ = true;
   bool distances_ = false;
-  bool drawn_ = false; ///< The view holds something of it.
+  bool drawn_ = false; ///< The view shows measured surfaces or distances.
   bool waiting_ = false;
   std::optional<std::size_t> ghostOf_; ///< The phase whose surfaces are in the view.
   std::size_t ghosts_ = 0;

@@ -287,11 +287,11 @@ void MotionDialog::sync() {
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
   start_->setToolTip(lacks);
   missing_->setText(lacks);
-  // Without a series, or with one image, that is said above.
+  // Without a series, or with one image, another label shows the reason.
   missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
 }
 
-/// What has to be given before the motion can be found; empty when everything is.
+/// The input that is missing before the search can start; empty when it is complete.
 QString MotionDialog::missing() const {
   if (contents_.items.empty())
     return tr("Choose a series first");

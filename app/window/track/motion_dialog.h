@@ -17,20 +17,20 @@ class QVBoxLayout;
 
 namespace viscera::app {
 
-/// The dialog that finds a patient's motion in a series (Sequence > Motion from a series): which files, which
-/// parts are cavities and which are tissue, the duration of a cycle, and the options of the search. Refusals
-/// are shown here and can be mended here. Stands beside the window, which goes on working.
+/// The dialog that finds a patient's motion in a series (Sequence > Motion from a series). The user chooses
+/// the files, which parts are cavities and which are tissue, the duration of a cycle, and the options of the
+/// search. The dialog shows errors, so that the user can correct the input. It is not modal.
 class MotionDialog final : public QDialog {
   Q_OBJECT
 
 public:
   MotionDialog(Workspace& workspace, MeasuredMotion& measured, Settings& settings, QWidget* parent);
 
-  /// Looks into a folder, or into files, on a worker.
+  /// Reads the contents of a folder or of files on a worker.
   void look(const QStringList& files);
-  /// Looks for the motion as it is asked for here.
+  /// Starts the search with the input of the dialog.
   void start();
-  /// What is said below: what was refused, or what is still missing.
+  /// The text at the bottom: an error, or the input that is missing.
   QString said() const;
 
 protected:
@@ -49,7 +49,7 @@ private:
   void say(const QString& what, bool refused);
   void sync();
   QString missing() const;
-  /// The request as it is asked for. Throws `UsageError`.
+  /// The request from the input of the dialog. Throws `UsageError`.
   motion::SeriesRequest request() const;
   motion::TrackOptions options() const;
 

@@ -58,7 +58,7 @@ const Compared kCompareds[] = {{QT_TRANSLATE_NOOP("viscera::app::ResidualTable",
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "cardiac output"), "l/min",
                                 2, 1, &motion::CardiacIndices::cardiacOutputLPerMinute}};
 
-/// What both tables have in common.
+/// Sets the properties that both tables have in common.
 void makePlain(QTableWidget& table) {
   table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -111,7 +111,7 @@ QWidget* ResidualTable::makeHead() {
   distances->setChecked(measured_.distancesShown());
   connect(distances, &QCheckBox::toggled, &measured_, &MeasuredMotion::setDistancesShown);
   row->addWidget(distances);
-  // Glass over the colours would make them others.
+  // Glass over the colours would change them.
   connect(ghost, &QCheckBox::toggled, distances, [distances](bool on) {
     if (on)
       distances->setChecked(false);
@@ -242,7 +242,7 @@ void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
   const auto number = [](double value, int digits) { return formatNumber(value, digits); };
   const bool good = phase.verdict.light == tracking::FitLight::good;
   const bool red = phase.verdict.light == tracking::FitLight::red;
-  // A sign beside the colour, for people who tell colours badly.
+  // A sign beside the colour, for colour-blind users.
   const QString sign = good ? QString() : red ? QString::fromUtf8(" \u2715") : QStringLiteral(" !");
   const QStringList cells = {QString::number(row + 1) + sign,
                              number(kMsPerSecond * phase.seconds, 0),

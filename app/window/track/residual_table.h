@@ -15,8 +15,8 @@ namespace viscera::app {
 
 /// A table of how well a tracked motion fits the measured series, for each phase, of all surfaces together or
 /// of one: distances, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a
-/// row shows its phase. With another series known from before, what differs between the two. Above it the
-/// switches for what stands in the view.
+/// row shows its phase. If another series was tracked before, the table can show the differences between
+/// both. Above the table are the switches for measured surfaces and distances in the view.
 class ResidualTable final : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ private:
   void fillRow(int row, const motion::TrackedPhase& phase);
   void fillDifferences();
   void markPhase();
-  /// The surface that is shown, -1 for all together, -2 for what differs from the series before.
+  /// The surface that is shown; -1: all together; -2: the differences from the series before.
   int surface() const;
 
   MeasuredMotion& measured_;

@@ -15,17 +15,17 @@ namespace viscera::app {
 /// to the other.
 class CameraLink final {
 public:
-  /// The second camera goes to where the first one is. Both views have to outlive the link.
+  /// Moves the second camera to the place of the first one. Both views have to outlive the link.
   CameraLink(ViewWidget& first, ViewWidget& second);
   ~CameraLink();
   CameraLink(const CameraLink&) = delete;
   CameraLink& operator=(const CameraLink&) = delete;
 
-  /// What the second view shows is that much farther on than what the first one shows, mm.
+  /// Sets the vector from the first view's organs to the second view's, mm.
   void setOffset(const Vec3& offset);
 
 private:
-  /// What is linked of a camera.
+  /// The linked properties of a camera.
   struct Place {
     Vec3 position = Vec3::Zero();
     Vec3 focus = Vec3::Zero();

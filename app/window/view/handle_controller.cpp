@@ -16,7 +16,7 @@ HandleController::HandleController(Workspace& workspace, PoseEditor& poses, Pict
   listenToHandles();
   listenToGizmo();
   connect(&poses, &PoseEditor::gestureChanged, this, &HandleController::showConstraint);
-  // Another mode, say: what is held is put back.
+  // For example after a change of the mode: cancels the drag.
   connect(&picture, &Picture::changed, this, [this] {
     if (dragging() && !(shown() == grabbed_))
       cancelDrag();
@@ -126,7 +126,8 @@ void HandleController::onMoved(const scene::HandleEvent& event) {
   if (grabbed_.rest)
     return moveAtRest(event.moving);
   poses_.translate(event.delta());
-  // Where the handles are now, not where the cursor wanted them; and others that moved along.
+  // Draws the actual positions of the handles, which may differ from the cursor's, and of others that moved
+  // along.
   picture_.refresh();
 }
 

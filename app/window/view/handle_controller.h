@@ -12,9 +12,9 @@
 
 namespace viscera::app {
 
-/// Turns mouse gestures on handles and on the gizmo of a view into commands: at rest it edits the rest shape,
-/// else the pose, where locked volumes are kept. One drag is one undo step. Shows nothing itself but the
-/// plane in which a drag may go; the picture shows the rest.
+/// Turns mouse gestures on handles and on the gizmo of a view into commands: it edits the handles at rest, or
+/// their pose, in which locked volumes are kept. One drag is one undo step. It draws only the plane in which
+/// a drag may move; `Picture` draws the handles.
 class HandleController final : public QObject {
   Q_OBJECT
 
@@ -23,10 +23,10 @@ public:
   HandleController(Workspace& workspace, PoseEditor& poses, Picture& picture, QObject* parent = nullptr);
   ~HandleController() override;
 
-  /// Whether the mouse is on a handle or the gizmo, or holds one: a click there is not one on the organ.
+  /// Whether the mouse is on a handle or the gizmo, or drags one. A click there is not a click on the organ.
   bool underMouse() const;
   bool dragging() const;
-  /// Puts back what the mouse holds; false when it holds nothing.
+  /// Cancels the present drag; false when there is none.
   bool cancelDrag();
 
 private:
@@ -48,9 +48,9 @@ private:
   PoseEditor& poses_;
   Picture& picture_;
   scene::OrganView& view_;
-  presentation::Shown grabbed_;                   ///< As it was when the drag began.
-  std::optional<document::UndoStack::Step> step_; ///< Of a drag at rest.
-  bool dragFailed_ = false;                       ///< This drag has met an error and said so.
+  presentation::Shown grabbed_;                   ///< What the view showed when the drag began.
+  std::optional<document::UndoStack::Step> step_; ///< Undo step of a drag at rest.
+  bool dragFailed_ = false;                       ///< An error of this drag was reported.
   std::vector<unsigned long> handleObservers_;
   std::vector<unsigned long> gizmoObservers_;
 };

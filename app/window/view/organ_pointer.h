@@ -13,10 +13,9 @@ class QMenu;
 
 namespace viscera::app {
 
-/// Handles the mouse for organs in a view: the name of the organ under the cursor stands beside it and its
-/// handles stand out, a double
-/// click shows that organ alone and another one all of them, and the right button opens the menu of what can
-/// be done to it. A view that only shows has the names alone.
+/// Handles the mouse for organs in a view: shows the name of the organ under the cursor and highlights its
+/// handles; a double click shows that organ alone, and another one all organs; the right button opens the
+/// organ's context menu. In a second view for comparison it shows names only.
 class OrganPointer final : public QObject {
   Q_OBJECT
 
@@ -36,7 +35,7 @@ public:
   QString shownName() const { return name_->isVisible() ? name_->text() : QString(); }
 
 Q_SIGNALS:
-  /// The current organ is to be seen alone, or all organs.
+  /// The user wants to see the current organ alone, or all organs.
   void aloneWanted();
   void allWanted();
 

@@ -15,9 +15,9 @@ std::string translated(const char* text) {
 
 namespace {
 
-/// Whether the change may have changed what is drawn. What moves the heart and the recorded keys are seen
-/// only by the poses that come of them, which the organs announce: drawing the old pose once more, while a
-/// control moves, would keep the new one waiting for as long as a frame takes.
+/// Whether the change may have changed what is drawn. The circulation and the recorded keys are visible only
+/// by the poses that follow, which the organs announce: drawing the old pose once more, while a control
+/// moves, would keep the new one waiting for as long as a frame takes.
 bool isDrawn(const document::Change& change) {
   document::DocumentState drawnBefore = change.before;
   drawnBefore.circulation = change.after.circulation;
@@ -25,7 +25,7 @@ bool isDrawn(const document::Change& change) {
   return drawnBefore != change.after || change.before == change.after;
 }
 
-/// Nothing of the document is seen; it stays as it is.
+/// Hides everything of the document, without changing it.
 void hide(document::DocumentState& state, presentation::ViewState& view) {
   auto organs = std::make_shared<document::OrganList>();
   for (const auto& organ : *state.organs) {
@@ -65,8 +65,8 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   refresh();
 }
 
-/// Whether the view's state asks for another picture than the one that was drawn: what concerns slices beside
-/// the view alone does not, and moving them has to be quick.
+/// Whether the view's state requires another picture than the last one. Changes of the slices beside the view
+/// do not, so that moving them is quick.
 bool Picture::looksOtherwise() const {
   if (!drawn_)
     return true;

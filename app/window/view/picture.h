@@ -14,13 +14,13 @@
 namespace viscera::app {
 
 /// A view of the window together with the presenter that draws the document in it. It redraws whenever the
-/// document, its organs, the selection, the stress or the view's state have changed. What handles the mouse
-/// is given this; it is not needed to see something.
+/// document, its organs, the selection, the stress or the view's state have changed. The objects that handle
+/// the mouse get a reference to it; drawing does not need them.
 class Picture final : public QObject {
   Q_OBJECT
 
 public:
-  /// Who looks: the view where one works, or one beside it that only shows.
+  /// The role of a view: the one in which the user works, or a second one for comparison.
   enum class Role { working, showing };
 
   /// All have to live longer.
@@ -33,41 +33,42 @@ public:
   std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const {
     return presenter_.actorOf(organ);
   }
-  /// The view's state as it is drawn, with what is selected.
+  /// The view's state as it is drawn, with the selection.
   presentation::ViewState state() const;
 
-  /// What is being measured, and organs that are in no document yet.
+  /// Sets the measurement under way.
   void setMeasuring(presentation::PendingMeasurement measuring);
-  /// Where they are shown alone, nothing of the document is: they will take its place.
+  /// Sets organs that are in no document yet. `alone`: hides the document's organs, which they will replace.
   void setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone = false);
-  /// Surfaces that were measured, beside the organs that move through them.
+  /// Sets measured surfaces to show beside the organs that move through them.
   void setMeasured(std::vector<presentation::TransientSurface> surfaces);
-  /// Whether the document is made of the first view's organs, of which the view's state speaks by their ids:
-  /// then a slide shows them in both views alike. For one that only shows.
+  /// For a second view: whether its document holds the first view's organs, whose ids the view's state uses;
+  /// a slide then applies to both views.
   void setOfSameOrgans(bool same);
-  /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
+  /// Shows numbers on the organs instead of the map chosen in the view's state; empty: shows that map.
   void setMap(std::optional<presentation::SurfaceMap> map);
-  /// The range of the stress map's colours that another picture has, too, and whether this one has the
-  /// legend; nothing: a range of its own.
+  /// Sets a range of the stress map's colours that is shared with another picture, and whether this one shows
+  /// the legend; empty: a range of its own.
   void setStressRange(std::optional<scene::ValueRange> range, bool legend = true);
   std::optional<scene::ValueRange> stressRange() const { return stressRange_; }
   bool stressLegend() const { return stressLegend_; }
-  /// Where the valves of the heart are found that is shown beating, whenever the picture is drawn.
+  /// A function that returns the valves of the beating heart, called whenever the picture is drawn.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
-  /// Whether it has what a movie of the view leaves out: distances, surfaces of others, bent slices.
+  /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, bent
+  /// slices.
   bool hasMoreThanMovies() const;
-  /// The organ under the mouse, whose handles stand out among those of other organs; none: all are alike.
+  /// Sets the organ under the mouse, whose handles are highlighted; none: no handles are.
   void setPointedOrgan(document::OrganId organ);
-  /// Names of these parts alone; nothing: as the view's state says.
+  /// Shows the labels of these parts only; empty: those chosen in the view's state.
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
 public Q_SLOTS:
-  /// Brings the picture up to date and has it rendered soon.
+  /// Updates the picture and schedules its rendering.
   void refresh();
 
 Q_SIGNALS:
-  /// The picture is up to date with something new.
+  /// The picture was updated after a change.
   void changed();
 
 private:
@@ -89,7 +90,7 @@ private:
   Valves valves_;
   std::optional<scene::ValueRange> stressRange_;
   bool stressLegend_ = true;
-  std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
+  std::optional<presentation::ViewState> drawn_; ///< The view's state in the last picture.
   std::vector<Subscription> subscriptions_;
 };
 

@@ -73,7 +73,7 @@ void ViewActions::makeSwitches(Actions& actions) {
   view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);
 }
 
-/// A habit of the user's and no part of a session: whether it can be drawn at all depends on the computer.
+/// A setting of the user, not of a session, because it depends on the computer whether it can be drawn.
 void ViewActions::makeShading(Actions& actions) {
   shading_ = std::make_unique<scene::DepthShading>(parts_.area.view()->view());
   if (const QVariant kept = parts_.settings.value(kShading); kept.isValid())
@@ -125,7 +125,7 @@ void ViewActions::lookFrom(scene::StandardView from) {
 void ViewActions::focus() {
   scene::OrganView& view = parts_.area.view()->view();
   const auto organ = parts_.workspace.document().organ(parts_.workspace.selection().organ());
-  if (organ && !organ->look.visible) { // Who wants to see it does not want an empty place.
+  if (organ && !organ->look.visible) { // Framing a hidden organ shows it.
     document::OrganLook look = organ->look;
     look.visible = true;
     parts_.workspace.perform(document::setOrganLook(organ->id, look));

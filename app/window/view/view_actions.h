@@ -18,7 +18,7 @@ class ViewActions final : public QObject {
   Q_OBJECT
 
 public:
-  /// What is looked at; all have to live longer.
+  /// The parts of the window that the actions change; all have to live longer.
   struct Parts {
     Workspace& workspace;
     const Picture& picture;
@@ -31,8 +31,8 @@ public:
   ViewActions(const Parts& parts, Actions& actions, QObject* parent = nullptr);
 
   void lookFrom(scene::StandardView from);
-  /// Brings the selected organ into the picture, or all. Where another one hides it, says so and offers to
-  /// show it alone.
+  /// Frames the selected organ, or all. If another organ hides it, shows a message that offers to show it
+  /// alone.
   void focus();
 
 private:
@@ -44,7 +44,7 @@ private:
   void offerAlone(const document::Organ& organ);
 
   Parts parts_;
-  std::unique_ptr<scene::DepthShading> shading_; ///< Of the first view.
+  std::unique_ptr<scene::DepthShading> shading_; ///< The first view's.
 };
 
 } // namespace viscera::app

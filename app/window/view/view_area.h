@@ -25,25 +25,25 @@ public:
   MessageBar* messages() const { return messages_; }
 
   /// Gives the slices their places around the view, which is at the upper right: upper left, lower left,
-  /// lower right. They become this one's, and are hidden until `arrange` says something else.
+  /// lower right. This widget takes ownership; the slices are hidden until `arrange` shows them.
   void addSlices(const std::array<QWidget*, 3>& slices);
-  /// Which of them, and of the view, is seen; they share the room.
+  /// Sets which of the view and the slices are visible; they share the room.
   void arrange(bool view, const std::array<bool, 3>& slices);
 
-  /// Moves the eye so that everything is in the view, once the view has the place that the layout gives it.
+  /// Moves the camera so that everything is in the view, once the layout has placed the view.
   void frameSoon();
 
-  /// Puts `second` beside the view, both equally wide, with `header` above the view. Both widgets become
-  /// this one's, until `joinViews` deletes them.
+  /// Puts `second` beside the view, both equally wide, with `header` above the view. Takes ownership of both
+  /// widgets; `joinViews` deletes them.
   void splitView(QWidget* header, QWidget* second);
-  /// How high the header over a split view is; without one nothing happens.
+  /// Sets the height of the header over a split view; without one nothing happens.
   void setHeaderHeight(int height);
   /// The view is alone again.
   void joinViews();
 
   /// A short remark at the top left that fades by itself ("bound in 15 ms").
   void showBadge(const QString& text);
-  /// Takes that remark away before its time; another one stays.
+  /// Hides that remark early; another one stays.
   void retractBadge(const QString& text);
   /// Leaves so many pixels below the views and slices free of them; 0: none.
   void reserveBelow(int pixels);

@@ -10,8 +10,8 @@
 namespace viscera::app {
 
 /// Holds how the document is shown (colours, labels, cuts, slices), shared by all parts of the window: they
-/// read and change it, the presenter draws it, a session saves it. Actions only switch it. Selection, camera,
-/// motions and the shown pose are kept where they live and gathered when a session is saved.
+/// read and change it, the presenter draws it, a session saves it. Actions only change it. Selection, camera,
+/// motions and the shown pose are kept in other objects and gathered when a session is saved.
 ///
 ///     view.change([](presentation::ViewState& state) { state.ghost = true; });
 class ViewModel final : public QObject {
@@ -21,14 +21,14 @@ public:
   using QObject::QObject;
 
   const presentation::ViewState& state() const { return state_; }
-  /// Edits the state; tells only when it has become another one.
+  /// Edits the state; emits `changed` only if it is different afterwards.
   void change(const std::function<void(presentation::ViewState&)>& edit);
-  /// An action that shows and switches one part of the state, however that is changed.
+  /// Adds a checkable action for one part of the state; it follows changes from elsewhere.
   QAction* addToggle(Actions& actions, const char* id, const Actions::Description& description,
                      std::function<bool&(presentation::ViewState&)> part);
 
 Q_SIGNALS:
-  /// The state is another one. Whoever hears it reads the whole state.
+  /// The state has changed. Receivers should read the whole state.
   void changed();
 
 private:

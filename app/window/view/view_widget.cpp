@@ -58,7 +58,7 @@ ViewWidget::ViewWidget(QWidget* parent)
   interactor()->AddObserver(vtkCommand::RenderEvent, renderWanted_);
   smoothFrame_.setSingleShot(true);
   connect(&smoothFrame_, &QTimer::timeout, this, [this] {
-    if (isVisible() && !view_->moving()) // Whoever ends a motion has the next frame drawn.
+    if (isVisible() && !view_->moving()) // Code that ends a motion schedules the next frame.
       draw(false);
   });
 }
@@ -104,8 +104,7 @@ void ViewWidget::renderPending() {
     draw(view_->isSlow());
 }
 
-/// What is painted has to be there now, at its new size, say; all else can wait for the events that are
-/// there.
+/// Renders at once within a paint event, for example at a new size; otherwise after the pending events.
 void ViewWidget::onRenderWanted() {
   if (painting_)
     draw(view_->isSlow());
@@ -191,8 +190,9 @@ bool ViewWidget::clicksAreTaken() const {
   return std::any_of(clickTakers_.begin(), clickTakers_.end(), [](const auto& takes) { return takes(); });
 }
 
-/// On the cube, where the camera has moved after the first one, and for whoever takes clicks, it is a second
-/// press like any other; the filters of this widget see it as one, too.
+/// On the orientation cube, where the first press has moved the camera, and while a function of
+/// `addClickTaker` returns true, a double click is handled as a second press, also by the event filters of
+/// this widget.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && !orientationSideAt(event->localPos()) && !clicksAreTaken()) {
     QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);

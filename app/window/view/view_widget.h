@@ -17,10 +17,10 @@
 
 namespace viscera::app {
 
-/// The widget that shows the 3D view. Renders at most once for all that changed since the event loop last
-/// came round, whoever asked for it, and tells a click from a drag. Where a whole, smooth frame takes long
-/// (`scene::OrganView::isSlow`), what happens is answered by a quick frame, and the smooth one follows when
-/// nothing else has happened for a moment. A click on a side of the orientation cube looks from that side.
+/// The widget that shows the 3D view. Renders at most once for all changes within one pass of the event loop,
+/// and distinguishes clicks from drags. If a full, smooth frame takes long (`scene::OrganView::isSlow`), a
+/// change is first drawn as a quick frame, and the smooth frame follows when nothing has changed for a
+/// moment. A click on a side of the orientation cube moves the camera to that side.
 class ViewWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -34,15 +34,16 @@ public:
   /// The surface under a place in the widget, or the nearest one within a few pixels.
   std::optional<scene::SurfacePick> pickNear(const QPointF& place) const;
 
-  /// Adds somebody who is asked at a double click whether each click counts on its own now, as a point or an
-  /// answer; two quick ones are two clicks then. Has to be there as long as the view is used.
+  /// Adds a function that is called at a double click. If it returns true, as while the user sets points or
+  /// answers a quiz, the double click counts as two clicks. It has to be callable as long as the view is
+  /// used.
   void addClickTaker(std::function<bool()> takesClicks) { clickTakers_.push_back(std::move(takesClicks)); }
-  /// Whether one of them says so.
+  /// Whether one of these functions returns true.
   bool clicksAreTaken() const;
 
   /// How long the last frame took to draw, s.
   double frameSeconds() const { return frameSeconds_; }
-  /// Whether what is seen will stay: nothing waits to be drawn, and the last frame was a whole one.
+  /// Whether the picture is final: nothing waits to be drawn, and the last frame was a full one.
   bool atRest() const { return !renderScheduled_ && !smoothFrame_.isActive(); }
 
 public Q_SLOTS:
@@ -54,11 +55,11 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// The left button was pressed and released at one place.
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
-  /// The left button was pressed twice at one place, where nobody takes clicks (`addClickTaker`).
+  /// The left button was pressed twice at one place, and no function of `addClickTaker` returned true.
   void doubleClicked(const QPointF& place);
   /// The right button was pressed and released at one place.
   void menuWanted(const QPointF& place);
-  /// The mouse rests or moves at a place with no button down; it has left when there is none.
+  /// The mouse is at a place with no button down; `place` is empty when it has left.
   void hovered(const std::optional<QPointF>& place);
   void filesDropped(const QStringList& files);
   void themeChanged();
@@ -78,7 +79,7 @@ private:
   std::optional<scene::StandardView> orientationSideAt(const QPointF& place) const;
   /// Highlights the side of the orientation cube under the mouse, if any.
   void pointAtCube(const std::optional<QPointF>& place);
-  /// Presses and releases on the orientation cube are its own; says whether this one is.
+  /// Handles presses and releases on the orientation cube; returns whether this was one.
   bool pressCube(const QMouseEvent& event);
   bool releaseCube(const QMouseEvent& event);
   void draw(bool quick);
@@ -86,11 +87,12 @@ private:
   std::unique_ptr<scene::OrganView> view_;
   std::vector<std::function<bool()>> clickTakers_;
   QPointF pressed_;
-  Qt::MouseButton pressing_ = Qt::NoButton;        ///< Until it is released, or has moved away.
-  std::optional<scene::StandardView> pressedSide_; ///< Of the orientation cube.
+  Qt::MouseButton pressing_ = Qt::NoButton;        ///< The pressed button, until it is released or the mouse
+                                                   ///< has moved away.
+  std::optional<scene::StandardView> pressedSide_; ///< The pressed side of the orientation cube.
   bool renderScheduled_ = false;
   bool painting_ = false;
-  QTimer smoothFrame_; ///< Runs from a quick frame to the whole one.
+  QTimer smoothFrame_; ///< Runs from a quick frame to the full one.
   double frameSeconds_ = 0;
   vtkNew<vtkCallbackCommand> renderWanted_;
 };

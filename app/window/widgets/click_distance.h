@@ -2,7 +2,7 @@
 
 namespace viscera::app {
 
-/// Logical pixels: a press and a release that are nearer to each other are a click.
+/// The largest distance, in logical pixels, between the press and the release of a mouse click.
 inline constexpr double kClickDistance = 4;
 
 } // namespace viscera::app

@@ -20,7 +20,8 @@ public:
   void setFewestLetters(int letters);
   /// How wide the label has to be to show all of a text.
   int widthFor(const QString& text) const;
-  /// Of the whole text, for layouts that are told to look at it; by itself the label takes what is left.
+  /// The size of the whole text, for layouts that use it; by its size policy the label takes the space that
+  /// is left.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
 

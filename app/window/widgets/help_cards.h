@@ -18,12 +18,12 @@ namespace viscera::app {
 class PointingFrame;
 
 /// The card of the first start, which offers to open a file, to load a sample organ, or to begin the tour. In
-/// a small view it leaves out what the menus have, too, so that an organ can be seen below it.
+/// a small view it leaves out what is also in the menus, so that an organ can be seen below it.
 class WelcomeCard final : public QFrame {
   Q_OBJECT
 
 public:
-  /// `samples` opens at "Sample organs"; it stays the caller's. `parent` is what the card lies over.
+  /// `samples` opens at "Sample organs"; the caller keeps ownership. The card is shown over `parent`.
   WelcomeCard(QMenu* samples, QWidget* parent);
 
 Q_SIGNALS:
@@ -42,15 +42,16 @@ private:
   void fit();
   int heightIn(int width) const;
 
-  std::vector<QWidget*> lesser_; ///< What goes where there is little room, the first one first.
+  std::vector<QWidget*> lesser_; ///< The widgets that are hidden when there is little room, the first one
+                                 ///< first.
 };
 
 /// One stop of the tour.
 struct TourStep {
   QString title;
   QString text;
-  QStringList targets;         ///< Names of the widgets that it speaks of: they get a frame.
-  std::function<void()> enter; ///< Brings the window to where the text is true.
+  QStringList targets;         ///< Names of the widgets that the step explains; they get a frame.
+  std::function<void()> enter; ///< Puts the window into the state that the text describes.
 };
 
 /// A card that leads a new user through the window step by step and frames what each step explains; the

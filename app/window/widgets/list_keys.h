@@ -9,15 +9,15 @@ class QTreeWidget;
 
 namespace viscera::app {
 
-/// Keys that the window has for other things: with the list in focus, and rows of it chosen, they are meant
-/// for the list. Owned by it.
+/// Lets a list handle keys that are otherwise shortcuts of the window, while the list has the focus and rows
+/// of it are selected. The list owns this object.
 ///
 ///     (new ListKeys(list))->add(Qt::Key_Delete, [this] { removeChosen(); });
 class ListKeys final : public QObject {
 public:
   explicit ListKeys(QTreeWidget* list);
 
-  /// Calls `action` for the key. Gives itself, so that others can be added.
+  /// Calls `action` for the key. Returns this object, so that calls can be chained.
   ListKeys* add(Qt::Key key, std::function<void()> action);
 
 protected:

@@ -17,7 +17,7 @@ struct Message {
   enum class Severity { info, warning, error };
   struct Offer {
     QString label;
-    std::function<void()> accept; ///< Called when the user takes the offer; the bar closes itself.
+    std::function<void()> accept; ///< Called when the user clicks the button; the bar closes itself.
   };
 
   Severity severity = Severity::info;

@@ -7,9 +7,9 @@ class QWidget;
 
 namespace viscera::app {
 
-/// The file that a dialog for saving has given, with the first of these endings where it has none of them.
-/// That is another file than the one that the dialog asked about: asks before it would be replaced, and
-/// returns an empty name when the user does not want that.
+/// Appends the first of these endings to a file name from a save dialog if the name has none of them. Since
+/// the dialog has asked about another file name, asks before an existing file would be replaced, and returns
+/// an empty name if the user declines.
 QString asNewFile(QWidget* parent, const QString& chosen, const QStringList& endings);
 
 } // namespace viscera::app

@@ -48,12 +48,13 @@ protected:
   QPushButton* addButton(QAction* action);
   /// A check box for a checkable action.
   void addCheck(QAction* action);
-  /// To be called after everything else: what is left stays empty.
+  /// Call it last: the remaining space of the page stays empty.
   void finish();
 
 private:
   QVBoxLayout* column_;
-  QFormLayout* facts_ = nullptr; ///< Of the present section; facts that follow each other line up.
+  QFormLayout* facts_ = nullptr; ///< The layout of the present section, in which successive facts are
+                                 ///< aligned.
 };
 
 } // namespace viscera::app

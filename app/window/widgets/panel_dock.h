@@ -17,7 +17,7 @@ public:
   void setContents(QWidget* contents, bool scrolling);
 
 Q_SIGNALS:
-  /// The user has shown or hidden it, by its cross or in the menu.
+  /// The user has shown or hidden the panel, by its close button or in the menu.
   void chosen(bool shown);
 
 private:

@@ -42,7 +42,7 @@ void PointingFrame::follow() {
   }
   const QRect around(target_->mapTo(parentWidget(), QPoint(0, 0)), target_->size());
   setGeometry(around.intersected(parentWidget()->rect()));
-  // What it frames stays in sight and is drawn as before.
+  // The framed widget stays visible and is drawn as before.
   setMask(QRegion(rect()) - QRegion(rect().adjusted(kFrameWidth, kFrameWidth, -kFrameWidth, -kFrameWidth)));
   show();
   raise();

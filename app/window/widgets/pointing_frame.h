@@ -5,13 +5,13 @@
 
 namespace viscera::app {
 
-/// A coloured frame that draws attention to a widget, as during the tour. It goes with the widget, is hidden
-/// while that is, and takes no clicks.
+/// A coloured frame that draws attention to a widget, as during the tour. It moves with the widget, is hidden
+/// while the widget is, and ignores clicks.
 class PointingFrame final : public QWidget {
   Q_OBJECT
 
 public:
-  /// The target may die first.
+  /// The target may be destroyed first.
   explicit PointingFrame(QWidget& target);
   ~PointingFrame() override;
 

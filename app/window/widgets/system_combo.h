@@ -9,8 +9,8 @@
 namespace viscera::app {
 
 /// A combo box with the coordinate systems under headings: those recommended for organs, those with a cage,
-/// those that need tetrahedra, and the attempts of the thesis, which are there to be compared. Where a system
-/// stands follows from what it says of itself, so that a plugin's finds its place.
+/// those that need tetrahedra, and the attempts of the thesis, for comparison. The heading of a system
+/// follows from its traits, so that systems of plugins are sorted too.
 class SystemCombo final : public QComboBox {
   Q_OBJECT
 
@@ -20,12 +20,12 @@ public:
   /// The id at a place; empty for a heading.
   std::string systemAt(int index) const;
   void setSystem(const std::string& id);
-  /// What the closed list shows: the name, shortened with an ellipsis where it does not fit. Its whole is in
-  /// the tooltip then.
+  /// The text of the closed list: the name, shortened with an ellipsis if it does not fit. The tooltip then
+  /// has the whole name.
   QString shownText() const;
 
 Q_SIGNALS:
-  /// The user has chosen a system, by its id.
+  /// The user has chosen the system with this id.
   void systemChosen(const std::string& id);
 
 protected:

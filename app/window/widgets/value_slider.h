@@ -25,20 +25,20 @@ public:
   ValueSlider(const QString& name, const Range& range, QWidget* parent = nullptr);
 
   double value() const;
-  /// Sets the number without telling anybody.
+  /// Sets the number without emitting a signal.
   void setValue(double value);
   void setRange(double minimum, double maximum);
-  /// Another range with its own step and digits; the number stays when it is in the range. Nothing happens
-  /// while the slider is held.
+  /// Sets the range with its step and digits; the number stays if it is in the range. Nothing happens while
+  /// the slider is dragged.
   void setRange(const Range& range);
 
   /// Marks the part of the range that is normal, under the slider.
   void setNormal(double low, double high);
 
 Q_SIGNALS:
-  /// The user is choosing: at every move of the slider and every number typed.
+  /// The user changes the value; emitted at every move of the slider and every typed number.
   void valueChanged(double value);
-  /// The user has chosen: the slider was let go or the typing ended.
+  /// The user has finished changing the value: the slider was released or the typing ended.
   void valueChosen(double value);
 
 private:

@@ -7,7 +7,7 @@ namespace viscera::circulation {
 
 /// Anderson's acceleration of a fixed-point iteration x <- g(x) (Walker and Ni 2011, doi 10.1137/10078356X):
 /// the next x is the mixture of the last images, with weights that sum to 1, whose mixed residual is least.
-/// So whatever linear quantity g keeps, the mixture keeps. One thread.
+/// The mixture keeps every linear quantity that g keeps. One thread.
 class Anderson {
 public:
   /// Remembers so many iterations.

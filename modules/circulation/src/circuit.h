@@ -9,6 +9,7 @@
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/parameters.h"
 
+/// The differential equations of the circulation.
 namespace viscera::circulation {
 
 /// dyn/cm^2 in a mmHg, and blood's density, g/cm^3.
@@ -23,7 +24,7 @@ inline constexpr double kShutArea = 1e-5;
 /// of the beat.
 inline constexpr double kAtrialShare = 0.22;
 
-/// What of a valve is open, cm^2.
+/// The open area of a valve, cm^2.
 inline double openArea(const ValveAreas& areas, double opening) {
   const double leak = std::max(areas.leak, kShutArea);
   return leak + (areas.open - leak) * opening;
@@ -36,7 +37,7 @@ constexpr std::size_t at(Valve v) {
   return static_cast<std::size_t>(v);
 }
 
-/// Everything at one instant that follows from a state.
+/// The pressures and flows that follow from a state at one instant.
 struct Instant {
   std::array<double, kChambers> activation{};
   std::array<double, kCompartments> pressure{}; ///< Of arteries: at the root.

@@ -161,7 +161,7 @@ std::pair<double, double> gradients(const Curve& flow, const Curve& from, const 
   return {count > 0 ? sum / count : 0, peak};
 }
 
-/// What flows against the valve's direction over a beat, ml.
+/// The volume that flows backward through a valve over a beat, ml.
 double backward(const Beat& beat, Valve valve) {
   double sum = 0;
   // -int min(0, Q) dt by even samples of one period, where the trapezium rule is a plain sum.

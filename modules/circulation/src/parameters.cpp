@@ -34,7 +34,7 @@ constexpr auto kAreas = "effective areas of normal valves: doi 10.1016/j.echo.20
 constexpr auto kMildAortic = "mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007";
 constexpr auto kMildMitral = "mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007";
 
-/// Of numbers of the model that nobody measures: a fifth to either side.
+/// The range of model parameters that cannot be measured: a fifth to either side.
 NormalValues aboutRest(double rest) {
   return {0.8 * rest, 1.2 * rest, "20 % around the healthy adult at rest"};
 }

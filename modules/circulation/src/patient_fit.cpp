@@ -18,7 +18,7 @@ constexpr double kVolumeToleranceMl = 0.5;
 constexpr double kFractionTolerance = 0.002;
 constexpr double kPressureToleranceMmHg = 0.5;
 
-// What a measurement can be.
+// The limits of plausible measurements.
 constexpr double kSmallestEdvMl = 30, kLargestEdvMl = 500;
 constexpr double kSmallestEf = 0.05, kLargestEf = 0.85;
 constexpr double kLowestMmHg = 30, kHighestMmHg = 200;

@@ -19,7 +19,7 @@ constexpr int kMemory = 8;     ///< Beats that the acceleration mixes.
 constexpr int kPlainBeats = 3; ///< Before the acceleration: the guess is far from any beat.
 constexpr int kCoarse = 2;     ///< Steps are so many times as long while the state is far off.
 constexpr double kNear = 1e-2; ///< Residual, ml, below which beats are integrated exactly.
-/// What flows (ml/s) and openings count beside volumes (ml) in the residual.
+/// The weights of flows (ml/s) and openings relative to volumes (ml) in the residual.
 constexpr double kFlowWeight = 1e-3;
 constexpr double kOpeningWeight = 1e-2;
 

@@ -25,7 +25,7 @@ constexpr double kPLead = 0.01;
 /// The top of T, as a part of the time to the end of systole.
 constexpr double kTPart = 0.8;
 
-/// What the loudness of sounds is measured by: values at rest.
+/// Reference values at rest for the loudness of sounds.
 constexpr double kRestDpdt = 1300;    ///< mmHg/s
 constexpr double kRestDiastolic = 80; ///< mmHg
 constexpr double kPulmonicPart =

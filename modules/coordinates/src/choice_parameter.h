@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/parameters.h"
 
+/// Helper functions that create parameters of coordinate systems and read their values.
 namespace viscera::coordinates {
 
 /// A parameter whose value is one of `choices`; the first one is the standard.

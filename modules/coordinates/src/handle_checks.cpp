@@ -38,7 +38,7 @@ void requireUsableHandles(const PointsOf<Dim>& handles) {
   const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
   requireDistinct<Dim>(handles, kHandleTolerance * size);
   // The last diagonal entry is about the thickness; unlike a covariance it is not squared, so 1e-9 can be
-  // told.
+  // detected.
   const Eigen::ColPivHouseholderQR<PointsOf<Dim>> decomposition(centred);
   if (std::abs(decomposition.matrixQR()(Dim - 1, Dim - 1)) <= kHandleTolerance * size)
     throw DataError(Dim == 3 ? "all handles lie in one plane" : "all handles lie on one line", "handles",

@@ -2,7 +2,8 @@
 
 namespace viscera::coordinates {
 
-/// Of the size of the handles, or of the cage: a point this near to a handle is at it.
+/// Tolerance, relative to the size of the handles or of the cage, below which a point coincides with a
+/// handle.
 inline constexpr double kSamePlace = 1e-12;
 
 } // namespace viscera::coordinates

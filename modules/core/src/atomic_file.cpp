@@ -35,7 +35,7 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
   return error ? target : real;
 }
 
-/// What comes before the target's name in that of its temporary file is a dot, a number and this.
+/// The name of a temporary file is a dot, a number, this character and the target's name.
 constexpr char kBehindNumber = '-';
 
 /// Closes a file when it goes, which gives its lock back.
@@ -62,8 +62,8 @@ bool claim(int file) {
   return ::fstat(file, &status) == 0 && status.st_nlink > 0;
 }
 
-/// Creates an empty file that nobody else has, hidden, beside `target`, with the rights that new files get;
-/// gives its name and the open file, which holds the lock.
+/// Creates a new empty file, hidden, beside `target`, with the rights that new files get; gives its name and
+/// the open file, which holds the lock.
 std::pair<std::filesystem::path, int> createBeside(const std::filesystem::path& target) {
   std::random_device random;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -161,7 +161,7 @@ void removeAbandonedWrites(const std::filesystem::path& target) noexcept {
       if (isTemporaryOf(name, item->path().filename().string()) && item->is_regular_file(ignored))
         removeIfAbandoned(item->path());
   } catch (const std::exception&) {
-    return; // Litter that stays harms nobody.
+    return; // Files that cannot be removed are left; they do no harm.
   }
 }
 

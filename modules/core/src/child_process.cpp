@@ -25,7 +25,7 @@ namespace viscera {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kLookMs = 20; ///< How often somebody looks whether the job was cancelled.
+constexpr int kLookMs = 20; ///< Interval at which cancellation is checked.
 constexpr rlim_t kMostMessages = 1 << 20;
 constexpr std::size_t kMessagesKept = 2000;
 

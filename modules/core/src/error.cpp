@@ -5,7 +5,7 @@
 namespace viscera {
 namespace {
 
-/// `text` with a capital letter first: what is said to a user is a sentence, whoever says it.
+/// `text` with a capital letter first, because messages for users are sentences.
 std::string sentence(const std::string& text) {
   const bool small = !text.empty() && text[0] >= 'a' && text[0] <= 'z';
   return small ? static_cast<char>(text[0] - 'a' + 'A') + text.substr(1) : text;

@@ -22,7 +22,7 @@ std::shared_ptr<const Error> asError(const std::exception& exception) {
 
 } // namespace
 
-/// What the queue, its workers and the functions that it posted have in common. `jobs`, `changed` and
+/// The state shared by the queue, its workers and the functions that it posted. `jobs`, `changed` and
 /// `closed` belong to the main thread; `mutex` guards `waiting` and `stopping`.
 struct JobQueue::Shared : std::enable_shared_from_this<JobQueue::Shared> {
   struct Job {

@@ -9,20 +9,20 @@
 
 namespace viscera::deformation {
 
-/// A point on its way to where a motion takes it to `target`, by Broyden's iteration (Broyden 1965, doi
-/// 10.1090/S0025-5718-1965-0198670-6). `derivative` may start with what is known of the motion's.
+/// Searches the point that a motion moves to `target`, by Broyden's iteration (Broyden 1965, doi
+/// 10.1090/S0025-5718-1965-0198670-6). `derivative` may start with an estimate of the motion's derivative.
 struct BroydenSearch {
-  /// Of the estimated derivative; below it that is given up.
+  /// The smallest determinant of the estimated derivative; below it the search fails.
   static constexpr double kSmallestDeterminant = 0.05;
 
-  Eigen::Index row = 0; ///< Whatever number the caller knows it by.
+  Eigen::Index row = 0; ///< A number for use by the caller.
   Vec3 target, at, step = Vec3::Zero(), residual = Vec3::Zero();
   Eigen::Matrix3d derivative = Eigen::Matrix3d::Identity();
   Vec3 best = Vec3::Zero();
   double bestError = std::numeric_limits<double>::infinity();
   bool started = false;
 
-  /// Takes the displacement at `at`, goes on to the next place; false when it is near enough, or lost.
+  /// Takes the displacement at `at` and moves to the next place; false when it is near enough, or has failed.
   bool advance(const Vec3& displacement, double accuracy) {
     const Vec3 left = at + displacement - target;
     if (!left.allFinite())

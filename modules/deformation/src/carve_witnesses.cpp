@@ -27,7 +27,7 @@ constexpr Eigen::Index kWallGrain = 128;
 /// A corner that is nearer to the wall than this part of an edge that goes through it counts as on the wall:
 /// slivers are kept out.
 constexpr double kSnap = 0.06;
-/// What is left of a tetrahedron in pieces smaller than this part of it is flat.
+/// Pieces of a tetrahedron that are smaller than this fraction of it count as flat.
 constexpr double kFlatPart = 1e-6;
 /// Steps by the false position from the first guess of a point on the wall.
 constexpr int kWallSteps = 2;

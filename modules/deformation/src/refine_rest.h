@@ -6,7 +6,7 @@
 
 namespace viscera::deformation {
 
-/// What `InverseMap::refinePlane` does, on its field.
+/// Implements `InverseMap::refinePlane` on the field of the map.
 void refineRest(const RestField& field, const coordinates::CoordinateSystem& system, const SamplePlane& plane,
                 const Refinement& refinement, RestPoints& rest, Progress& progress);
 

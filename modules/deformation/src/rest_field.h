@@ -7,9 +7,11 @@
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/geometry/convex_hull.h"
 
+/// The displacement field of the space at rest, on which `InverseMap` works.
 namespace viscera::deformation {
 
-/// Of the hull's diagonal, from its facets: what is nearer to one is not inside.
+/// Distance from the hull's facets, as a fraction of its diagonal, within which a point does not count as
+/// inside.
 inline constexpr double kWithinHull = 1e-6;
 
 /// Points in rows and layers, x first, and a vector at each.
@@ -23,7 +25,7 @@ struct VectorGrid {
   Vec3 position(Eigen::Index node) const;
   bool contains(const Vec3& point) const;
   /// Trilinear; column j of `gradient`, where it is wanted, is the derivative along axis j. A point outside
-  /// gets what the nearest one on the border has.
+  /// gets the value of the nearest one on the border.
   Vec3 at(const Vec3& point, Eigen::Matrix3d* gradient) const;
   /// The eight nodes around a point and their weights.
   struct Corners {
@@ -34,9 +36,9 @@ struct VectorGrid {
   Vec3 sum(const Corners& corners) const;
 };
 
-/// The displacement of the rest space: bound at the nodes of a grid over the handles' hull, and faded to
-/// nothing outside of the hull; `InverseMap` says how. It is trilinear on that grid, and on a coarser one
-/// around it, without a jump between the two.
+/// The displacement of the rest space: bound at the nodes of a grid over the handles' hull, and faded to zero
+/// outside of the hull (see `InverseMap`). It is trilinear on that grid, and on a coarser one around it,
+/// without a jump between the two.
 class RestField {
 public:
   /// Binds the nodes. Throws what binding throws, `Cancelled`.
@@ -59,18 +61,18 @@ public:
   bool isStill(const Vec3& posed) const { return displacementAt(posed).isZero(0); }
   /// Whether a rest point has coordinates.
   bool isInside(const Vec3& rest) const { return hull_.signedDistance(rest) <= 0; }
-  /// Whether a posed point lies where the pose brings tissue that it turns inside out.
+  /// Whether the tissue at a posed point is folded.
   bool isFolded(const Vec3& posed) const;
 
-  /// How far the grid may be off around a rest point, mm, by how the motion bends from node to node; zero
+  /// An estimate of the grid's error around a rest point, mm, by the second differences of the motion; zero
   /// where no exact motion is known (`exactPart`).
   double roughnessAt(const Vec3& rest) const;
-  /// 1 in the hull, where the system itself says how a rest point moves; falls to 0 a few cells outside.
+  /// 1 in the hull, where the system itself gives the motion of a rest point; falls to 0 a few cells outside.
   double exactPart(const Vec3& rest) const;
   /// The point itself in the hull, else where the line to the hull's middle enters it.
   Vec3 pulledIn(const Vec3& point) const;
 
-  /// How much tissue the pose turns inside out, as it is at rest, mm3.
+  /// The volume of folded tissue, at rest, mm3.
   double foldedMm3() const;
   double errorMm() const { return error_; }
   double spacing() const { return inner_.spacing; }
@@ -134,7 +136,7 @@ private:
   double error_ = 0;
   std::vector<float> roughness_; ///< Of the inner grid's nodes.
   std::size_t foldedCount_ = 0;  ///< Of the inner grid.
-  VectorGrid folds_;             ///< Where folded tissue comes to; its vectors are not used.
+  VectorGrid folds_;             ///< The places of folded tissue in the pose; its vectors are not used.
   std::vector<std::uint8_t> foldCells_;
 };
 

@@ -42,7 +42,7 @@ std::vector<char> requestFor(const geometry::TriangleMesh& surface, const Tetrah
   return bytes;
 }
 
-/// What TetGen said, as an addition to a sentence; its own hints are about its command line.
+/// TetGen's messages, as an addition to a sentence; its own hints are about its command line.
 std::string said(const std::string& messages) {
   std::string line = messages.substr(0, messages.find("Hint"));
   std::replace(line.begin(), line.end(), '\n', ' ');
@@ -248,7 +248,7 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   if (report.components == 1 &&
       !(std::abs(filled - std::abs(report.volumeMm3)) <= kVolumeTolerance * std::abs(report.volumeMm3)))
     unusable("its volume differs from that of the surface");
-  if (mesh.witnesses > 0) // None is right for a coarse surface; whoever asked decides.
+  if (mesh.witnesses > 0) // No witness is correct for a coarse surface; the caller decides.
     requireUsable(mesh, "TetGen's tetrahedra");
   return mesh;
 }

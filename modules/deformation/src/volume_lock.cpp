@@ -140,7 +140,7 @@ std::vector<double> VolumeLock::volumes(const Points& pose) const {
   return result;
 }
 
-/// The surface in this pose, which is found out unless `posed` has it.
+/// The surface in this pose, which is computed unless `posed` holds it.
 const VolumeLock::PosedSurface& VolumeLock::posedSurface(std::size_t surface, const Points& pose,
                                                          PosedSurfaces& posed) const {
   PosedSurface& there = posed[surface];

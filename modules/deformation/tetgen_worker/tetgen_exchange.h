@@ -2,10 +2,11 @@
 
 #include <cstdint>
 
-/// What Viscera and its TetGen worker say to each other, in the machine's own byte order: a `Request`, then
+/// The data that Viscera exchanges with its TetGen worker, in the machine's own byte order: a `Request`, then
 /// `points x 3` doubles and `triangles x 3` int32 on the worker's standard input; a `Reply`, then `points x
-/// 3` doubles and `tetrahedra x 4` int32 on its standard output. What goes wrong is a line on standard error
-/// and one of the exit codes. This file alone is shared: the worker links TetGen and nothing of Viscera.
+/// 3` doubles and `tetrahedra x 4` int32 on its standard output. An error is reported by a line on standard
+/// error and one of the exit codes. Only this file is shared: the worker links TetGen, but no library of
+/// Viscera.
 namespace viscera::deformation::tetgen_exchange {
 
 inline constexpr std::uint64_t kMagic = 0x3130'7465'7456'5356; ///< "VSVtet01"

@@ -114,11 +114,11 @@ int mesh(int output) {
 } // namespace
 
 int main() {
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody waits for the result of a program that has gone.
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // Ends with the program that waits for the result.
   // TetGen talks on standard output, which is for the reply.
   const int output = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
-  std::setvbuf(stdout, nullptr, _IONBF, 0); // What it says before it crashes is the best that is known.
+  std::setvbuf(stdout, nullptr, _IONBF, 0); // Unbuffered, so that messages before a crash are not lost.
   try {
     return mesh(output);
   } catch (const std::bad_alloc&) {

@@ -21,7 +21,8 @@ namespace viscera::document {
 
 namespace fs = std::filesystem;
 
-/// A file that one program at a time holds; the system lets go of it when that program ends, however it ends.
+/// A file that one program at a time can lock; the system releases the lock when that program ends in any
+/// way.
 class FileLock {
 public:
   /// Takes the lock, making the file when it is not there; null when another program has it or the file
@@ -47,7 +48,7 @@ public:
 
   const fs::path& file() const { return file_; }
 
-  /// Removes the file; nobody can take this lock any more.
+  /// Removes the file, so that no program can take this lock any more.
   void remove() const {
     std::error_code ignored;
     fs::remove(file_, ignored);
@@ -141,7 +142,7 @@ public:
     removeIfGivenUp();
   }
 
-  /// Removes the file, now or when it has been written. Waits for nobody.
+  /// Removes the file, now or when it has been written. Does not wait.
   void giveUp() {
     givenUp_ = true;
     if (const std::unique_lock guard(mutex_, std::try_to_lock); guard.owns_lock())
@@ -165,7 +166,7 @@ private:
       return;
     std::error_code error;
     fs::create_directories(folder_, error);
-    fs::permissions(folder_, fs::perms::owner_all, error); // Organs of patients are nobody else's business.
+    fs::permissions(folder_, fs::perms::owner_all, error); // Other users must not read organs of patients.
     const std::string name =
         kPrefix + std::to_string(::getpid()) + "-" + std::to_string(std::random_device()());
     lock_ = FileLock::take(folder_ / (name + kLockEnding));
@@ -175,7 +176,7 @@ private:
     file_ = withEnding(lock_->file(), kSessionEnding);
   }
 
-  /// After the mutex was let go: whoever gave the file up while it was held has not removed it.
+  /// Call it after the mutex was released: removes the file if it was given up meanwhile.
   void removeIfGivenUp() {
     if (!givenUp_)
       return;

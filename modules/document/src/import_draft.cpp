@@ -105,7 +105,7 @@ void unify(SharedFinding& size, const std::vector<FoundIn>& where, const ImportD
   size.ofThePatient = true;
 }
 
-/// The organ as the draft has it now; what the file's name, look and parent are stays.
+/// The organ with the draft's surface; its name, look and parent stay as read from the file.
 Organ finished(const Organ& read, const DraftOrgan& organ) {
   if (organ.mesh == organ.asRead)
     return read;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kMeasurementKind = "measurement";
 
-/// The point as the organ's surface has it.
+/// The point on the organ's surface.
 MeasuredPoint sound(const DocumentState& state, const MeasuredPoint& point) {
   if (!point.organ) {
     MeasuredPoint fixed;

@@ -38,7 +38,7 @@ Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> 
   }
   organ.name = std::move(name);
   organ.mesh = std::move(mesh);
-  if (organ.mesh->colors.rows() > 0) // What lists and charts say of a painted surface.
+  if (organ.mesh->colors.rows() > 0) // The colour of a painted surface in lists and charts.
     organ.look.color = organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0;
   organ.look.vertexColors = !isPaintedAlike(*organ.mesh);
   organ.boundaryEdges = report.boundaryEdges;

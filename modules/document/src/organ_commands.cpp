@@ -123,7 +123,7 @@ Organ withoutHoles(const Organ& open) {
   closed.look = open.look;
   closed.parent = open.parent;
   closed.file = open.file;
-  // What the file said of itself is still true; what was found out about the surface was found out anew.
+  // Warnings about the file stay; those about the surface are replaced by the findings on the new one.
   const std::vector<std::string> outdated = geometry::faults(geometry::checkSurface(*open.mesh));
   std::vector<std::string> warnings = open.warnings;
   std::erase_if(warnings, [&outdated](const std::string& warning) {

@@ -12,7 +12,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Surfaces that a session names but does not hold.
+/// Finds and reads the surfaces that a session file names but does not contain.
 namespace viscera::document {
 
 /// The SHA-256 of a file's bytes, in hexadecimal; empty when it cannot be read. Some 300 MB a second.
@@ -38,13 +38,13 @@ struct FoundFile {
 std::optional<FoundFile> findFile(const FileSource& source, const std::filesystem::path& folder,
                                   const std::vector<std::filesystem::path>& alsoIn = {});
 
-/// The file of an organ as it is now, when it still is what the organ was read from; else nothing.
+/// The present file of an organ if its contents are unchanged since the organ was read; else empty.
 std::optional<FileSource> unchangedFile(const Organ& organ, const std::filesystem::path& folder);
 
-/// How a session names an organ's file, without looking at it.
+/// How a session names an organ's file, without reading it.
 FileSource fileSource(const Organ& organ, const std::filesystem::path& folder);
 
-/// Sample organs that are made once, however many of their surfaces a session has.
+/// Makes sample organs, each only once even if a session has several of their surfaces.
 class SampleMaker {
 public:
   explicit SampleMaker(const sample_organs::SampleLibrary& library) : library_(library) {}
@@ -53,7 +53,7 @@ public:
   /// `UsageError` for a surface that it does not have.
   Organ make(const std::string& sample, const std::string& surface, Progress& progress);
 
-  /// What `make` would give it for places, without making it; nothing where that cannot be known.
+  /// The places that `make` would set, without making the organ; empty if they are not known.
   std::vector<geometry::NamedPlace> placesOf(const std::string& sample, const std::string& surface) const;
 
 private:

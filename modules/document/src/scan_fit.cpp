@@ -54,8 +54,8 @@ bool isSameGrid(const medical_io::ScanSeries& grid, const medical_io::Scan& scan
   return true;
 }
 
-/// What grid a label map has, by its header, when it is another than the scan's; else empty, also where that
-/// is not known. `known` keeps the answers.
+/// Describes the grid of a label map, from its header, if it differs from the scan's; else empty, also if it
+/// is not known. `known` caches the results.
 std::string otherGridOf(const std::filesystem::path& file, const medical_io::Scan& scan,
                         std::map<std::filesystem::path, std::string>& known) {
   if (const auto found = known.find(file); found != known.end())

@@ -50,7 +50,7 @@ bool namesNoFolders(const SessionContents& contents, bool inside) {
   return inside && contents.recovers.empty();
 }
 
-/// What an embedded session says of a file: its name, and what tells its contents from others'.
+/// The record of a file in an embedded session: its name, and the hash of its contents.
 ordered_json nameOnly(const ordered_json& file, bool inside) {
   const std::string name = fs::path(file.at("absolute").get<std::string>()).filename().generic_string();
   ordered_json only{{"relative", name}, {"absolute", name}};
@@ -204,7 +204,7 @@ public:
     contents.embedSurfaces = surfaces == kEmbedded;
     contents.embedScan = contents.embedSurfaces;
     contents.recovers = reader_.optionalText(root, "recovers", "");
-    // What is cheap to read comes first: a damaged file is refused before a sample organ is made.
+    // Reads the quick parts first, so that a damaged file is refused before a sample organ is made.
     reader_.readRig(reader_.field(root, "rig", ""), contents.state);
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readKeySequence(reader_.field(root, "recording", ""), contents.state);

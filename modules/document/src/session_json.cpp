@@ -160,8 +160,9 @@ namespace {
 /// Always written: without it a session is of a time when atria were smaller.
 constexpr auto kAtriumSaid = "laV0";
 
-/// What atria held less without pressure in sessions that do not say it, ml; the blood in the loop and the
-/// pericardium's room were smaller by as much, so that their pressures are those of today.
+/// By how much the unstressed volumes of the atria were smaller in sessions that do not state them, ml; the
+/// blood in the loop and the pericardium's room were smaller by as much, so that their pressures are those of
+/// today.
 constexpr double kSmallerLeftAtriumMl = 15, kSmallerRightAtriumMl = 25;
 
 void addToAtria(circulation::Parameters& parameters, double leftMl, double rightMl) {
@@ -373,7 +374,8 @@ MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const s
   return point;
 }
 
-/// What two points alone do not say; distances and angles are told by how many they have.
+/// Reads the kind of a measurement, which two points do not determine; distances and angles differ by their
+/// number of points.
 void SessionReader::readMeasurementKind(const ordered_json& item, const std::string& place,
                                         Measurement& measurement) const {
   if (item.contains("kind"))

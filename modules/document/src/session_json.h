@@ -9,8 +9,8 @@
 #include "viscera/document/document.h"
 #include "viscera/document/json_reader.h"
 
-/// The parts of a document as a session file has them (docs/session_format.md). Organs' surfaces are not
-/// written and read here.
+/// Converts the parts of a document to and from the JSON of a session file (docs/session_format.md). Organs'
+/// surfaces are not written and read here.
 namespace viscera::document {
 
 /// All of an organ but its surface and where it came from.

@@ -9,7 +9,7 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/document/session_file.h"
 
-/// The scan of a session, which names or holds it (docs/session_format.md, "scan").
+/// Reads and writes the scan of a session file, which names or contains it (docs/session_format.md, "scan").
 namespace viscera::document {
 
 /// The place of a scan, also relative to the session file's `folder`; with its samples when it shall be
@@ -18,7 +18,7 @@ namespace viscera::document {
 nlohmann::ordered_json sessionScanJson(const ScanItem& item, bool inside,
                                        const std::filesystem::path& folder);
 
-/// Leaves of the places in a scan's record only the name of its file or folder.
+/// Removes the folders from the paths in a scan's record, so that only the name of its file or folder stays.
 void forgetFolders(nlohmann::ordered_json& scan);
 
 /// Reads the scan that `item` holds or names into `opened`; it is looked for in `alsoIn`, too. One that is

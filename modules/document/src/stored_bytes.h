@@ -9,7 +9,7 @@
 
 #include "viscera/document/json_reader.h"
 
-/// Numbers inside a session file: every bit of them, compressed by zlib, as base64.
+/// Encodes arrays of numbers for a session file without loss: compressed by zlib, as base64.
 namespace viscera::document {
 
 /// The bytes as text. Throws `CannotCreateError` for more than 1 GB; `what` is "a surface".

@@ -7,14 +7,14 @@
 #include "viscera/document/json_reader.h"
 #include "viscera/medical_io/scan.h"
 
-/// Scans inside a session file: samples as they are, and what they mean (docs/session_format.md).
+/// Encodes a scan inside a session file: its raw samples and their meaning (docs/session_format.md).
 namespace viscera::document {
 
 /// The scan as JSON. Throws `CannotCreateError` for one of more than 1 GB. O(voxels).
 nlohmann::ordered_json storedScan(const medical_io::Scan& scan);
 
-/// The scan of `stored`; throws `DataError` through `reader` when it is damaged. What it says of its size is
-/// believed only as far as what is really there can hold it. O(voxels).
+/// The scan of `stored`; throws `DataError` through `reader` when it is damaged. The stated size is checked
+/// against the data before memory is allocated. O(voxels).
 medical_io::Scan scanFrom(JsonReader& reader, const nlohmann::ordered_json& stored, const std::string& place);
 
 } // namespace viscera::document

@@ -7,7 +7,7 @@
 #include "viscera/document/json_reader.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Surfaces inside a session file: every bit of them, compressed, as base64.
+/// Encodes a surface inside a session file without loss: compressed, as base64.
 namespace viscera::document {
 
 /// The SHA-256 of a surface's points, triangles and colours, in hexadecimal. O(n + m).

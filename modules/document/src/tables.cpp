@@ -57,7 +57,7 @@ void writeNumber(std::ostream& out, double value) {
     out << value;
 }
 
-/// What is known of a part of the scan beside the mean.
+/// Writes the statistics of a region of the scan other than the mean.
 void writeRegion(std::ostream& out, const MeasurementRow& row) {
   const auto region = regionOf(row.measurement);
   if (const auto& known = row.values.region; known && known->count > 0)

@@ -114,7 +114,7 @@ void UndoStack::perform(const Command& command) {
 }
 
 bool UndoStack::merges(const Command& command) const {
-  // What was saved has to stay reachable by undo, so the step that ended there is left alone.
+  // The saved state has to stay reachable by undo, so no command is merged into the step that ended there.
   return !sealed_ && !command.mergeKey.empty() && position_ > 0 && position_ == entries_.size() &&
          entries_.back().mergeKey == command.mergeKey && !(entries_.back().after == saved_);
 }
@@ -147,7 +147,7 @@ UndoStack::Step::Step(UndoStack& undo, const std::string& name) : undo_(&undo) {
 UndoStack::Step::~Step() {
   try {
     cancel();
-  } catch (...) { // An observer's; everybody has heard, and there is nobody to tell.
+  } catch (...) { // Thrown by an observer, after all were called; a destructor cannot report it.
   }
 }
 

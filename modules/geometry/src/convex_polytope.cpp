@@ -196,7 +196,7 @@ void ConvexPolytope::clippedEdges(const ConvexPolytope& by, std::vector<Vec3>& e
 }
 
 std::optional<ConvexPolytope> ConvexPolytope::intersection(const ConvexPolytope& other) const {
-  // Sets that are far apart are the rule among many; their boxes tell it at once.
+  // Most pairs of many sets are far apart, which their boxes show at once.
   const double apart = 4 * std::max(tolerance_, other.tolerance_);
   if ((box_.low.array() > other.box_.high.array() + apart).any() ||
       (other.box_.low.array() > box_.high.array() + apart).any())

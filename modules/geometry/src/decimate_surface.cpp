@@ -19,9 +19,9 @@ using VertexIndex = EditableSurface::Index;
 /// Where planes meet at less than this, relative to the largest of the three directions, no best place is
 /// computed: any along them is as good.
 constexpr double kFlatSquare = 1e-3;
-/// What an edge's own length adds to its cost, so that even flat parts are thinned evenly.
+/// The weight of an edge's length in its cost, so that even flat parts are thinned evenly.
 constexpr double kEvenness = 1e-4;
-constexpr int kStepsBetweenLooks = 1000; ///< At whether somebody has cancelled.
+constexpr int kStepsBetweenLooks = 1000; ///< Steps between checks for cancellation.
 
 /// The squared distances from some planes, each times its weight, as a function of the point.
 struct Quadric {

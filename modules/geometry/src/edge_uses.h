@@ -10,7 +10,7 @@
 
 namespace viscera::geometry {
 
-/// How a triangle runs through one of its edges.
+/// One use of an edge by a triangle, with its direction.
 struct EdgeUse {
   std::uint64_t edge; ///< Its smaller vertex in the upper half, its larger one in the lower.
   std::int32_t side;  ///< 3 t + k for the edge from corner k of triangle t to the next one.

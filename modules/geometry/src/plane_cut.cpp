@@ -181,8 +181,8 @@ private:
   PlaneCut result_;
 };
 
-/// What plane `k` cuts out of the crossed triangles, from the edge where the triangle's outline goes down to
-/// where it comes up again.
+/// The segments in which plane `k` cuts the crossed triangles, from the edge where the triangle's outline
+/// goes down to where it comes up again.
 std::vector<Segment> segmentsOf(const Triangles& triangles, const std::vector<std::int32_t>& crossed,
                                 const Sides& sides, std::size_t k) {
   std::vector<Segment> segments;

@@ -51,7 +51,7 @@ void addDeterminant(ExactSum& sum, double factor, const Vec3& a, const Vec3& b, 
   }
 }
 
-/// What `side` is where rounding could have made its determinant: without rounding.
+/// Computes `side` without rounding, where rounding could have changed the sign of its determinant.
 int exactSide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   // det(a - d, b - d, c - d) = det(a, b, c) - det(d, b, c) - det(a, d, c) - det(a, b, d), where nothing is
   // subtracted before it is summed exactly.

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What a vertex may be off by, tried one after the other until the file is small enough.
+/// Tolerances for a vertex, tried one after the other until the file is small enough.
 constexpr double kTriedMm[] = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5};
 constexpr double kBetweenKeysMm = 0.02; ///< The same between keys.
 constexpr Eigen::Index kFewestKeys = 96;

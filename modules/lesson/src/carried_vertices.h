@@ -6,8 +6,8 @@
 
 namespace viscera::lesson {
 
-/// The vertices of a plan's surfaces, one surface behind the other, then its own handles: where they are and
-/// what carries them. For the thread of the organs, which it poses as it is asked.
+/// The positions and weights of a plan's vertices: those of all surfaces, one after the other, then its own
+/// handles. For the thread of the organs, which its members pose.
 class CarriedVertices {
 public:
   /// All must live longer; `organs` are those of `source.state`. Throws `DataError` for an organ that is
@@ -17,9 +17,10 @@ public:
 
   /// Vertices of the surfaces, without the handles.
   Eigen::Index vertexCount() const { return vertices_; }
-  /// Each row of `rest` as a sum of the rig's handles; without columns where it is none (Green coordinates).
+  /// The weights by which each row of `rest` is a sum of the rig's handles; without columns if it is not such
+  /// a sum (Green coordinates).
   const CarrierWeights& weights() const { return weights_; }
-  /// `(vertices + own handles) x 3` mm; without the handles where no sum of theirs is.
+  /// `(vertices + own handles) x 3` mm; without the handles if `weights` has no columns.
   const Points& rest() const { return rest_; }
 
   /// The rig's handles at a fraction of the cycle, as the window would show them: volumes are kept, and a

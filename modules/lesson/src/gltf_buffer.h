@@ -19,7 +19,7 @@ public:
   std::size_t addNumbers(const std::vector<float>& numbers, bool withBounds);
   /// As 16 bits where `vertexCount` allows it.
   std::size_t addIndices(const std::vector<std::int32_t>& indices, Eigen::Index vertexCount);
-  /// Opaque; from sRGB, as we have them, to linear, as glTF wants them.
+  /// Adds opaque colours, converted from sRGB to linear values, as glTF requires.
   std::size_t addColors(const Colors& colors);
 
   /// The file: `tree` with these buffers, views and accessors, and the bytes.

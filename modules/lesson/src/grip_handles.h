@@ -4,7 +4,7 @@
 
 namespace viscera::lesson {
 
-/// Handles for a reader to drag, beside those that the motion is made of.
+/// The handles of a lesson that the reader can drag, separate from those of the motion.
 struct GripHandles {
   Points positions; ///< `h x 3` mm.
   Table weights;    ///< `h x vertices`.

@@ -64,7 +64,7 @@ std::string titleOf(const Organ& organ, const PageWords& words) {
   return words.said(capital(afterFile).c_str());
 }
 
-/// Whether somebody who writes `name` means this organ.
+/// Whether `name` in a specification refers to this organ.
 bool isCalled(const Organ& organ, const std::string& name) {
   return organ.name == name || (!organ.origin.surface.empty() && organ.origin.surface == name);
 }

@@ -54,7 +54,7 @@ LessonSpec specFrom(const nlohmann::json& tree) {
   return spec;
 }
 
-/// What the JSON library found wrong, in words for whoever wrote the file.
+/// The error of the JSON library as a text for the author of the file.
 std::string problemOf(const nlohmann::json::exception& error, const std::string& text) {
   if (const auto* parsing = dynamic_cast<const nlohmann::json::parse_error*>(&error)) {
     const auto read = static_cast<std::ptrdiff_t>(std::min(parsing->byte, text.size()));

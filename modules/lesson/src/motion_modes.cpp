@@ -10,7 +10,7 @@ namespace viscera::lesson {
 namespace {
 
 constexpr Eigen::Index kVertexBlock = 2048;
-/// What is left of an instant, summed over all vertices, when its motion counts as told, mm.
+/// The remainder of an instant, summed over all vertices, below which its motion counts as reproduced, mm.
 constexpr double kLeftMm = 1e-3;
 
 /// `W' W` in blocks of vertices whose sums are taken in a fixed order; nothing for carriers that are
@@ -129,7 +129,7 @@ MotionModes modesOf(const Instants& instants, const CarrierWeights& weights, dou
     progress.throwIfCancelled();
     result.modes.push_back(modeOf(instants, weights, courses.col(k), threads));
   }
-  // What is left out is at most the sum of what each mode may add at its strongest.
+  // The error of left out modes is at most the sum of their largest contributions.
   std::vector<double> strongest;
   for (Eigen::Index k = 0; k < courses.cols(); ++k) {
     const double size = courses.col(k).cwiseAbs().maxCoeff();

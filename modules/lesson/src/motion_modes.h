@@ -7,11 +7,11 @@
 #include "viscera/core/progress.h"
 #include "viscera/lesson/course.h"
 
-/// Few modes instead of many instants.
+/// Compresses a motion to a sum of few modes (singular value decomposition).
 namespace viscera::lesson {
 
-/// Instants of a motion by what moves in each of them: `instants x carriers` for each axis. A carrier is a
-/// handle, which takes the vertices along by its weights.
+/// The displacements of carriers at the instants of a motion, `instants x carriers` for each axis. A carrier
+/// is a handle, which moves the vertices by its weights.
 struct Instants {
   Table x, y, z; ///< mm from rest.
 };

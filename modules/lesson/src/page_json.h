@@ -8,8 +8,8 @@
 namespace viscera::lesson {
 
 /// The description of a lesson as the page reads it (docs/lessons.md, "The file"), with its arrays put into
-/// `packer`. Copied by list: nothing of the document is in it that the plan does not name. Only ASCII, and
-/// none of the characters that end a script element.
+/// `packer`. It contains only those parts of the document that the plan names. Only ASCII, and none of the
+/// characters that end a script element.
 std::string pageJson(const Lesson& lesson, ArrayPacker& packer);
 
 } // namespace viscera::lesson

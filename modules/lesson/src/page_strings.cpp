@@ -87,7 +87,8 @@ constexpr Said kSaid[] = {
     {"lost", QT_TRANSLATE_NOOP("Lesson", "The graphics were lost. Load the page again.")},
     {"failure", QT_TRANSLATE_NOOP("Lesson", "This lesson needs a browser of 2023 or later, with JavaScript and WebGL 2.")}};
 
-/// What is asked for elsewhere in this module; names of organs, sequences and their phases among it.
+/// Texts that are translated elsewhere in this module, among them names of organs, sequences and their
+/// phases.
 [[maybe_unused]] constexpr const char* kElsewhere[] = {
     QT_TRANSLATE_NOOP("Lesson", "Organ"), QT_TRANSLATE_NOOP("Lesson", "Left ventricle"),
     QT_TRANSLATE_NOOP("Lesson", "Right ventricle"), QT_TRANSLATE_NOOP("Lesson", "Title"),

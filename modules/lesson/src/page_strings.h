@@ -6,9 +6,10 @@
 
 class QTranslator;
 
+/// The texts of a lesson's page in its language.
 namespace viscera::lesson {
 
-/// What a translation of the page gives as its own language: its code (BCP 47).
+/// The source text whose translation is the language code (BCP 47) of the translation itself.
 inline constexpr const char* kLanguageCode = "en";
 
 /// A text in the language of the program (`QCoreApplication::translate`, context "Lesson").
@@ -27,12 +28,12 @@ public:
   /// A text of the context "Lesson"; as it is when there is no translation.
   std::string said(const char* text) const;
 
-  /// A name or text of the numerical modules (resources/translations/names_*.ts): who was measured for a
-  /// normal range, the key of a recorded sequence, or a handle of a sequence. As it is when there is no
+  /// A name or text of the numerical modules (resources/translations/names_*.ts): the people measured for a
+  /// normal range, the key of a recorded sequence, or a handle of a sequence. Unchanged when there is no
   /// translation.
   std::string named(const std::string& text) const;
 
-  /// Everything that the page itself says, by the names under which its script asks for it.
+  /// All texts of the page itself, by the keys that its script uses.
   std::map<std::string, std::string> pageStrings() const;
 
 private:

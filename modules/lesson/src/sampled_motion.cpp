@@ -93,7 +93,7 @@ void begin(MotionSamples& motion, const Probes& probes, const CarriersAt& carrie
   }
 }
 
-/// Whatever is said of the samples at even places, as a spline.
+/// A spline through the samples at even indices.
 template <class RowOf>
 Course splineOf(const Track& track, CourseEnd end, Eigen::Index columns, const RowOf& rowOf) {
   const std::size_t count = track.samples.size() / 2 + 1;

@@ -115,7 +115,7 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
       result.failure->inNoRegion = error.vertices();
   } catch (const DataError& error) {
     result.failure = BindingStatus{State::failed, error.what()};
-    if (!usesGivenCage(target)) // Handles that are no corners of the cage would mend nothing.
+    if (!usesGivenCage(target)) // Adding handles that are not corners of the cage would not help.
       result.failure->outsideHull = countOutside(target.handles.positions, organ.mesh->points);
   } catch (const std::bad_alloc&) {
     result.failure = BindingStatus{State::failed, notEnoughMemory().what()};

@@ -15,9 +15,10 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/plugin/registry.h"
 
+/// Binds one organ of a document to its handles and poses it, for `LiveBinding`.
 namespace viscera::live {
 
-/// Everything about a binding but the organ: what all organs of a document are to be bound to.
+/// The handles, system and parameters to which all organs of a document are bound.
 struct BindingTarget {
   std::shared_ptr<const coordinates::CoordinateSystem> system; ///< Null when there is none of that id.
   std::string problem;                                         ///< Why there is none.
@@ -28,11 +29,10 @@ struct BindingTarget {
 
 BindingTarget makeTarget(const document::DocumentState& state, const plugin::Registry& registry);
 
-/// Whether a binding to one is as good as a binding to the other. Groups and cages count only where the
-/// system looks at them.
+/// Whether bindings to both are equal. Groups and cages only count if the system uses them.
 bool sameBinding(const BindingTarget& a, const BindingTarget& b);
 
-/// Whether it is the rig's own cage that binding works with.
+/// Whether the binding uses the rig's own cage.
 bool usesGivenCage(const BindingTarget& target);
 
 /// Whether a binding to `underWay` is worth waiting for when `wanted` has taken its place: the same handles,
@@ -90,10 +90,10 @@ public:
   void fail(BindingStatus failure);
   void setState(BindingStatus::State state);
 
-  /// What brings the organ to `pose`, which belongs to the handles of `now`: none when it is there already,
-  /// or at rest at once. While a user drags, a few handles are moved by their columns only; the next pose
-  /// that is not interactive is computed in full, so that what a drag leaves behind depends on where it ended
-  /// and not on its way. Whoever asks poses the organ before anybody looks at it.
+  /// The work that poses the organ in `pose`, which belongs to the handles of `now`: none when it is in that
+  /// pose already, or at rest at once. While a user drags, a few handles are moved by their columns only; the
+  /// next pose that is not interactive is computed in full, so that what a drag leaves behind depends on
+  /// where it ended and not on its way. The caller poses the organ before its points are read.
   std::optional<deformation::NewPose> poseFor(const BindingTarget& now, const Points& pose, bool interactive);
 
 private:
@@ -117,7 +117,7 @@ struct BoundOrgans {
   const BoundOrgan& require(document::OrganId id) const;
   /// Throws `DataError` for a pose of another size or one that is not finite.
   void requirePose(const Points& pose) const;
-  /// Brings all to `shownPose`, in one parallel loop.
+  /// Poses all organs in `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
   void poseOne(BoundOrgan& organ);
   /// As `PosedOrgans::volumes`.

@@ -65,8 +65,8 @@ struct LiveBend::Impl {
   void take(const JobResult<BoundMap>& result);
 };
 
-/// Binds anew when that is wanted and what there is belongs to other handles. At rest nothing is bound: the
-/// grid is made as fine as the first pose asks for.
+/// Binds anew if the map is needed and the present one belongs to other handles. At rest nothing is bound:
+/// the grid is made as fine as the first pose asks for.
 void LiveBend::Impl::follow() {
   if (!wanted || !posed())
     return;
@@ -87,7 +87,7 @@ void LiveBend::Impl::follow() {
   bind();
 }
 
-/// What is being bound has nobody who wants it any more.
+/// Cancels a binding that is no longer needed.
 void LiveBend::Impl::giveUp() {
   ++jobsBegun;
   binding = false;
@@ -109,7 +109,7 @@ void LiveBend::Impl::bind() {
 
 void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
   binding = false;
-  if (result.cancelled()) { // Somebody gave it up; the next change tries again.
+  if (result.cancelled()) { // The job was cancelled; the next change tries again.
     target.reset();
     return;
   }
@@ -119,7 +119,7 @@ void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
     problem = result.error->what();
   pose.resize(0, 3);
   ++revision;
-  follow(); // What was wanted meanwhile.
+  follow(); // For changes in the meantime.
   changed.emit();
 }
 

@@ -12,9 +12,9 @@
 namespace viscera::live {
 namespace {
 
-constexpr int kRevisionBits = 40; ///< Moves of one organ that are told apart.
+constexpr int kRevisionBits = 40; ///< Number of bits that count the moves of one organ.
 
-/// What binding is expected to cost before it was measured, s per (vertex x handle).
+/// The expected cost of binding before it was measured, s per (vertex x handle).
 constexpr double kExpectedBindingSeconds = 30e-9;
 
 using State = BindingStatus::State;
@@ -169,8 +169,8 @@ void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
   jobs.submit<BindingResult>(phrase("Binding %1", organ.organ->name), organ.slot(), work, done);
 }
 
-/// A result from the queue, perhaps for an organ or a target that nobody wants any more: each job has its
-/// ticket.
+/// Takes a result from the queue, which may be for an organ or a target that has been replaced: each job has
+/// its ticket.
 void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result) {
   const auto found = organs.find(id);
   if (found == organs.end() || found->second.ticket != ticket || found->second.status.state != State::binding)
@@ -183,7 +183,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
   } else {
     if (result.error && last)
       organ.fail({State::failed, result.error->what()});
-    if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
+    if (result.value && (last || result.value->deformer)) // Errors of outdated bindings are not reported.
       take(organ, std::move(*result.value), of);
     if (!last) {
       organ.attempted.reset();
@@ -204,7 +204,7 @@ void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
     secondsOfSystem[target->system->id()] = organ.status.report.seconds / sizes;
 }
 
-/// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
+/// Notifies the observers after all updates: an observer may read any organ, or show another pose.
 void LiveBinding::Impl::tell(bool otherPose) {
   std::vector<LiveEvent> news;
   for (auto& [id, organ] : organs) {
@@ -246,7 +246,7 @@ LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& r
   impl_->matchPose();
   impl_->bindWaiting();
   impl_->poseAll(false);
-  impl_->tell(); // Nobody listens yet; what is told later is news.
+  impl_->tell(); // Without observers yet, so that later events only report changes.
   impl_->subscription =
       document.onDerive([this](const document::Change& change) { impl_->onChange(change); });
 }

@@ -18,7 +18,7 @@ using StressState = StressStatus::State;
 constexpr const char* kSampleSlot = "stress/sample";
 constexpr const char* kBindSlot = "stress/bind";
 constexpr const char* kCycleSlot = "stress/cycle";
-/// What deriving is expected to cost before it was measured, s per (point x handle).
+/// The expected cost of deriving before it was measured, s per (point x handle).
 constexpr double kExpectedStressSeconds = 150e-9;
 /// The part of a binding's progress that the derivatives take; the rest is for moving the points.
 constexpr double kGradientsPart = 0.8;
@@ -73,7 +73,7 @@ struct LiveStress::Impl {
   std::shared_ptr<const deformation::WitnessMesh> mesh;
   std::shared_ptr<const deformation::WitnessInterpolation>
       onSurface;                               ///< From `mesh` to the organ's vertices.
-  std::shared_ptr<const BindingTarget> target; ///< What was bound to or is being bound to.
+  std::shared_ptr<const BindingTarget> target; ///< The target of the present binding or of the one under way.
   BoundWitnesses bound;
   bool boundToTarget = false;
   std::shared_ptr<const document::Rig> rigSeen; ///< With which `target` was last found right.
@@ -156,11 +156,11 @@ LiveStress::Impl::cavitiesOf(document::OrganId parent) const {
   return hollow;
 }
 
-/// Brings mesh and binding to what the document wants, as far as that can be done now.
+/// Updates mesh and binding to the document, as far as that is possible now.
 void LiveStress::Impl::refresh() {
   const auto item = organ ? document.organ(organ) : nullptr;
   if (!item) {
-    ++ticket; // What still runs ends unheard.
+    ++ticket; // Results of running jobs are ignored.
     for (const char* slot : {kSampleSlot, kBindSlot, kCycleSlot})
       jobs.cancelSlot(slot);
     if (status.state == StressState::sampling || sampleMissing)
@@ -305,7 +305,7 @@ void LiveStress::Impl::dropBinding() {
   bound = {};
   boundToTarget = false;
   evaluated.resize(0, 3);
-  // Others, not emptied: somebody may still look at those.
+  // New objects, because the old ones may still be referenced.
   points = std::make_shared<Points>(0, 3);
   map = std::make_shared<deformation::StressMap>();
   ++revision;

@@ -7,14 +7,15 @@
 #include "viscera/core/job_queue.h"
 #include "viscera/deformation/volume_lock.h"
 
+/// Prepares volume locks on a worker, so that a drag can begin without waiting.
 namespace viscera::live {
 
-/// Whether two locks are of the same surfaces as bound in the same way.
+/// Whether two lists hold the same surfaces with the same bindings.
 bool sameSurfaces(const std::vector<deformation::LockedSurface>& a,
                   const std::vector<deformation::LockedSurface>& b);
 
-/// Makes a volume lock with its volume forms on the job queue, before a motion needs it: that may take longer
-/// than a drag can wait. For the queue's main thread.
+/// Makes a volume lock with its volume forms on the job queue before a motion needs it, because that may take
+/// longer than a drag can wait. For the queue's main thread.
 class LockPreparation : public std::enable_shared_from_this<LockPreparation> {
 public:
   /// `jobs` must live longer. The worker leaves one of `threads` to the main thread where there are several.
@@ -23,11 +24,11 @@ public:
   LockPreparation(const LockPreparation&) = delete;
   LockPreparation& operator=(const LockPreparation&) = delete;
 
-  /// Begins to prepare these surfaces, and gives up what is under way for others. Nothing happens when they
-  /// are the ones under way or ready. `known` may be null, else its forms are all made; the worker looks at
-  /// a copy, so it may be given other targets.
+  /// Begins to prepare these surfaces, and cancels the preparation of others. Nothing happens when they are
+  /// under way or ready. `known` may be null, else all its forms have to be made; the worker uses a copy of
+  /// it, so its targets may be changed.
   void want(std::vector<deformation::LockedSurface> surfaces, const deformation::VolumeLock* known);
-  /// Gives up what is under way for other surfaces than these, and begins nothing.
+  /// Cancels the preparation of other surfaces than these, and begins nothing.
   void keepOnly(const std::vector<deformation::LockedSurface>& surfaces);
 
   /// The last lock that was completed, perhaps of other surfaces than are wanted now; null without one.
@@ -35,7 +36,7 @@ public:
 
 private:
   JobQueue& jobs_;
-  std::string slot_; ///< Of its own: who drags and who plays do not give up each other's work.
+  std::string slot_; ///< A slot of its own, so that dragging and playing do not cancel each other's jobs.
   Threads threads_;
   std::vector<deformation::LockedSurface> wanted_; ///< Under way, ready, or impossible.
   std::shared_ptr<const deformation::VolumeLock> ready_;

@@ -12,7 +12,7 @@ constexpr double kNoInfluence = 1e-12;
 /// As good as rounding allows; more steps would follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 constexpr int kMostSteps = 12;
-/// How far towards a wish to try to go when all of it is too much.
+/// Fractions of the way to a target that are tried if all of it is too much.
 constexpr double kParts[] = {1, 0.5, 0.25, 0.125};
 
 bool contains(const std::vector<int>& list, int value) {
@@ -54,7 +54,7 @@ double LockedMotion::leastInfluence(std::size_t surface) const {
   return kNoInfluence * std::pow(setup_.lock->surfaces()[surface].targetMm3, 2.0 / 3);
 }
 
-/// What of a vector lies in the plane that holds translations.
+/// The component of a vector in the plane in which translations stay.
 Vec3 LockedMotion::inPlane(const Vec3& vector) const {
   return setup_.plane ? Vec3(vector - setup_.plane->dot(vector) * *setup_.plane) : vector;
 }

@@ -17,8 +17,8 @@ struct BlendValue {
 /// both ends.
 BlendValue blendAt(double distance, const Vec3& away, double offset);
 
-/// What each of several zones and (last) the region itself contribute: `rho_k prod_{l != k} (1 - rho_l)` and
-/// `prod (1 - rho_l)`, divided by their sum. Continuous as long as at most one rho is 1 at a time.
+/// The weights of several zones and (last) of the region itself: `rho_k prod_{l != k} (1 - rho_l)` and `prod
+/// (1 - rho_l)`, divided by their sum. Continuous as long as at most one rho is 1 at a time.
 std::vector<BlendValue> partition(const std::vector<BlendValue>& zones);
 
 } // namespace viscera::localised_scc

@@ -5,8 +5,8 @@
 
 namespace viscera::localised_scc {
 
-/// Brings the localised coordinates into a program, with every built-in system inside that is positive and
-/// needs nothing but handles.
+/// The plugin that adds the localised coordinates to a program, with every built-in system inside that is
+/// positive and needs nothing but handles.
 class LocalisedSccPlugin final : public QObject, public plugin::CoordinateSystemPlugin {
   Q_OBJECT
   Q_PLUGIN_METADATA(IID VISCERA_COORDINATE_SYSTEM_PLUGIN_IID FILE "localised_scc.json")

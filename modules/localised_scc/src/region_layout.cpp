@@ -16,7 +16,7 @@
 namespace viscera::localised_scc {
 namespace {
 
-/// What counts as touching, as a part of the handles' diagonal.
+/// The distance that counts as touching, as a fraction of the handles' diagonal.
 constexpr double kTouching = 1e-9;
 /// The bound itself is excluded (h < d_k).
 constexpr double kBelowBound = 0.999;

@@ -23,8 +23,8 @@ using geometry::TriangleMesh;
 
 /// A piece with less of the area than this is a crumb of a segmentation.
 constexpr double kCrumb = 0.02;
-/// Nearer to the middle than this nothing is said about sides; farther than the other the file's origin is
-/// not in the middle of the body.
+/// Nearer to the middle than this the side is not checked; farther than the other the file's origin is not in
+/// the middle of the body.
 constexpr double kBesideMiddleMm = 15;
 constexpr double kWithinBodyMm = 250;
 

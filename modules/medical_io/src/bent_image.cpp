@@ -96,7 +96,7 @@ void bendGrid(const Grid& grid, const Bend& bend, BendReport& report, Progress& 
   progress.report(1);
 }
 
-/// What a voxel gets that nothing was measured at.
+/// The value of voxels without a measurement.
 template <class Sample>
 Sample emptySample(const Scan& scan, const std::vector<Sample>& samples) {
   if constexpr (std::is_floating_point_v<Sample>)

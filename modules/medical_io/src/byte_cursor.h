@@ -10,7 +10,7 @@
 
 namespace viscera::medical_io {
 
-/// Walks through binary data and never past its end.
+/// Reads binary data value by value, and throws at its end instead of reading past it.
 class ByteCursor {
 public:
   /// `data` is a part of `file`, which is named in errors and outlives the cursor.

@@ -11,8 +11,8 @@
 
 namespace viscera::medical_io {
 
-/// A whole file in memory. Every size that a header claims is compared with what is really there before
-/// anything is allocated for it.
+/// A whole file in memory. Readers compare every size that a header states with the actual size before they
+/// allocate memory for it.
 struct FileBytes {
   std::filesystem::path file;
   std::string bytes;

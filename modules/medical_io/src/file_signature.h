@@ -7,7 +7,7 @@
 
 namespace viscera::medical_io {
 
-/// What a file looks like by its first bytes, whatever it is called.
+/// The format of a file as recognised by its first bytes, independently of its name.
 enum class Signature {
   unknown,
   stl,
@@ -31,14 +31,14 @@ enum class Signature {
   picture,
 };
 
-/// Looks at the first bytes, and for binary STL at the size of the whole. Cheap.
+/// Checks the first bytes, and for binary STL the size of the file. Cheap.
 Signature signatureOf(const FileBytes& file);
 
 /// What a file of that signature holds.
 FileKind fileKind(Signature signature);
 
-/// The problem with what the file seems to be: "It is not a handle file; it looks like an STL surface". The
-/// problem alone for a file of no recognisable kind.
+/// The problem, followed by the format that the file seems to have: "It is not a handle file; it looks like
+/// an STL surface". The problem alone for a file of no recognisable kind.
 std::string looksLike(const std::string& problem, Signature found);
 
 /// Throws `DataError` for a file whose name promises another kind. `otherwise` says what to try when its kind

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr double kSameVoxelSpacing = 1e-3; ///< Of the spacing.
 
-/// What two images of one patient have in common, whichever way their axes run.
+/// The size and spacing that two images of one patient have in common, for any order and direction of their
+/// axes.
 struct Voxels {
   std::array<int, 3> size = {};
   Vec3 spacing = Vec3::Zero();

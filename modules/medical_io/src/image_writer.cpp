@@ -29,7 +29,7 @@ constexpr std::size_t kNiftiHeader = 352;
 constexpr int kLongestNiftiAxis = 32767;
 constexpr std::size_t kWrittenBlock = std::size_t{1} << 20U;
 
-/// What both formats say of an image, and its values.
+/// The header data of both formats, and the values of an image.
 struct WrittenImage {
   std::array<int, 3> size = {};
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();

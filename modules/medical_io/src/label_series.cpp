@@ -51,7 +51,8 @@ double secondsAUnit(const std::string& unit) {
                                                                                : 0;
 }
 
-/// What a file's statement comes to: nothing where a unit is missing and none makes a heart of it.
+/// Interprets the times stated in a file; empty if the unit is missing and no unit gives a plausible
+/// heartbeat.
 SeriesTimes timesOf(const RawTimes& stated, std::size_t count) {
   SeriesTimes times;
   std::vector<double> values = stated.values;

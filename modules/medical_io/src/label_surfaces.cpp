@@ -81,7 +81,7 @@ void correctVolume(TriangleMesh& mesh, double target, const Eigen::Matrix3d& vox
   }
 }
 
-/// What a user should know of a label before its surface is made.
+/// Warnings about a label before its surface is made.
 std::vector<std::string> warningsOf(const LabelMap& map, std::size_t index, const VoxelPieces& pieces,
                                     bool largestOnly) {
   const Segment& segment = map.segments[index];

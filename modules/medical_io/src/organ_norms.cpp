@@ -23,7 +23,7 @@ constexpr double kTypicalHighMm = 600;
 constexpr double kAwayFromSpread = 1.5;
 constexpr double kAwayFromAverages = 3;
 
-/// What organs are called, where they lie, and their row in the table of normal ranges.
+/// Names and sides of known organs, and their row in the table of normal ranges.
 const std::array<OrganNorm, 8>& knownOrgans() {
   static const std::array<OrganNorm, 8> kOrgans = {
       {{"liver", "a liver", "liver.volume", BodySide::right},

@@ -9,7 +9,7 @@ class vtkCallbackCommand;
 
 namespace viscera::medical_io {
 
-/// Collects what a VTK object reports instead of letting VTK print it on stderr. Watches until it is
+/// Collects the errors and warnings of a VTK object, which VTK would print on stderr, until this object is
 /// destroyed.
 class QuietVtk {
 public:

@@ -13,7 +13,8 @@
 
 namespace viscera::medical_io {
 
-/// What a format's reader found, before it is made a mesh: nothing checked, polygons of any size.
+/// A surface as read by a format's reader, before it is converted to a mesh: unchecked, with polygons of any
+/// size.
 struct RawSurface {
   std::vector<double> coordinates;   ///< `3 n`, in the file's axes.
   std::vector<std::uint8_t> colors;  ///< `3 n`; of any other size: not used.
@@ -50,7 +51,7 @@ struct RawSurface {
   void addStrip(std::span<const std::int64_t> strip);
 };
 
-/// What the reader of the file's format finds. Throws as `readSurface`, but looks neither at indices nor at
+/// Reads a file by the reader of its format. Throws as `readSurface`, but does not check indices and
 /// coordinates.
 RawSurface readRawSurface(const std::filesystem::path& file);
 

@@ -23,8 +23,7 @@ inline bool isWhole(Scalar scalar) {
 double loadDouble(const char* data, Scalar scalar, std::endian order);
 std::int64_t loadInteger(const char* data, Scalar scalar, std::endian order);
 
-/// What stands behind `key` in a table, a format's names of its types for instance; nothing when it is none
-/// of them.
+/// The value of `key` in a table, such as a format's names of its types; empty if it is not in the table.
 template <class Key, class Value, std::size_t count, class Wanted>
 std::optional<Value> lookUp(const std::array<std::pair<Key, Value>, count>& table, const Wanted& key) {
   const auto found =

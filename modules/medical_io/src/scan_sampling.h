@@ -10,7 +10,7 @@
 
 #include "viscera/medical_io/scan.h"
 
-/// Values between voxels: the inner loops of whatever looks into a scan.
+/// Interpolates values between voxels: the inner loops of all code that samples a scan.
 namespace viscera::medical_io {
 
 /// Whether a stored sample is a measured one.

@@ -17,7 +17,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// What stands after `SPACE=` at `at`; empty when there is no equals sign.
+/// The text after `SPACE=` at `at`; empty when there is no equals sign.
 std::string_view valueAfterTag(std::string_view text, std::size_t at) {
   text.remove_prefix(at + kSpaceTag.size());
   text = trimmed(text);

@@ -10,15 +10,15 @@
 
 namespace viscera::medical_io {
 
-/// What a comment of a file says about its axes: `SPACE=RAS` or `SPACE=LPS`, as 3D Slicer writes it. A
-/// statement about axes that Viscera does not know adds a warning.
+/// Parses the axes in a comment of a file: `SPACE=RAS` or `SPACE=LPS`, as 3D Slicer writes it. Unknown axes
+/// add a warning.
 std::optional<Space> findSpace(std::string_view comment, std::vector<std::string>& warnings);
 
 /// The one-line comment that Viscera writes: program, name and axes. Line ends in the name become spaces, and
 /// the name is cut so that the comment has at most `longest` bytes.
 std::string writtenComment(const WriteSurface& options, std::size_t longest = 240);
 
-/// The name in such a comment; nothing when somebody else wrote it.
+/// The name in such a comment; empty if another program wrote it.
 std::string nameInComment(std::string_view comment);
 
 /// "LPS" or "RAS".

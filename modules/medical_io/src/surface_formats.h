@@ -11,9 +11,9 @@
 
 class vtkPolyData;
 
-/// The formats, one source a format in surface_formats/. Readers check every size against the bytes that are
-/// there and throw `DataError`; none prints, and none returns a part of a damaged file. Writers get a valid
-/// mesh whose coordinates are already in `options.space`.
+/// The readers and writers of surface formats, one source for each format in surface_formats/. Readers check
+/// every size against the bytes that are there and throw `DataError`; none prints, and none returns a part of
+/// a damaged file. Writers get a valid mesh whose coordinates are already in `options.space`.
 namespace viscera::medical_io {
 
 RawSurface readStl(const FileBytes& file);
@@ -41,7 +41,7 @@ void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
 void writeOff(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
-/// The same of what VTK holds: numbers at the points go along. Throws `CannotCreateError`.
+/// The same for VTK's data, with the arrays at its points. Throws `CannotCreateError`.
 void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options);
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 

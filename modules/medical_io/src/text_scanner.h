@@ -11,9 +11,10 @@
 
 namespace viscera::medical_io {
 
-/// The number that `token` is as a whole ("1", "-2.5e3", "nan", "inf"), read independently of the locale.
+/// Parses `token` as a number ("1", "-2.5e3", "nan", "inf"), independently of the locale; empty if it is
+/// none.
 std::optional<double> parseNumber(std::string_view token);
-/// The whole number that `token` is as a whole; nothing when it is none or does not fit.
+/// Parses `token` as a whole number; empty if it is none or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view token);
 /// `text` without white space around it.
 std::string_view trimmed(std::string_view text);
@@ -26,7 +27,7 @@ void appendNumber(std::string& out, std::int64_t value);
 /// Seventeen digits, which name one double only, always with a point.
 std::string exactNumber(double value);
 
-/// Walks through text by words or by lines and knows where it is for messages.
+/// Reads a text by words or by lines, and keeps the line number for messages.
 class TextScanner {
 public:
   /// `text` is a part of `file`, which is named in errors and outlives the scanner.
@@ -68,8 +69,8 @@ private:
   std::size_t start_ = 0; ///< Of the word or line last read.
 };
 
-/// Throws `DataError` for a text that is no JSON, with what nlohmann's exception says of it but for the
-/// prefix that names its kind: "parse error at line 3, column 5: ...".
+/// Throws `DataError` for a text that is no JSON, with the text of nlohmann's exception without the prefix
+/// that names its kind: "parse error at line 3, column 5: ...".
 [[noreturn]] void failAsJson(const FileBytes& file, const std::exception& error);
 
 /// `text` shortened and made printable, in quotes, for messages.

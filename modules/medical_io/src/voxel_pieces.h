@@ -18,7 +18,7 @@ struct VoxelBox {
 /// Cuts the segment out. O(voxels of the box).
 VoxelBox voxelsOf(const LabelMap& map, std::size_t segment);
 
-/// Voxels that hang together by faces.
+/// The pieces of voxels that are connected by faces.
 struct VoxelPieces {
   int count = 0;
   std::int64_t largest = 0; ///< Voxels of the largest piece.

@@ -19,13 +19,14 @@ namespace {
 using circulation::Compartment;
 using sequences::CardiacCycle;
 
-/// The ejection fractions with which the sample heart's base descends as far as `HeartExcursions` has it.
+/// The ejection fractions at which the sample heart's base descends by the value in `HeartExcursions`.
 constexpr double kStandardEjection = 0.58;
 constexpr double kStandardRightEjection = 0.547;
 /// What the sample heart's atria hold in the rest shape, ml.
 constexpr sequences::CavityVolumes kRestAtria{59.9, 56.6};
-/// What can be drawn of an atrium, ml: with less its wall would cross itself, with more it would reach its
-/// neighbours. No scenario comes there (24.5 to 122.1); a circulation of somebody's own may.
+/// The limits of an atrium's volume that can be drawn, ml: with less its wall would cross itself, with more
+/// it would reach its neighbours. No scenario reaches these limits (24.5 to 122.1); a circulation of a user
+/// may.
 constexpr double kLeastAtriumMl = 24;
 constexpr double kMostAtriumMl = 140;
 
@@ -57,7 +58,7 @@ std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters
   return phases;
 }
 
-/// What the circulation calls a valve's opening, as the area that its leaflets leave.
+/// Converts the openings of valves in the circulation to the area between their leaflets.
 std::vector<sequences::ValveInstants> valvesOf(const circulation::Parameters& parameters,
                                                const circulation::Beat& beat) {
   constexpr double kMm2PerCm2 = 100;

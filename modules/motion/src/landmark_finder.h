@@ -10,13 +10,13 @@
 
 namespace viscera::motion {
 
-/// An organ's surface with what landmarks are checked against. Thread-safe.
+/// Checks the landmarks of an organ's surface and finds missing ones. Thread-safe.
 class LandmarkFinder {
 public:
   /// Throws `DataError` for an organ that is open or in pieces.
   LandmarkFinder(std::string sequence, const document::Organ& organ);
 
-  /// As `completeLandmarks` says.
+  /// See `completeLandmarks`.
   Landmarks complete(const Landmarks& given) const;
 
   const std::shared_ptr<const geometry::TriangleMesh>& mesh() const { return mesh_; }
@@ -41,7 +41,7 @@ private:
   double size_ = 0;
 };
 
-/// The middle line of a stomach out of complete landmarks, and the places on it, in the organ's own size.
+/// The centreline of a stomach from complete landmarks, and the places on it, in the organ's own size.
 struct StomachLine {
   std::vector<Vec3> points;
   double midBody = 0;

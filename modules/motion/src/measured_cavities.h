@@ -7,9 +7,9 @@
 
 namespace viscera::motion {
 
-/// What the cavities of the sample heart hold in any pose of its handles, by their surfaces themselves: a
-/// third of a millisecond for both ventricles, less for both atria, which is less than a form of all handles
-/// takes. Immutable; thread-safe.
+/// Measures the volumes of the sample heart's cavities in any pose of its handles, from their posed surfaces:
+/// a third of a millisecond for both ventricles, less for both atria, which is less than a volume form of all
+/// handles takes. Immutable; thread-safe.
 class MeasuredCavities {
 public:
   /// Binds all four. Some 30 ms.

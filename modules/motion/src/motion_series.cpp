@@ -216,7 +216,7 @@ private:
     }
     for (const LabelledSurface& surface : surfaces_) {
       series_.names.push_back(surface.name);
-      medical_io::segmentsNamed(map, surface.labels, where); // Says what there is when one is not.
+      medical_io::segmentsNamed(map, surface.labels, where); // Throws, with a list, if one is missing.
     }
     size_ = map.size;
     grid_ = map.indexToLps;

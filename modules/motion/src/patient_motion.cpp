@@ -124,7 +124,7 @@ Handles givenHandles(const medical_io::HandleFile& file) {
   return handles;
 }
 
-/// What the surfaces are brought to in one phase.
+/// The targets of the surfaces in one phase.
 tracking::PhaseTargets targetsOf(const MotionSeries& series, std::size_t phase) {
   tracking::PhaseTargets targets{{}, Values(static_cast<Eigen::Index>(series.names.size()))};
   for (std::size_t i = 0; i < series.names.size(); ++i) {
@@ -244,7 +244,7 @@ SequenceFile sequenceOf(const MotionSeries& series, const MotionRig& rig, const 
   return file;
 }
 
-/// What a user has to know of phases and of the whole.
+/// Adds the warnings about phases and about the whole motion.
 void warn(PatientMotion& motion) {
   for (std::size_t phase = 0; phase < motion.phases.size(); ++phase)
     for (const std::string& reason : motion.phases[phase].verdict.reasons)

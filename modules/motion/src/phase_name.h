@@ -7,7 +7,7 @@
 
 namespace viscera::motion {
 
-/// What a message calls a phase of a series.
+/// The name of a phase of a series in messages.
 inline std::string phaseName(std::size_t phase) {
   return phrase("phase %1", phase + 1);
 }

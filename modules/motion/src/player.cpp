@@ -28,7 +28,7 @@ void Player::setSequence(std::shared_ptr<const sequences::Sequence> sequence, do
 }
 
 void Player::exchangeSequence(std::shared_ptr<const sequences::Sequence> sequence) {
-  transport_.passTime(); // What has passed, passed in the sequence before.
+  transport_.passTime(); // Time up to now belongs to the previous sequence.
   std::optional<PrescribedVolume> prescribed = runner_.prescribed();
   runner_.setSequence(std::move(sequence));
   runner_.prescribe(std::move(prescribed));
@@ -40,7 +40,7 @@ const sequences::Sequence* Player::sequence() const {
 }
 
 void Player::setRatePerMinute(double rate) {
-  transport_.passTime(); // What has passed, passed at the rate before.
+  transport_.passTime(); // Time up to now belongs to the previous rate.
   runner_.setRatePerMinute(rate);
   transport_.placeOthers();
   transport_.show();

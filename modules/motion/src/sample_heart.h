@@ -17,11 +17,11 @@ struct SampleHeart {
   sequences::PoseCompensation compensation;
 };
 
-/// Those of the library's heart. Some 0.1 s.
+/// Makes those of the library's heart. Some 0.1 s.
 SampleHeart sampleHeart(const sample_organs::SampleLibrary& library, Threads threads);
 
-/// A little more than one handle spacing: the walls stay smooth between handles (design notes, "Handles that
-/// move organs").
+/// The softness of the sample heart's coordinates, a little more than one handle spacing, so that the walls
+/// stay smooth between handles (design notes, "Handles that move organs").
 inline constexpr double kSoftnessMm = 25;
 
 } // namespace viscera::motion

@@ -14,13 +14,13 @@
 #include "viscera/sequences/pose_compensation.h"
 #include "viscera/sequences/sequence.h"
 
-/// What setting up any sequence on a sample organ takes.
+/// Helper functions to set up sequences on sample organs.
 namespace viscera::motion {
 
 /// S-Celestial coordinates that are local and smooth.
 document::SystemChoice softCoordinates(double softnessMm);
 
-/// The volume of a surface while handles move it.
+/// Computes the volume of a surface that handles move.
 class MovedVolume {
 public:
   /// Binds the surface on several threads; measuring is for one.
@@ -48,8 +48,8 @@ sequences::VolumeAlong volumeAlong(std::shared_ptr<const MovedVolume> volume);
 /// The breathing of a liver with this surface, by handles spread over it; the far corners are a group.
 std::shared_ptr<const sequences::Sequence> liverBreathing(const geometry::TriangleMesh& surface);
 
-/// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are
-/// left alone.
+/// The compensation that makes handles overshoot to balance the averaging of these coordinates. Handles that
+/// have no coordinates of their own are not changed.
 sequences::PoseCompensation compensationFor(const Points& restHandles, const document::SystemChoice& system,
                                             Threads threads);
 

@@ -2,7 +2,7 @@
 
 #include "viscera/motion/motion_series.h"
 
-/// What has to be so before a motion is looked for. All throw `DataError` that says what to do.
+/// Checks of a series before its motion is tracked. All throw `DataError` whose text names a remedy.
 namespace viscera::motion {
 
 /// How far two phases lie apart on average, mm: of points where they correspond, else of what one surface has

@@ -22,7 +22,7 @@ double boxOf(const Segment& segment) {
   return voxels;
 }
 
-/// What each label seems to be.
+/// The labels of a map, each with its probable role.
 std::vector<SeriesItem> itemsOf(const LabelMap& map) {
   std::vector<SeriesItem> items;
   const std::vector<LabelledSurface> heart = heartSurfaces(map);

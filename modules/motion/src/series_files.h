@@ -9,10 +9,10 @@
 #include "viscera/medical_io/label_series.h"
 #include "viscera/motion/motion_series.h"
 
-/// What files make a series.
+/// Sorts files into the phases of a series.
 namespace viscera::motion {
 
-/// What the inputs of a request are.
+/// The kind and the files of a request's inputs.
 struct SeriesFiles {
   enum class Kind { surfaces, labelMaps, volumes };
   Kind kind = Kind::surfaces;
@@ -29,7 +29,7 @@ bool isHeartFolder(const std::vector<std::filesystem::path>& inputs);
 /// that miss a phase, `UsageError` for no inputs.
 SeriesFiles seriesFiles(const SeriesRequest& request);
 
-/// The times of phases by what their DICOM files say; empty for files of another kind.
+/// The times of phases from their DICOM files; empty for files of another kind.
 medical_io::SeriesTimes dicomTimes(const std::vector<std::filesystem::path>& files);
 
 } // namespace viscera::motion

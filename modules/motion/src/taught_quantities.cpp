@@ -42,7 +42,7 @@ public:
     return pose;
   }
 
-  /// Of all phases whose name has this in it: ejection may be told in two parts.
+  /// The duration of all phases whose name contains this, because ejection may have two parts.
   double millisecondsOf(const std::string& part) const {
     double fraction = 0;
     for (const sequences::Phase& phase : sequence().phases(rate()))

@@ -49,7 +49,7 @@ void swell(Points& points, double part) {
   points = (std::cbrt(part) * (points.rowwise() - middle.transpose())).rowwise() + middle.transpose();
 }
 
-/// Brings the surfaces of a heart through a beat.
+/// Moves the surfaces of a heart through a beat.
 class TextbookHeart {
 public:
   TextbookHeart(const std::vector<std::shared_ptr<const TriangleMesh>>& rest,

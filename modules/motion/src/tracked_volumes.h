@@ -4,7 +4,7 @@
 
 namespace viscera::motion {
 
-/// Fills in ejection fractions, and what is left for the tissue, from the volumes of the phases.
+/// Computes ejection fractions and the volume of tissue from the volumes of the phases.
 void addVolumes(const MotionSeries& series, PatientMotion& motion);
 
 } // namespace viscera::motion

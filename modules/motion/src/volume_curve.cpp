@@ -38,7 +38,8 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
-/// What the first field of a heading says of the instants below: 1 for parts of the cycle.
+/// The factor that converts instants to fractions of the cycle, by the first field of the heading; empty for
+/// an unknown one.
 std::optional<double> scaleOf(std::string heading, double periodSeconds) {
   std::transform(heading.begin(), heading.end(), heading.begin(), [](char letter) {
     return letter >= 'A' && letter <= 'Z' ? char(letter - 'A' + 'a') : letter;

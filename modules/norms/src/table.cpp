@@ -91,7 +91,7 @@ void addTimes(std::vector<Norm>& rows) {
       ofEverybody("lv.ivrt", kSubject, "isovolumic relaxation", "ms", {96, 19}, kPeople, kCopenhagen));
 }
 
-/// What several methods agree upon, each with an offset of its own.
+/// Adds rows with values on which several methods agree, each with an offset of its own.
 void addWalls(std::vector<Norm>& rows) {
   constexpr auto kLeft = "Left ventricle", kPeople = "healthy adults, by magnetic resonance and ultrasound";
   rows.push_back(within("lv.mapse", kLeft, "excursion of the mitral annulus (MAPSE)", "mm", {12, 16}, kPeople,

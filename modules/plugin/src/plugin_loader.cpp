@@ -101,7 +101,7 @@ std::string objection(const QJsonObject& metaData, const PluginManifest& manifes
   return {};
 }
 
-/// Adds what the plugin brings; a system that is refused does not keep the others out.
+/// Adds the systems of the plugin; if one is refused, the others are still added.
 void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, PluginReport& report) {
   for (const auto& system : plugin.systems()) {
     try {

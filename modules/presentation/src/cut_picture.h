@@ -9,15 +9,15 @@
 
 namespace viscera::presentation {
 
-/// Organs that a plane cuts open, outside of the stress map, which has a cut of its own: what lies on one
-/// side is gone, walls have a face where they were cut, cavities are open.
+/// Cuts the organs open by a plane (the stress map has a cut of its own): hides what lies on one side of it
+/// and draws the cut faces of walls, so that cavities are open.
 class CutPicture {
 public:
   explicit CutPicture(scene::OrganView& view) { caps_.setRenderer(view.renderer()); }
 
-  /// Brings the faces to the organs as they are now.
+  /// Updates the cut faces to the present organs.
   void update(const Scene& scene);
-  /// Cuts all organs that are seen, on top of how they are seen anyway.
+  /// Adds the cut to the appearances of all visible organs.
   void apply(const Scene& scene, std::map<document::OrganId, Appearance>& appearances) const;
   /// The plane, while there is one.
   const std::optional<scene::CutPlane>& plane() const { return plane_; }
@@ -27,14 +27,14 @@ private:
 
   scene::CutCaps caps_;
   std::optional<scene::CutPlane> plane_;
-  /// What the organs were like whose faces are drawn.
+  /// The state of the organs for which the faces were drawn.
   using Moment = std::map<document::OrganId, std::pair<std::shared_ptr<const Points>, std::uint64_t>>;
   Moment moment_;
   std::shared_ptr<const document::OrganList> organs_;
 };
 
-/// The plane of a cut through a document: its offset is of the ball around the organs at rest, so that the
-/// plane stands still while they move.
+/// The plane of a cut through a document: its offset refers to the ball around the organs at rest, so that
+/// the plane stands still while they move.
 scene::CutPlane planeOf(const OrganCut& cut, const document::DocumentState& state);
 
 } // namespace viscera::presentation

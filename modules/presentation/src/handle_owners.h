@@ -7,8 +7,8 @@
 
 namespace viscera::presentation {
 
-/// Tells which organ each handle lies nearest to at rest, so that a view can bring out the handles of one
-/// organ. Remembers the last answer.
+/// Finds the organ that each handle is nearest to at rest, so that a view can highlight the handles of one
+/// organ. Caches the last result.
 ///
 ///     for (std::size_t row = 0; row < rig.handles.size(); ++row)
 ///       representation->SetHandleInBackground(row, !owners.isOf(state, row, organ));

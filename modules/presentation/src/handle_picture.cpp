@@ -19,7 +19,7 @@ const Vec3 kUngrouped(0.95, 0.62, 0.20);
 /// Handles that compensate are tinted so, where that matters.
 const Vec3 kCompensating(0.25, 0.75, 0.85);
 constexpr double kTint = 0.7;
-/// What the gizmo turns and scales.
+/// The smallest number of handles that the gizmo rotates and scales.
 constexpr std::size_t kFewestHandles = 2;
 /// Half a side of the mirror plane, as a part of the organ's diagonal.
 constexpr double kHalfSide = 0.42;

@@ -5,18 +5,20 @@
 #include "handle_owners.h"
 #include "viscera/presentation/presenter.h"
 
+/// Draws the handles of a document in a 3D view, with the gizmo and the mirror plane.
 namespace viscera::presentation {
 
-/// Places at which handles are seen; null: everywhere.
+/// Returns whether handles at a place are shown; null: they are shown everywhere.
 using ShownWhere = std::function<bool(const Vec3&)>;
 
-/// The handles where they are shown, `n x 3` mm, in the order of the rig.
+/// The displayed positions of the handles, `n x 3` mm, in the order of the rig.
 Points handlePlaces(const document::DocumentState& state, const live::PosedOrgans& organs);
 
-/// Their colours, one a row: their groups'; `tinted`: those that compensate stand out.
+/// The colours of the handles, one row each, from their groups; `tinted`: compensating handles are
+/// highlighted.
 Colors handleColors(const document::Rig& rig, bool tinted);
 
-/// The handles of a view as the document, the pose and the selection have them, and the tools around them.
+/// Updates the handles of a view from document, pose and selection, and the tools around them.
 class HandlePicture {
 public:
   explicit HandlePicture(scene::OrganView& view);

@@ -110,7 +110,7 @@ bool OrganPicture::showsSeveral() const {
          }) > 1;
 }
 
-/// Among several organs an outline tells the selected one: brightening alone makes it flat.
+/// Among several organs an outline marks the selected one, because brightening alone makes it look flat.
 void OrganPicture::updateSelection(Shown& shown, bool selected, bool visible) {
   const bool outlined = selected && visible && showsSeveral();
   shown.actor->setSelected(selected && !outlined);

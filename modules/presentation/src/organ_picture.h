@@ -9,7 +9,8 @@
 
 namespace viscera::presentation {
 
-/// How one organ's surface is seen where something other than its own look decides.
+/// How an organ's surface is drawn when a colour map, a cut or a slide overrides the look that the organ has
+/// in the document.
 struct Appearance {
   bool visible = true;
   double opacity = 1;
@@ -17,25 +18,25 @@ struct Appearance {
   std::shared_ptr<const Values> values = nullptr; ///< Null: its own colours.
 };
 
-/// The colours of all numbers on surfaces.
+/// The colour map that is shared by all surfaces that show numbers.
 struct MapColors {
   scene::ColorMap colors;
   scene::ValueRange range{0, 0};
-  std::uint64_t revision = 0; ///< Another number when values have changed in place.
+  std::uint64_t revision = 0; ///< A number that changes when values have changed in place.
 };
 
-/// The surfaces of a document's organs, the outlines of their rest shapes, and the outline of the selected
-/// one among several.
+/// Draws the surfaces of a document's organs, the outlines of their rest shapes, and the outline of the
+/// selected one among several.
 class OrganPicture {
 public:
   OrganPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
   ~OrganPicture();
 
-  /// Organs come and go, and follow their points; true when there are others than before.
+  /// Adds and removes organs and updates their points; returns whether the set of organs has changed.
   bool updateOrgans(const Scene& scene);
-  /// Surfaces that are in no document.
+  /// Updates the surfaces that are not part of the document.
   void updateTransientSurfaces(const std::vector<TransientSurface>& transient);
-  /// How each is seen: as its own look says unless there is an appearance for it.
+  /// Updates how each organ is drawn: by its own look unless `appearances` has an entry for it.
   void updateLooks(const Scene& scene, const std::map<document::OrganId, Appearance>& appearances,
                    const MapColors& colors);
 
@@ -67,7 +68,7 @@ private:
   Threads threads_;
   std::map<document::OrganId, Shown> shown_;
   std::vector<std::shared_ptr<scene::OrganActor>> transient_;
-  MapColors colors_; ///< With which values were shown last.
+  MapColors colors_; ///< The colours used in the last update.
 };
 
 } // namespace viscera::presentation

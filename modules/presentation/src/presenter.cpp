@@ -32,7 +32,7 @@ Vec3 missingColor(const scene::ColorMap& colors) {
   return Vec3(colors.missing[0], colors.missing[1], colors.missing[2]) / 255;
 }
 
-/// What is named in the view.
+/// The organs and parts that are labelled in the view.
 struct LabelChoice {
   std::shared_ptr<const document::OrganList> organs;
   bool ofOrgans = false;
@@ -42,7 +42,7 @@ struct LabelChoice {
   bool operator==(const LabelChoice&) const = default;
 };
 
-/// What the legend says.
+/// The texts of the legend.
 struct LegendText {
   std::string title;
   std::string unit;

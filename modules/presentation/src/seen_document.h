@@ -7,15 +7,16 @@
 
 namespace viscera::presentation {
 
-/// The document with its organs as a view wants them to be seen. Remembers the organs that it made: while
-/// nothing is different they are the very same list, by which pictures tell that there is nothing to do.
+/// Copies a document's state with the visibility and opacity of organs that a slide sets. Returns the same
+/// list of organs as before while nothing has changed, so that pictures detect by the pointer that no update
+/// is needed.
 class SeenDocument {
 public:
-  /// The state itself where the view has no wish, else one that is good until the next call. O(organs).
+  /// Returns the state itself if `wanted` is empty, else a copy that is valid until the next call. O(organs).
   const document::DocumentState& of(const document::DocumentState& state, const OrgansSeen& wanted);
 
 private:
-  std::shared_ptr<const document::OrganList> organs_; ///< Of the document.
+  std::shared_ptr<const document::OrganList> organs_; ///< The document's organs in the last call.
   OrgansSeen wanted_;
   document::DocumentState seen_;
 };

@@ -11,20 +11,21 @@
 
 namespace viscera::presentation {
 
-/// Where planes cut a document's organs, as they are posed and at rest. Cuts again only what has moved.
+/// Computes the contours in which planes cut a document's organs, posed and at rest. Only cuts organs again
+/// that have moved.
 class SliceCuts {
 public:
   /// An organ that is seen, and its cut by every plane.
   struct Organ {
     std::shared_ptr<const document::Organ> organ;
     std::vector<geometry::PlaneCut> posed;
-    std::vector<geometry::PlaneCut> rest; ///< Empty where the organ is at rest, or that was not asked for.
+    std::vector<geometry::PlaneCut> rest; ///< Empty if the organ is at rest, or if not requested.
   };
 
   explicit SliceCuts(Threads threads) : threads_(threads) {}
 
-  /// Brings the cuts of all visible organs by `planes` up to date; with `rest` those at rest too while the
-  /// handles are not.
+  /// Updates the cuts of all visible organs by `planes`; with `rest` also those of the organs at rest, while
+  /// the handles are posed.
   void update(const document::DocumentState& state, const live::PosedOrgans& organs,
               const std::vector<geometry::Plane>& planes, bool rest);
 
@@ -43,7 +44,7 @@ private:
   Threads threads_;
   std::vector<geometry::Plane> planes_;
   std::vector<Organ> organs_;
-  std::vector<Known> known_; ///< Of each organ what was cut.
+  std::vector<Known> known_; ///< For each organ the points that were cut.
 };
 
 } // namespace viscera::presentation

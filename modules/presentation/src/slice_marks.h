@@ -10,7 +10,7 @@
 
 namespace viscera::presentation {
 
-/// What a mouse can take hold of on a slice.
+/// The handles and measurement points on a slice that the mouse can drag.
 struct SliceGrips {
   /// A handle (`item`: its row), or a point of a measurement (`item`: its place among them).
   struct Grip {
@@ -19,22 +19,23 @@ struct SliceGrips {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   };
   std::vector<Grip> handles;
-  std::vector<Grip> measured; ///< Points that are on no organ: those stay on its surface.
+  std::vector<Grip> measured; ///< Points that lie on no organ; points on an organ stay on its surface and
+                              ///< cannot be dragged here.
 };
 
-/// The language of the texts on a slice: its words, and what it writes before decimals.
+/// The language of the texts on a slice: its translator and its decimal mark.
 struct SliceLanguage {
   std::function<std::string(const char*)> translate;
   char decimalMark = '.';
 };
 
-/// Adds to a slice's picture what lies over grey levels and contours: the handles near its plane, as the
-/// scene shows them, and what is measured in it. Regions whose values `memory` does not have are read.
+/// Adds to a slice's picture the marks over grey levels and contours: the handles near its plane, if the
+/// scene shows them, and the measurements in it. Computes the values of regions that `memory` does not hold.
 SliceGrips addMarks(const SliceScene& scene, const slices::SliceDirection& direction,
                     const slices::SliceFrame& frame, document::RegionMemory& memory,
                     const SliceLanguage& language, scene::SlicePicture& picture);
 
-/// The one of them that is nearest to a pixel and not farther away than `reach` pixels, or null.
+/// The grip nearest to a pixel within `reach` pixels, or null.
 const SliceGrips::Grip* nearestGrip(const std::vector<SliceGrips::Grip>& grips, const Eigen::Vector2d& pixel,
                                     double reach);
 

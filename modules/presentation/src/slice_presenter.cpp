@@ -35,7 +35,7 @@ bool equal(const slices::SliceFrame& a, const slices::SliceFrame& b) {
          a.height == b.height;
 }
 
-/// What a slice's values were taken with.
+/// The inputs with which a slice was sampled.
 struct SampledWith {
   std::shared_ptr<const document::ScanItem> scan;
   slices::SliceFrame frame;
@@ -109,7 +109,7 @@ struct SlicePresenter::Parts {
              const Vec3& focus) const;
 };
 
-/// What a scan proposes may take a look at all of its voxels, so it is kept.
+/// The proposal of a scan is cached, because it may need all of its voxels.
 medical_io::ValueWindow SlicePresenter::Parts::windowFor(const SliceScene& scene) {
   if (scene.view.scan.width > 0)
     return {scene.view.scan.level, scene.view.scan.width};

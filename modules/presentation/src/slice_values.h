@@ -4,17 +4,18 @@
 
 namespace viscera::presentation {
 
-/// The values of a slice of the scan, as its tissue lies or as a pose bends it, and their grey levels.
+/// The values of a slice of the scan, at rest or deformed by a pose, and their grey levels.
 class SliceValues {
 public:
-  /// Takes them anew; with `bending`, which may be null, where the tissue at each pixel was at rest.
+  /// Samples the scan; with `bending`, which may be null, at the place where the tissue at each pixel was at
+  /// rest.
   void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
             const slices::SampleOptions& options, const Bending* bending);
   void clear();
   /// Places where the pose folds the tissue are hatched: what is between the lines is an estimate.
   void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
 
-  /// Of a pixel; none where nothing was measured, and outside of the slice.
+  /// The value at a pixel; none outside of the scan and of the slice.
   std::optional<double> at(long x, long y) const;
   bool foldedAt(long x, long y) const;
   /// Whether any pixel is hatched.

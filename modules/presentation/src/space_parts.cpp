@@ -11,7 +11,7 @@ Triangles cageToDraw(const coordinates::HandleSet& handles) {
   try {
     return coordinates::cageOf(handles);
   } catch (const Error&) {
-    return {}; // Flat handles, say: binding fails for the same reason and says so.
+    return {}; // For example for handles in one plane: binding fails for the same reason and reports it.
   }
 }
 
@@ -38,7 +38,7 @@ coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const pl
   try {
     return systems.find(state.system->id)->layout(document::handleSet(*state.rig), state.system->parameters);
   } catch (const Error&) {
-    return {}; // A flat group, say: binding fails for the same reason and says so.
+    return {}; // For example for a group in one plane: binding fails for the same reason and reports it.
   }
 }
 

@@ -8,16 +8,16 @@
 
 namespace viscera::presentation {
 
-/// The three slices of the scan that stand in the 3D view, through the place where they meet.
+/// Draws the three orthogonal slices of the scan in the 3D view, through the place where they meet.
 class StandingPicture {
 public:
   StandingPicture(scene::OrganView& view, Threads threads) : slices_(view), threads_(threads) {}
 
-  /// Compares with what it showed last, and takes new slices only where something is different.
+  /// Compares the scene with the last one, and makes new slices only if something differs.
   void update(const Scene& scene);
 
 private:
-  /// What the slices were made with.
+  /// The inputs from which the slices were made.
   struct Made {
     std::shared_ptr<const document::ScanItem> scan;
     ScanLook look;
@@ -27,7 +27,7 @@ private:
 
   scene::StandingSlices slices_;
   Threads threads_;
-  std::optional<Made> made_; ///< None: none is shown.
+  std::optional<Made> made_; ///< None: no slice is shown.
 };
 
 } // namespace viscera::presentation

@@ -76,7 +76,7 @@ void StressPicture::takeMesh(const live::StressFrame& frame) {
   tissue_->setRenderer(view_.renderer());
   for (vtkActor* actor : {tissue_->faces(), tissue_->cut()})
     view_.handles()->AddOccluder(actor);
-  // What is seen through the tissue has to be drawn after it.
+  // Props that are seen through the tissue have to be drawn after it.
   probe_.setRenderer(view_.renderer());
   view_.renderer()->RemoveViewProp(plane_);
 }

@@ -16,8 +16,8 @@
 
 namespace viscera::presentation {
 
-/// The stress map of one organ: its surface and its inside in the map's colours, the plane that cuts it open,
-/// glyphs, the probe and what was pinned. Says how the organs and handles around it are seen meanwhile.
+/// Draws the stress map of one organ: its surface and its inside in the map's colours, the plane that cuts it
+/// open, glyphs, and the probes. It also returns how other organs and handles are drawn meanwhile.
 class StressPicture {
 public:
   explicit StressPicture(scene::OrganView& view);
@@ -26,11 +26,11 @@ public:
   /// Draws the map where the scene shows one, else nothing.
   void update(const Scene& scene);
 
-  /// Whether there is a map to see.
+  /// Whether a map is drawn.
   bool drawn() const { return tissue_ && values_.ready(); }
-  /// How the organs are seen; none while no map is wanted.
+  /// The appearances of organs while a map is on; else empty.
   std::map<document::OrganId, Appearance> appearances(const Scene& scene) const;
-  /// Where handles are seen; null: everywhere.
+  /// Returns which handles are shown; null: all.
   ShownWhere shownWhere(const Scene& scene) const;
   MapColors colors() const { return {values_.colors(), values_.range(), revision_}; }
 
@@ -45,7 +45,7 @@ public:
   double radius() const { return radius_; }
 
 private:
-  /// What the picture was made of: as long as it is the same, nothing is made anew.
+  /// The inputs of the last picture; while they are equal, nothing is rebuilt.
   struct Made {
     std::uint64_t revision = 0;
     std::shared_ptr<const deformation::WitnessMesh> mesh;

@@ -4,7 +4,7 @@
 
 namespace viscera::presentation {
 
-/// Stands for a translator where there is none.
+/// A translator that returns every text unchanged, for programs without translations.
 inline std::string untranslated(const char* text) {
   return text;
 }

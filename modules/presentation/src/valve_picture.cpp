@@ -29,7 +29,7 @@ constexpr double kShaft = 0.34;
 constexpr double kThinnestMm = 0.9;
 /// The part of the arrow that is behind the valve.
 constexpr double kDownstream = 0.62;
-/// Below this nothing is said to flow, ml/s.
+/// Smaller flows are not drawn, ml/s.
 constexpr double kLeastFlow = 8;
 /// The cavities' opacity is at most this while leaflets are in them.
 constexpr double kCavityOpacity = 0.3;

@@ -13,15 +13,15 @@
 
 namespace viscera::presentation {
 
-/// The valves of the sample heart while it beats, and what flows through them.
+/// Draws the valves of the sample heart while it beats, and arrows for the flow through them.
 class ValvePicture {
 public:
   explicit ValvePicture(scene::OrganView& view) { glyphs_.setRenderer(view.renderer()); }
 
-  /// Brings leaflets and arrows to where the heart is now. A valve that a cut touches is drawn whole; one
-  /// that lies in what is cut away, not at all.
+  /// Updates leaflets and arrows to the present pose of the heart. A valve that a cut touches is drawn whole;
+  /// a valve within the part that is cut away is not drawn.
   void update(const Scene& scene, const std::optional<scene::CutPlane>& cut);
-  /// Lets one look through the cavities at what is in them, on top of how they are seen anyway.
+  /// Makes the cavities transparent in their appearances, so that the valves in them are visible.
   void apply(const Scene& scene, std::map<document::OrganId, Appearance>& appearances) const;
 
 private:
@@ -30,14 +30,14 @@ private:
     std::shared_ptr<const geometry::TriangleMesh> mesh;
     std::vector<sequences::CarriedRing> rings;
   };
-  /// What was drawn last.
+  /// The state in which the valves were drawn last.
   struct Moment {
     sequences::ValveInstants valves;
     std::array<std::pair<std::shared_ptr<const Points>, std::uint64_t>, 2> surfaces;
     std::optional<scene::CutPlane> cut;
     bool operator==(const Moment&) const = default;
   };
-  /// The ventricles' cavities, left and right, and those of the atria that there are.
+  /// The cavities of the left and right ventricle, and of the atria if there are any.
   struct Heart {
     std::array<std::shared_ptr<const document::Organ>, 2> ventricles;
     std::vector<std::shared_ptr<const document::Organ>> atria;

@@ -261,7 +261,7 @@ ScanLook scanFrom(const ordered_json& item) {
   return look;
 }
 
-/// What the modes of format 1 showed.
+/// The items that the modes of format 1 showed.
 Shown shownByMode(const std::string& mode, bool sequenceShown) {
   Shown shown;
   shown.rest = shown.regions = mode == "handles";

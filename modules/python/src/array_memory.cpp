@@ -89,7 +89,7 @@ Points& writable(const py::handle& out, Eigen::Index rows) {
   if (memory->rows() != rows)
     throw UsageError("it has " + std::to_string(memory->rows()) + " rows", "out",
                      std::to_string(rows) + " are wanted");
-  // What was handed over belongs to the caller, who asks for it to be changed.
+  // The array belongs to the caller, who has requested the change.
   return const_cast<Points&>(*memory);
 }
 

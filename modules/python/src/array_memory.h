@@ -9,11 +9,11 @@
 
 #include "viscera/core/arrays.h"
 
-/// numpy's arrays on Viscera's memory, and back. An array that was handed over is taken again without a copy;
-/// any other is copied once into memory of Viscera's. All of it needs the interpreter's lock.
+/// Converts between numpy arrays and Viscera's matrices. An array that Viscera has created is used again
+/// without a copy; any other array is copied once. All functions need the interpreter's lock.
 namespace viscera::python {
 
-/// What the capsule behind an array of that kind is called; arrays with such a base are known again.
+/// The name of the capsule that is the base of such an array, by which Viscera recognises it.
 template <typename Matrix>
 constexpr const char* kMemoryName = "viscera.memory";
 template <>
@@ -45,7 +45,7 @@ pybind11::array share(std::shared_ptr<const Matrix> matrix, bool writeable = fal
   return array;
 }
 
-/// A new array that takes `matrix` over, without a copy, for the caller to do with as he likes.
+/// A new array that takes ownership of `matrix`, without a copy.
 template <typename Matrix>
 pybind11::array handOver(Matrix matrix) {
   return share<Matrix>(std::make_shared<const Matrix>(std::move(matrix)), true);
@@ -77,7 +77,7 @@ std::shared_ptr<const Triangles> trianglesFrom(const pybind11::handle& array, co
 /// Three numbers. Throws `DataError`, naming `what`, for anything else.
 Vec3 vectorFrom(const pybind11::handle& array, const std::string& what);
 
-/// The memory of `out`, to be written to: of an array that was handed over, and `rows x 3`. Throws
+/// The writable memory of `out`, which has to be an array created by Viscera with `rows x 3`. Throws
 /// `UsageError` for any other.
 Points& writable(const pybind11::handle& out, Eigen::Index rows);
 

@@ -6,7 +6,8 @@
 
 namespace viscera::python {
 
-/// A binding with all that it was made from, so that derivatives can be asked of it later. Immutable.
+/// A binding together with the data from which it was made, so that derivatives can be computed later.
+/// Immutable.
 struct BoundPoints {
   std::shared_ptr<const coordinates::CoordinateSystem> system;
   coordinates::HandleSet handles;
@@ -15,8 +16,7 @@ struct BoundPoints {
   std::shared_ptr<const coordinates::Binding> binding;
 };
 
-/// The pose as the binding wants it. Throws `DataError` for another number of handles and for numbers that
-/// are not finite.
+/// Checks a pose. Throws `DataError` for another number of handles and for numbers that are not finite.
 void requirePose(const BoundPoints& bound, const Points& pose);
 
 } // namespace viscera::python

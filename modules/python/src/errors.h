@@ -2,8 +2,8 @@
 
 namespace viscera::python {
 
-/// From now on errors of C++ arrive in Python as the classes of `viscera.errors`, with all that they carry.
-/// Once, when the first extension is loaded; holds for all of them.
+/// Registers the translation of C++ errors to the classes of `viscera.errors`, with all their attributes.
+/// Call it once, when the first extension is loaded; it applies to all extensions.
 void translateErrors();
 
 } // namespace viscera::python

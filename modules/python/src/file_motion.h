@@ -5,7 +5,7 @@
 
 namespace viscera::python {
 
-/// What a sequence file holds. In `_motion` alone.
+/// Converts the contents of a sequence file to a sequence for Python. Only in the extension `_motion`.
 MotionSource sourceOf(const motion::SequenceFile& file);
 
 } // namespace viscera::python

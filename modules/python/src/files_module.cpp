@@ -221,7 +221,7 @@ void addLabelMaps(py::module_& module) {
 /// Files and sample organs: what takes VTK.
 PYBIND11_MODULE(_files, module) {
   namespace py = pybind11;
-  py::module_::import("viscera._core"); // brings the errors
+  py::module_::import("viscera._core"); // defines the errors
   module.doc() = "Surfaces, handles, label maps and sample organs.";
   viscera::python::addSurface(module);
   viscera::python::addHandles(module);

@@ -24,7 +24,7 @@ public:
 
   Progress& progress() { return progress_; }
 
-  /// Tells the listener what it has not heard yet, and looks for Ctrl+C. On the caller's thread.
+  /// Passes new progress to the listener, and checks for Ctrl+C. On the caller's thread.
   void look() {
     const py::gil_scoped_acquire locked;
     try {
@@ -38,7 +38,7 @@ public:
     last_ = Clock::now();
   }
 
-  /// What Python has raised. With the lock.
+  /// Rethrows the exception raised in Python. Call it with the lock.
   void rethrow() {
     if (raised_)
       throw py::error_already_set(*raised_);
@@ -86,7 +86,7 @@ private:
   const py::object& listener_;
   const std::thread::id caller_ = std::this_thread::get_id();
   Clock::time_point last_ = Clock::now();
-  bool ended_ = false; ///< Somebody in Python wants no more.
+  bool ended_ = false; ///< Python code has ended the job.
   std::optional<py::error_already_set> raised_;
   std::mutex mutex_;   ///< Of what follows.
   bool fresh_ = false; ///< The listener does not know of `fraction_` and `step_` yet.

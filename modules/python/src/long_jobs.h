@@ -9,11 +9,11 @@
 
 namespace viscera::python {
 
-/// Runs a job that may take long on the calling thread, without the interpreter's lock. Where the job reports
-/// or looks whether it was cancelled, that thread takes the lock some fifty times a second at most, tells
-/// `listener` (`None`, or a callable that takes fraction and step) how far the job is, and looks for Ctrl+C.
-/// KeyboardInterrupt, an exception of the listener, or `False` from it ends the job. Rethrows what the job
-/// threw. To be called with the lock.
+/// Runs a job that may take long on the calling thread, without the interpreter's lock. When the job reports
+/// progress or checks cancellation, that thread takes the lock, at most some fifty times a second, calls
+/// `listener` (`None`, or a callable that takes fraction and step), and checks for Ctrl+C. KeyboardInterrupt,
+/// an exception of the listener, or `False` from it ends the job. Rethrows what the job threw. Call it with
+/// the lock held.
 void runLong(const pybind11::object& listener, const std::function<void(Progress&)>& job);
 
 /// The same for a job with a result.
@@ -24,7 +24,7 @@ auto resultOfLong(const pybind11::object& listener, Job job) {
   return result;
 }
 
-/// Runs a job of milliseconds where it is, without the lock.
+/// Runs a job of some milliseconds on the calling thread, without the lock.
 template <typename Job>
 auto unlocked(Job job) {
   const pybind11::gil_scoped_release released;

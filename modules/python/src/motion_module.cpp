@@ -73,7 +73,7 @@ std::vector<std::string> sequenceNames() {
   return names;
 }
 
-/// What each file brought, and why it was left out.
+/// The systems of each file, or why it was left out.
 py::list loadPlugins(const std::vector<path>& searchPath) {
   plugin::Registry registry = plugin::builtInRegistry();
   py::list all;
@@ -92,7 +92,7 @@ py::list loadPlugins(const std::vector<path>& searchPath) {
 /// Ready sequences, the motion of patients, plugins: what takes Qt's core.
 PYBIND11_MODULE(_motion, module) {
   namespace py = pybind11;
-  py::module_::import("viscera._core"); // brings the errors and the classes
+  py::module_::import("viscera._core"); // defines the errors and the classes
   module.doc() = "Ready sequences, sequence files, the motion of patients, plugins.";
   module.def("sequence_names", &viscera::python::sequenceNames, "The sequences there are.");
   module.def("ready_sequence", &viscera::python::readySequence, py::arg("name"), py::arg("resolution"),

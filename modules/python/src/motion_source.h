@@ -11,10 +11,10 @@
 
 namespace viscera::python {
 
-/// A sequence with what its maker knows besides. Immutable.
+/// A sequence with its coordinate system, labels of handles and surfaces. Immutable.
 struct MotionSource {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
-  std::string system = "s-celestial";                  ///< For which it was made.
+  std::string system = "s-celestial";                  ///< The coordinate system for which it was made.
   coordinates::ParameterValues parameters;
   std::vector<std::string> labels; ///< Of the handles; may be empty.
   /// The surfaces that it was made for, in order; may be empty.

@@ -2,10 +2,10 @@
 
 #include <pybind11/pybind11.h>
 
-/// The parts of the extensions, each of which adds its names to the module.
+/// The functions that define the parts of the Python extensions; each adds its names to the module.
 namespace viscera::python {
 
-/// Of `_core`.
+/// Part of `_core`.
 void addBinding(pybind11::module_& module);
 void addSurfaces(pybind11::module_& module);
 void addVolumeLock(pybind11::module_& module);
@@ -13,7 +13,7 @@ void addStress(pybind11::module_& module);
 void addSequences(pybind11::module_& module);
 void addCirculation(pybind11::module_& module);
 
-/// Of `_motion`.
+/// Part of `_motion`.
 void addPatientMotion(pybind11::module_& module);
 
 } // namespace viscera::python

@@ -6,7 +6,7 @@
 
 namespace viscera::python {
 
-/// A surface from arrays, n x 3 and m x 3, copied. Throws `DataError` for what is none.
+/// Makes a surface from arrays, n x 3 and m x 3, which are copied. Throws `DataError` for invalid arrays.
 geometry::TriangleMesh meshFrom(const pybind11::handle& points, const pybind11::handle& triangles);
 
 /// Throws `DataError` that names the first triangle with a vertex that is not there. O(m).

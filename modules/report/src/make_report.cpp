@@ -190,7 +190,7 @@ std::string originOf(const document::Organ& organ) {
   return organ.file.empty() ? said("made in the program") : organ.file.filename().string();
 }
 
-/// What is said of an organ's file, without where it lies.
+/// The remark on an organ's file, without its folder.
 std::string remarksOf(const document::Organ& organ) {
   std::string text;
   for (std::string warning : organ.warnings) {

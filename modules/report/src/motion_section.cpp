@@ -14,7 +14,7 @@
 namespace viscera::report {
 namespace {
 
-constexpr std::size_t kMostCurves = 8; ///< More on one pair of axes tell nobody anything.
+constexpr std::size_t kMostCurves = 8; ///< More on one pair of axes are unreadable.
 
 std::string capital(std::string text) {
   if (!text.empty())
@@ -22,7 +22,7 @@ std::string capital(std::string text) {
   return text;
 }
 
-/// One organ whose volume is told.
+/// One organ whose volume is reported.
 struct Line {
   std::shared_ptr<const document::Organ> organ;
   std::vector<double> milliliters;

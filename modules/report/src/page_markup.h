@@ -6,18 +6,19 @@
 
 #include "viscera/report/report.h"
 
+/// Converts a report to markup for browsers and for Qt's rich text.
 namespace viscera::report {
 
-/// Millimetres of an A4 page between its margins.
+/// The width of an A4 page between its margins, mm.
 inline constexpr double kTextWidthMm = 174;
 
-/// A text in which nothing is markup. Characters that no page may hold are left out.
+/// Escapes all markup in a text. Characters that are not allowed in a page are left out.
 std::string escaped(const std::string& text);
 
-/// Where a page finds a picture, by its place among all of the report.
+/// Returns the address of a picture in the page, by its index in the report.
 using PictureSource = std::function<std::string(std::size_t place)>;
 
-/// What stands between `<body>` and `</body>`: in the words that browsers and Qt's rich text both know.
+/// The content between `<body>` and `</body>`, in markup that both browsers and Qt's rich text support.
 std::string bodyOf(const Report& report, const PictureSource& pictures, double pixelsPerMm);
 
 } // namespace viscera::report

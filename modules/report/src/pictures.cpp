@@ -32,8 +32,8 @@ scene::Theme paper() {
   return theme;
 }
 
-/// What a mode shows for work (gizmos, regions, a map of one handle) is not what a report is about, nor is
-/// what a slide of a lecture hides.
+/// Removes the tools of a mode (gizmos, regions, a map of one handle) and the look of a slide, which are not
+/// part of a report.
 presentation::ViewState plainView(presentation::ViewState view) {
   view.shown = {};
   view.influence = view.gizmo = false;

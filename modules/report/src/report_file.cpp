@@ -94,7 +94,7 @@ class FontsAtHand {
 public:
   FontsAtHand() {
     if (!QCoreApplication::instance()) {
-      // What Qt misses of a desktop (XDG_RUNTIME_DIR) concerns nobody who has none.
+      // Without a desktop, Qt's warning about XDG_RUNTIME_DIR is irrelevant.
       const QtMessageHandler before =
           qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
       own_ = std::make_unique<QGuiApplication>(count_, arguments_);

@@ -415,7 +415,7 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
   command(words);
 }
 
-/// What only the session tells `viscera play` of its motion; empty: its other arguments tell all.
+/// Why `viscera play` needs the session for its motion; empty: its other arguments suffice.
 std::string Writer::onlyInSession(bool driven) const {
   const document::CirculationChoice& circulation = *state_.circulation;
   if (driven && circulation.parameters != circulation::scenarioParameters(circulation.scenario))

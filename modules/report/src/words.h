@@ -6,13 +6,13 @@
 
 namespace viscera::report {
 
-/// A text in the language of the program, as the window translates names of the numerical modules
-/// (resources/translations/names_*.ts).
+/// Translates a text into the language of the program, by the same translations that the window uses for
+/// names of the numerical modules (resources/translations/names_*.ts).
 std::string said(const char* text);
 /// The same with `first` and `second` in the places of %1 and %2.
 std::string said(const char* text, const std::string& first, const std::string& second = {});
 
-/// Likewise of a name (a system, a sequence, a phase, a quantity); as it is when it has no translation.
+/// Likewise of a name (a system, a sequence, a phase, a quantity); unchanged when it has no translation.
 std::string named(const std::string& name);
 /// Likewise of a text that is put together from parts (viscera/core/phrase.h): a warning, an obstacle.
 std::string messageInWords(const std::string& message);
@@ -23,7 +23,7 @@ std::string signedNumber(double value, int digits);
 /// A text without the folders of the files that it names: "/home/ann/liver.stl" becomes "liver.stl".
 std::string withoutFolders(const std::string& text);
 
-/// What a reader calls an organ: "LV cavity".
+/// The title of an organ in a report: "LV cavity".
 std::string titleOf(const document::Organ& organ);
 
 } // namespace viscera::report

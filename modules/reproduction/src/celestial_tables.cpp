@@ -121,7 +121,7 @@ std::string mark(bool yes) {
   return yes ? "yes" : "no";
 }
 
-/// Measures every feature of every column, and makes findings of those that the thesis speaks of.
+/// Measures every feature of every column, and makes findings of those that the thesis mentions.
 void fill(Result& result, const std::vector<Column>& columns, const std::vector<Feature>& features) {
   Table table{result.fileName(), {"feature"}, {}, true};
   for (const Column& column : columns)

@@ -7,7 +7,7 @@
 
 namespace viscera::reproduction {
 
-/// Numbers from `low` to `high` on a picture.
+/// An axis of a chart, from `low` to `high`.
 struct Axis {
   std::string label; ///< With its unit: "place along the line, mm".
   double low = 0;

@@ -4,8 +4,8 @@
 
 #include "viscera/reproduction/item.h"
 
-/// The figures and tables of the thesis by chapter, and those that take a file of their own: they fill
-/// `result` as `Item::make`.
+/// Lists the figures and tables of the thesis by chapter, and declares those that have a source file of their
+/// own, which fill `result` as `Item::make` does.
 namespace viscera::reproduction {
 
 /// Attempts at cage-free coordinates, along lines.
@@ -15,12 +15,12 @@ std::vector<Item> chapter4();
 /// Volume and stress.
 std::vector<Item> chapter5();
 
-/// Newton's method as the thesis begins it, from a neighbour's solution: how many neighbours are tried (4.5),
-/// and how many iterations it takes (4.6).
+/// Newton's method with the thesis's start, a neighbour's solution: how many neighbours are tried (4.5), and
+/// how many iterations it takes (4.6).
 void figure45(Result& result, const Bench& bench, Progress& progress);
 void figure46(Result& result, const Bench& bench, Progress& progress);
 
-/// What it costs to bind: T- and S-Celestial on organs (4.12); C-, T- and S-Celestial along the line (4.18);
+/// The cost of binding: T- and S-Celestial on organs (4.12); C-, T- and S-Celestial along the line (4.18);
 /// bounded biharmonic weights and S-Celestial on organs (4.23).
 void figure412(Result& result, const Bench& bench, Progress& progress);
 void figure418(Result& result, const Bench& bench, Progress& progress);

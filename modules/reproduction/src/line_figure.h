@@ -11,7 +11,7 @@
 /// Figures of the thesis that show coordinates along a line among handles.
 namespace viscera::reproduction {
 
-/// What is expected of a panel's coordinates.
+/// The expected property of a panel's coordinates.
 enum class Expect {
   everywhere,    ///< Coordinates at every point.
   positive,      ///< None below 0.
@@ -56,7 +56,7 @@ struct LineFigure {
   std::function<std::vector<Finding>(const std::vector<PanelResult>&)> compare = {};
 };
 
-/// Where the handles of such figures come from, for their `setup`.
+/// A sentence about the source of the handles of such figures, for their `setup`.
 inline const std::string kOwnHandles = "The thesis prints no positions of handles; ours are the tables of "
                                        "resources/lines, a long box with handles "
                                        "wound around the line inside it. ";

@@ -72,7 +72,7 @@ Lattice latticeIn(const Polygon& polygon) {
   return lattice;
 }
 
-/// What a map's numbers say, over all handles and all points that have coordinates.
+/// Statistics of a map over all handles and all points that have coordinates.
 struct Measured {
   double unity = 0;    ///< Largest difference of a sum from 1.
   double identity = 0; ///< Largest distance of a point from where its coordinates put it, of the size.

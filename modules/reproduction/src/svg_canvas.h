@@ -11,7 +11,7 @@ struct Place {
   double y = 0;
 };
 
-/// How something is drawn.
+/// Colour, width, dashes and opacity of a line.
 struct Pen {
   std::string color = "#222222";
   double width = 1;
@@ -21,8 +21,8 @@ struct Pen {
 
 enum class Anchor { start, middle, end };
 
-/// A vector picture that is written as one SVG file without anything from outside. Numbers have a point and
-/// two digits whatever the locale.
+/// A vector picture that is written as one self-contained SVG file. Numbers have a point and two digits
+/// whatever the locale.
 class SvgCanvas {
 public:
   SvgCanvas(double width, double height);
@@ -34,7 +34,7 @@ public:
   void text(Place place, const std::string& text, double size = 11, Anchor anchor = Anchor::start,
             const std::string& color = "#222222", double turnDegrees = 0);
 
-  /// The whole file; `title` is what a screen reader says.
+  /// The whole file; `title` is the text for screen readers.
   std::string svg(const std::string& title) const;
 
   double width() const { return width_; }

@@ -9,7 +9,7 @@
 
 namespace viscera::sample_organs {
 
-/// Which surface a cache file holds.
+/// Identifies the surface in a cache file.
 struct CacheKey {
   std::string name;          ///< "heart-outer-medium"; the file is called after it.
   std::uint64_t content = 0; ///< Hash of all that the surface depends on.

@@ -12,7 +12,7 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// Calls a function every time before a renderer draws: for things that follow the camera or the window's
+/// Calls a function before every frame of a renderer, for objects that depend on the camera or the window's
 /// size.
 class BeforeRender {
 public:
@@ -21,9 +21,10 @@ public:
   BeforeRender(const BeforeRender&) = delete;
   BeforeRender& operator=(const BeforeRender&) = delete;
 
-  /// Null: nowhere. The renderer may die first.
+  /// Sets the renderer; null: none. The renderer may be destroyed first.
   void setRenderer(vtkRenderer* renderer);
-  /// The same, and takes these actors along (`std::array<vtkActor*, n>`, say).
+  /// The same, and moves these actors (such as a `std::array<vtkActor*, n>`) from the old renderer to the new
+  /// one.
   template <class Actors>
   void setRenderer(vtkRenderer* renderer, const Actors& actors) {
     const std::vector<vtkProp*> props(actors.begin(), actors.end());

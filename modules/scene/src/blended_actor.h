@@ -32,17 +32,17 @@ private:
   bool behindOnly_ = false;
 };
 
-/// Gives an actor a shape, put in its place by a matrix (null: it is there already). It cannot be picked.
+/// Sets the shape of an actor and the matrix that places it (null: identity), and makes the actor unpickable.
 void attach(vtkActor* actor, vtkPolyData* shape, vtkMatrix4x4* place);
 
-/// The same for a new helper of one flat colour; `behindOnly` as `BlendedActor` has it.
+/// The same for a new helper of one flat colour; `behindOnly` as in `BlendedActor`.
 vtkSmartPointer<BlendedActor> newHelper(vtkPolyData* shape, vtkMatrix4x4* place, double opacity,
                                         bool behindOnly = false);
 
 void setColor(vtkActor* actor, const Vec3& color);
 
-/// The place of a shape that was made around the x axis: that along the unit `axis`, scaled, from `origin`
-/// on.
+/// Sets the matrix that places a shape made around the x axis along the unit `axis`, scaled, with its start
+/// at `origin`.
 void placeAlong(vtkMatrix4x4* place, const Vec3& origin, const Vec3& axis, double scale);
 
 /// Moves a prop of the renderer to the end of its list, so that it is drawn after the others. Nothing happens

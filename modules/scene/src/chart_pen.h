@@ -7,7 +7,7 @@
 
 #include "viscera/core/arrays.h"
 
-/// Colours as VTK's charts take them.
+/// Converts colours for the pens of VTK's charts.
 namespace viscera::scene {
 
 /// 0 to 1 as 0 to 255.

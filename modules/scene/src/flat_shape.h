@@ -12,7 +12,7 @@
 
 namespace viscera::scene {
 
-/// Lines and polygons in pixels in front of a view, made anew before a frame.
+/// A 2D actor of lines and polygons in pixels in front of a view, rebuilt before a frame.
 struct FlatShape {
   vtkNew<vtkPoints> points;
   vtkNew<vtkPolyData> data;
@@ -20,7 +20,7 @@ struct FlatShape {
 
   FlatShape();
 
-  /// Forgets all points, and tells VTK when there are others.
+  /// `begin` clears all points; `end` tells VTK that there are new ones.
   void begin() { points->Reset(); }
   void end();
   vtkIdType add(double x, double y) { return points->InsertNextPoint(x, y, 0); }
@@ -31,7 +31,7 @@ struct FlatShape {
 /// A text in the views' font; `size` in points at 72 DPI, that is logical pixels.
 vtkSmartPointer<vtkTextActor> newText(int size);
 
-/// Gives a text another size, as many times larger as the theme wants type to be.
+/// Sets the size of a text, multiplied by the theme's type scale.
 void setTextSize(vtkTextActor* text, double size, const Theme& theme);
 
 } // namespace viscera::scene

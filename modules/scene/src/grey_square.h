@@ -14,7 +14,7 @@
 
 namespace viscera::scene {
 
-/// A rectangle with grey levels on it, for an actor in space or one in the plane of the picture.
+/// The geometry and texture of a rectangle with grey levels, for a 3D or a 2D actor.
 class GreySquare {
 public:
   GreySquare();

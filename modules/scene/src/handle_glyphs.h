@@ -19,16 +19,17 @@ class vtkUnsignedCharArray;
 class vtkViewport;
 class vtkWindow;
 
+/// Draws handles as balls of constant size on the screen; parts behind an organ are seen through it, fainter.
 namespace viscera::scene {
 
-/// One ball to draw.
+/// Position, size and colours of the ball that shows one handle.
 struct HandleGlyph {
   Vec3 position = Vec3::Zero();
   double radius = 0;    ///< mm; 0 draws nothing.
   double rimRadius = 0; ///< mm, of the line around it; 0 draws none.
   Vec3 color = Vec3::Ones();
   Vec3 rimColor = Vec3::Ones();
-  double ghost = 1; ///< How much of it is seen through what hides it: a part of what a ghost has at most.
+  double ghost = 1; ///< Opacity where the ball is hidden, as a fraction of the largest one.
 };
 
 /// Draws the balls: their fronts, the lines around them (the back half of slightly larger balls), and as

@@ -22,7 +22,7 @@
 namespace viscera::scene {
 namespace {
 
-/// What an organ hides is this much fainter.
+/// The factor of opacity for parts behind an organ.
 constexpr double kHelpersBehind = 0.4;
 constexpr int kBallSides = 24;
 

@@ -9,12 +9,13 @@ class vtkImageData;
 
 namespace viscera::scene {
 
-/// Where the frames of a movie go. Used by one thread. Throws `CannotCreateError`.
+/// The interface for encoders that write the frames of a movie. Used by one thread. Throws
+/// `CannotCreateError`.
 class ImageSink {
 public:
   virtual ~ImageSink() = default;
   virtual void write(vtkImageData* frame) = 0;
-  /// Completes the output and puts it in its place.
+  /// Completes the output and renames it to its final name.
   virtual void close() = 0;
   /// Removes everything that was written. Does not throw.
   virtual void discard() noexcept = 0;

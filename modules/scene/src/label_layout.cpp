@@ -215,7 +215,7 @@ private:
       heights_[side[k]] = (*spread)[k];
   }
 
-  /// The free place on that side whose height is nearest to the wished one.
+  /// The free place on that side whose height is nearest to the wanted one.
   std::optional<ScreenBox> nearest(std::size_t label, const Size& size, bool left) const {
     for (double away = 0; away <= space_.height; away += kHeightStep)
       for (const double y : {heights_[label] + away, heights_[label] - away})

@@ -39,7 +39,7 @@ public:
     bool rightAxis = false;
   };
 
-  /// For the frames from now on; a line without two numbers has no name.
+  /// Sets the curves for the following frames; a line with fewer than two numbers gets no name.
   void setLines(std::vector<Line> lines) { lines_ = std::move(lines); }
   void setCaptions(std::vector<Caption> captions) { captions_ = std::move(captions); }
   /// `fontSize` in points; `ratio` device pixels in a logical one.
@@ -80,7 +80,7 @@ private:
   std::vector<Line> lines_;
   std::vector<Caption> captions_;
   std::vector<Curve> curves_;      ///< Of the lines, in this frame.
-  std::map<std::string, Box> was_; ///< Where captions stood: they stay as long as they can.
+  std::map<std::string, Box> was_; ///< Last places of captions, which are kept as long as possible.
   Theme theme_ = lightTheme();
   double ratio_ = 1;
   vtkNew<vtkTextProperty> text_;

@@ -131,7 +131,7 @@ void MovieWriter::add(vtkSmartPointer<vtkImageData> frame) {
   p.changed.notify_all();
 }
 
-/// Waits until the worker has ended or somebody has cancelled; true when the movie is complete.
+/// Waits until the worker has ended or the job is cancelled; true when the movie is complete.
 bool MovieWriter::Parts::waitForWorker(Progress& progress) {
   if (progress.cancelled())
     return false;

@@ -47,7 +47,7 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 50000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
-/// What an empty view frames, mm.
+/// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 /// The part of a view's height, and of its width, that a legend leaves to organs, at least.
 constexpr double kLeastFreeHeight = 0.4, kLeastFreeWidth = 0.5;
@@ -301,7 +301,7 @@ OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
 }
 
 OrganView::~OrganView() {
-  // Whoever listens may be gone already: a drag that ends here is neither announced nor drawn.
+  // Observers may be destroyed already, so a drag that ends here emits no event and is not drawn.
   parts_->widget->RemoveAllObservers();
   parts_->gizmoWidget->RemoveAllObservers();
   parts_->widget->SetRenderOnChange(false);

@@ -19,14 +19,14 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// Logical pixels, times the theme's type scale: the corner at the lower left that the orientation cube has
-/// for itself; less in a narrow view (`orientationCorner`).
+/// The side of the corner at the lower left that is reserved for the orientation cube, in logical pixels,
+/// times the theme's type scale; less in a narrow view (`orientationCorner`).
 constexpr double kOrientationCorner = 104;
 
 /// A small bevelled cube in the lower left corner, turned with the main camera. Its letters say where the
-/// patient's anterior, posterior, left, right, superior and inferior sides are; they stand upright from
-/// wherever one looks, and that of a side that is seen from its edge stands beside the cube. A side is found
-/// under the mouse and can be highlighted. Has a renderer of its own on the layer above.
+/// patient's anterior, posterior, left, right, superior and inferior sides are; they are upright in every
+/// view, and the letter of a side that is seen edge-on is beside the cube. The side under the mouse can be
+/// found and highlighted. The cube has a renderer of its own on the layer above.
 class OrientationCube {
 public:
   explicit OrientationCube(vtkRenderer* followed);

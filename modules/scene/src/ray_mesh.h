@@ -9,6 +9,7 @@
 
 class vtkActor;
 
+/// Intersects rays with triangle meshes, to find the surface under the mouse.
 namespace viscera::scene {
 
 /// The half space `normal . x >= offset` that a clip plane leaves.
@@ -18,7 +19,7 @@ struct HalfSpace {
   bool holds(const Vec3& point) const { return normal.dot(point) >= offset; }
 };
 
-/// Triangles to shoot at; looks at somebody else's memory.
+/// A view of a triangle mesh for ray intersection; it refers to memory that it does not own.
 struct MeshView {
   const double* points = nullptr;          ///< `n x 3`
   const std::int32_t* triangles = nullptr; ///< `m x 3`
@@ -37,15 +38,16 @@ struct RayHit {
   double v = 0;        ///< and of the third.
 };
 
-/// The nearest triangle that a ray meets, from either side, at a distance in (0, `farthest`). Looks at every
-/// triangle: deforming meshes would spoil a search tree in every frame. O(m), on several threads; the lowest
-/// triangle wins a tie.
+/// The nearest triangle that a ray meets, from either side, at a distance in (0, `farthest`). Tests every
+/// triangle, because a search tree would have to be rebuilt in every frame for deforming meshes. O(m), on
+/// several threads; the lowest triangle wins a tie.
 std::optional<RayHit> nearestHit(const Ray& ray, const MeshView& mesh,
                                  double farthest = std::numeric_limits<double>::infinity(),
                                  Threads threads = {});
 
-/// What an actor draws, as triangles to shoot at. Uses the memory of the actor's own polygonal data when that
-/// is double points and 32-bit triangles (as `OrganActor` has it); else a copy is kept in this object.
+/// The triangles that an actor draws, for ray intersection. Refers to the memory of the actor's own polygonal
+/// data if that consists of double points and 32-bit triangles (as in `OrganActor`); else this object keeps a
+/// copy.
 class ActorMesh {
 public:
   explicit ActorMesh(vtkActor* actor);

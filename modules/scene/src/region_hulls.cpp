@@ -30,7 +30,7 @@ constexpr double kEdgeWidth = 1.6;
 constexpr double kThickWidth = 4;
 constexpr double kHullDotSize = 10;
 constexpr double kEdgeOpacity = 0.75;
-/// What an organ hides of an edge is this much fainter.
+/// The factor of opacity for edges behind an organ.
 constexpr double kEdgesBehind = 0.35;
 /// Neighbouring faces whose normals agree so far (1 minus the cosine) are one face: no edge between them.
 constexpr double kOneFace = 1e-6;

@@ -11,7 +11,7 @@
 namespace viscera::scene {
 namespace {
 
-/// What is wholly seen has a little room around it.
+/// A little room around the organs that are kept visible.
 constexpr double kRoomAround = 1.02;
 
 /// How far a camera is from seeing a box wholly; at most 0 where it does. mm by which it would have to back

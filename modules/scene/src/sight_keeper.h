@@ -35,9 +35,9 @@ public:
   void put(vtkRenderer* renderer, const Shape& shape);
 
 private:
-  ViewGeometry wished_; ///< The camera as somebody else has put it,
+  ViewGeometry wished_; ///< The camera as other code has set it,
   Shape wishedShape_;   ///< and the view's shape at that time.
-  ViewGeometry left_;   ///< The same in the last frame.
+  ViewGeometry left_;   ///< The camera of the last frame.
   Shape shape_;
 };
 

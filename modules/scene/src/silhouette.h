@@ -21,8 +21,8 @@ public:
   /// `cells` along the longer side of the surface's rectangle on the display. O(n + m + covered cells).
   DepthGrid(const geometry::TriangleMesh& mesh, const ViewGeometry& view, int cells);
 
-  /// Whether a point is seen, or would be from a cell beside it: the edge of a surface belongs to both its
-  /// sides. `tolerance` in mm.
+  /// Whether a point is visible, in its cell or in a cell beside it, because the edge of a surface belongs to
+  /// both its sides. `tolerance` in mm.
   bool sees(const Vec3& point, double tolerance) const;
 
 private:

@@ -294,7 +294,7 @@ std::vector<Eigen::AlignedBox2d> SliceView::Parts::boxesOfLetters() {
   return boxes;
 }
 
-/// What is written beside places of the picture.
+/// Shows the texts beside places of the picture.
 void SliceView::Parts::showWords(const SlicePicture& picture) {
   while (captions.size() > picture.texts.size()) {
     renderer->RemoveViewProp(captions.back());

@@ -76,7 +76,7 @@ EGLContext openContext(EGLDisplay display) {
   return context;
 }
 
-/// A render window whose context somebody else has made by EGL. VTK 9.1 has an EGL window of its own only
+/// A render window for an EGL context that was created elsewhere. VTK 9.1 has an EGL window of its own only
 /// when it was built for EGL alone, without X11.
 class EglWindow : public vtkGenericOpenGLRenderWindow {
 public:

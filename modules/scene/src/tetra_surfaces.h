@@ -6,6 +6,8 @@
 
 #include "viscera/scene/tissue_actor.h"
 
+/// Computes the faces between tetrahedra, and the cut of tetrahedra by a plane, to draw the inside of an
+/// organ.
 namespace viscera::scene {
 
 /// A triangle between two tetrahedra, or at the outside of one.
@@ -15,18 +17,20 @@ struct TetraFace {
   std::int32_t second = -1; ///< -1: nothing on the other side.
 };
 
-/// Every face once, in an order that depends on the tetrahedra only. `points` tell the outside of each. O(t).
+/// Every face once, in an order that depends on the tetrahedra only. `points` determine the outside of each.
+/// O(t).
 std::vector<TetraFace> tetraFaces(const Tetrahedra& tetrahedra, const Points& points);
 
-/// Where a plane cuts tetrahedra: triangles with their own corners, and numbers interpolated at them. Kept
-/// between frames so that its memory is.
+/// The cut of tetrahedra by a plane: triangles with their own corners, and numbers interpolated at them.
+/// Reuse the object in every frame to reuse its memory.
 struct PlaneCut {
   std::vector<double> points;        ///< Three a corner.
   std::vector<double> values;        ///< One a corner; empty without values.
   std::vector<std::int32_t> corners; ///< 0, 1, 2, ...
   std::vector<std::int32_t> owners;  ///< The tetrahedron of each triangle.
 
-  /// Cuts the tetrahedra that `shown` says (empty: all). The triangles face the side that is cut away. O(t).
+  /// Cuts the tetrahedra for which `shown` is not zero (empty: all). The triangles face the side that is cut
+  /// away. O(t).
   void make(const Tetrahedra& tetrahedra, const Points& at, const Values* numbers,
             const std::vector<char>& shown, const CutPlane& plane);
   void clear();

@@ -47,7 +47,7 @@ std::string fontFile(const std::string& family, int weight) {
 }
 
 /// The renderer that VTK would have made itself, for one thread at a time, in one font of this system instead
-/// of the families that VTK brings.
+/// of the families that VTK provides.
 class GuardedTextRenderer : public vtkMathTextFreeTypeTextRenderer {
 public:
   static GuardedTextRenderer* New();

@@ -6,12 +6,13 @@
 
 namespace viscera::scene {
 
-/// VTK has one text renderer (FreeType) for the whole program, and it is made for one thread. From the first
-/// call on it is guarded, so that windows of several threads may write; whoever makes a view or a chart calls
-/// this first. Thread-safe; cheap.
+/// Makes VTK's text rendering thread-safe: VTK has one text renderer (FreeType) for the whole program, which
+/// is made for one thread. After the first call a mutex guards it, so that windows of several threads may
+/// draw text. Call it before creating a view or a chart. Thread-safe; cheap.
 void guardText();
 
-/// Held while something writes text past that renderer: VTK's charts, which look into its caches.
+/// Holds that mutex while code draws text without going through the guarded renderer, as VTK's charts do,
+/// which access its caches.
 class TextGuard {
 public:
   TextGuard();
@@ -20,7 +21,7 @@ private:
   std::scoped_lock<std::recursive_mutex> lock_;
 };
 
-/// What draws charts: they write text past the guarded renderer, so that it holds the guard.
+/// The context actor for charts, which holds a `TextGuard` while it draws.
 class ChartActor : public vtkOpenGLContextActor {
 public:
   static ChartActor* New();

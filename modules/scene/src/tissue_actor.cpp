@@ -38,7 +38,7 @@ constexpr double kTissueDiffuse = 0.65;
 constexpr double kTissueGhostOpacity = 0.13;
 constexpr const char* kValues = "values";
 
-/// Triangles over points, coloured by numbers; all in somebody else's memory.
+/// Triangles over points, coloured by numbers; refers to memory that it does not own.
 struct Sheet {
   vtkNew<vtkDoubleArray> points;
   vtkNew<vtkDoubleArray> values;
@@ -158,7 +158,7 @@ void TissueActor::Parts::choose() {
     shown.resize(static_cast<std::size_t>(count), 1);
     for (Eigen::Index t = 0; t < count; ++t) {
       const double mean = meanValue(t);
-      // What is not a number is never left out.
+      // NaN is never left out.
       if (mean < range->low || mean > range->high)
         shown[static_cast<std::size_t>(t)] = 0;
     }

@@ -7,19 +7,20 @@
 
 class vtkRenderer;
 
-/// What stands at an edge of every view.
+/// The scale bar at the edge of a view, and the room that orientation cube and legend take there.
 namespace viscera::scene {
 
-/// Whether a view is narrow and higher than wide, as each of two is: it has room above and below an organ,
-/// and none beside it. There the legend lies along the upper edge and the orientation cube is small.
+/// Whether a view is narrow and higher than wide, like each of two views side by side: there is room above
+/// and below an organ, but not beside it. Such a view has its legend along the upper edge and a small
+/// orientation cube.
 bool isNarrow(vtkRenderer* renderer, double typeScale);
 
-/// What the legend of a narrow view takes from its upper edge on: logical pixels, times the type scale.
+/// The height of the legend at the upper edge of a narrow view: logical pixels, times the type scale.
 inline constexpr double kLevelLegend = 62;
 /// The same of one that has or had a mark below its numbers.
 inline constexpr double kLevelMarkedLegend = 84;
 
-/// The side of the corner at the lower left that the orientation cube has for itself, device pixels.
+/// The side of the corner at the lower left that is reserved for the orientation cube, device pixels.
 double orientationCorner(vtkRenderer* renderer, double typeScale);
 
 /// A line of a round number of millimetres at the bottom of a view, with the number above it; in a small
@@ -32,7 +33,7 @@ public:
 
   void setTheme(const Theme& theme);
   void setShown(bool shown);
-  /// What numbers have before their decimals, a point at first.
+  /// Sets the decimal mark of numbers, a point by default.
   void setDecimalMark(char mark) { decimalMark_ = mark; }
 
 private:

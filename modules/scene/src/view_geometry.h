@@ -5,9 +5,10 @@
 
 class vtkRenderer;
 
+/// Converts between places in space and on the display.
 namespace viscera::scene {
 
-/// At that many dots an inch a logical pixel is one of the device.
+/// The screen density, in dots per inch, at which a logical pixel is one device pixel.
 inline constexpr double kLogicalDpi = 72;
 
 /// Where a point of the world is on the display.

@@ -56,8 +56,8 @@ constexpr int kMostChartTicks = 6;
 constexpr int kBottomLeft = 0, kBottomRight = 1;
 constexpr std::array kAxes = {vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::RIGHT};
 
-/// Takes out numbers that stand alone between gaps: a single point is no line, and VTK says so on every
-/// picture. Whether two neighbours are left.
+/// Takes out numbers that stand alone between gaps: a single point is no line, and VTK warns about it on
+/// every picture. Whether two neighbours are left.
 bool leaveLinesOnly(double* values, std::size_t count) {
   bool any = false, before = false; // Whether the value before is a number.
   for (std::size_t i = 0; i < count; ++i) {
@@ -203,7 +203,7 @@ void VolumeChart::Parts::applyTheme() {
     setPen(axis->GetGridPen(), theme.muted, which == vtkAxis::RIGHT ? 0 : 0.22);
   }
   chart->GetBackgroundBrush()->SetOpacity(0);
-  // The second axis has its curve's colour: one sees whose numbers stand there.
+  // The second axis has the colour of its curve, to show which curve it belongs to.
   const auto second =
       std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return curve->line.rightAxis; });
   if (second != curves.end()) {

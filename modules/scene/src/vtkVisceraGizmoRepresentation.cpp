@@ -42,7 +42,7 @@ constexpr double kCubeReach = 10;
 constexpr double kLineWidth = 2.2;
 constexpr double kActiveLineWidth = 4;
 constexpr double kGizmoOpacity = 0.95;
-/// What an organ hides is this much fainter.
+/// The factor of opacity for parts behind an organ.
 constexpr double kGizmoBehind = 0.35;
 constexpr int kRingSamples = 64;
 /// Below this sine of the angle between the line of sight and a ring's plane the ring is seen from its side.
@@ -118,7 +118,7 @@ struct vtkVisceraGizmoRepresentation::Parts {
   Theme theme = darkTheme();
   int active = Nothing;
   vtkNew<vtkMatrix4x4> matrix;
-  std::vector<vtkSmartPointer<vtkActor>> actors; ///< What organs hide of each part, then each part.
+  std::vector<vtkSmartPointer<vtkActor>> actors; ///< The hidden parts first, then the visible ones.
   double bounds[6] = {1, -1, 1, -1, 1, -1};
 
   GizmoEvent motion;

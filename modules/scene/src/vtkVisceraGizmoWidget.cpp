@@ -72,7 +72,7 @@ void vtkVisceraGizmoWidget::Drag(int x, int y) {
 }
 
 void vtkVisceraGizmoWidget::EndDrag(bool cancelled) {
-  // Who is told may put the gizmo elsewhere: it is in nobody's hand any more.
+  // An observer may move the gizmo, so the drag is over before the event is sent.
   Dragging = false;
   ReleaseFocus();
   Tell(cancelled ? CancelledEvent : ReleasedEvent);

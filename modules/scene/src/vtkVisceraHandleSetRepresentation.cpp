@@ -171,7 +171,7 @@ HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& 
     return glyph;
   const double pixel = view.worldPerPixel(depth);
   const bool selected = isSelected(i);
-  // The far ones are not to hide the organ; those somebody works with are always whole.
+  // Far handles are smaller, so that they do not hide the organ; handles in use have their full size.
   const double faded = selected || i == active ? 0 : background[std::size_t(i)] ? 1 : depths.fading(depth);
   const double ratio = view.pixelRatio, pixels = (1 - kSmaller * faded) * radiusPixels(i, ratio);
   glyph.radius = pixel * pixels;

@@ -4,17 +4,18 @@
 
 namespace viscera::scene {
 
-/// The actor of an organ. A renderer peels a translucent surface exactly: it draws it once for every layer,
-/// which takes a software renderer a tenth of a second. This actor can do without, while something moves: it
-/// is drawn with the opaque props, in their order, first its far walls (without order), then the nearest one
-/// over them. What differs from peeling is the strength of walls between the nearest one and the far ones.
+/// The actor of an organ, which can draw a translucent wall without depth peeling. Peeling is exact, but
+/// draws the surface once for every layer, which takes a software renderer a tenth of a second. While
+/// something moves, this actor is instead drawn with the opaque props, in their order, first its far walls
+/// (without order), then the nearest one over them. Compared with peeling, only the opacity of walls between
+/// the nearest one and the far ones differs.
 class WallActor : public vtkOpenGLActor {
 public:
   static WallActor* New();
   vtkTypeMacro(WallActor, vtkOpenGLActor)
 
-      /// Whether to do without peeling, where the surface is translucent at all. What this actor draws hides
-      /// what is drawn after it: put it after all that is to be seen through it.
+      /// Sets whether a translucent surface is drawn without peeling. This actor then hides everything that
+      /// is drawn after it, so add it after all props that are to be seen through it.
       void setDrawnWithoutPeeling(bool unpeeled);
   bool unpeeled() const { return unpeeled_; }
 

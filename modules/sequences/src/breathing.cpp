@@ -40,7 +40,7 @@ double LiverBreathing::inspiration(double seconds, double ratePerMinute) const {
 Vec3 LiverBreathing::moved(const Vec3& point, double inspiration) const {
   const Vec3 from = point - middle_;
   const double height = 1 - inspiration * excursion_.domeShare;
-  // What is lost in height comes back in width: the determinant stays 1.
+  // The width balances the loss of height, so that the determinant stays 1.
   const double width = 1 / std::sqrt(height);
   // The patient's right is -x in LPS.
   const double tilt = inspiration * excursion_.rightShare * from.x();

@@ -15,7 +15,7 @@ constexpr double kCopenhagenBpm = 65;
 constexpr double kWavesBpm = 75;
 constexpr double kEarlyMs = 200;
 constexpr double kAtrialMs = 110;
-/// What is left of a wave when the rate doubles.
+/// The factor of a wave's duration when the rate doubles.
 constexpr double kEarlyAtDouble = 0.82;
 constexpr double kAtrialAtDouble = 0.84;
 /// The atria contract within this part of the filling, however short that is.

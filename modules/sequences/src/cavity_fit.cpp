@@ -66,7 +66,8 @@ AffineHandles affineHandles(const HeartMotion& motion, const PoseCompensation& c
   return handles;
 }
 
-/// What the cavities are to hold, and how that is measured; one of the two is null where atria are free.
+/// The wanted volumes of the cavities, and the functions that measure them; one of the two is null where
+/// atria are free.
 struct Wanted {
   const MeasureCavities& measure;
   const MeasureCavities* measureAtria;

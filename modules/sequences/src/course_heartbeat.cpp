@@ -92,7 +92,7 @@ void CourseHeartbeat::poseAt(double seconds, double /*ratePerMinute*/, Points& p
   const HeartInstant instant = course_.at(phase);
   try {
     fit_.pose(instant, pose, &start);
-  } catch (const DataError&) { // What was found for a similar course may lead astray.
+  } catch (const DataError&) { // The start from a similar course may be unsuitable.
     fit_.pose(instant, pose);
   }
 }

@@ -29,13 +29,13 @@ constexpr double kFullDepthRate = 4;
 constexpr double kLastWay = 28; ///< mm
 constexpr double kShut = 0.6;
 constexpr double kPyloricWidth = 8; ///< One standard deviation, mm.
-/// What is narrowed by a wave and by the pylorus at once is hardly narrower than by one of them.
+/// A place narrowed by a wave and by the pylorus at once is hardly narrower than by one of them.
 constexpr double kTogether = 8;
 
 /// No ring closes more than this, however many waves meet.
 constexpr double kDeepest = 0.9;
 
-/// A wave is told of when it is deeper than this.
+/// Waves that are less deep are not reported.
 constexpr double kVisible = 0.05;
 
 /// The part of the way at which the antrum begins.

@@ -21,7 +21,7 @@ using std::numbers::pi;
 // Estimating.
 constexpr int kGrid = 28;           ///< Samples along the longest side of the box.
 constexpr double kCoreDepth = 0.45; ///< Deeper than this part of the deepest point is core.
-constexpr double kCoreReach = 1.1;  ///< What is left of the heart lies within that many core depths.
+constexpr double kCoreReach = 1.1;  ///< The body of the heart lies within that many core depths.
 /// Thin parts on one side by more than this (their share of the body, times how far off its middle they are)
 /// are vessels, which leave the heart at its base.
 constexpr double kVessels = 0.1;
@@ -41,7 +41,7 @@ constexpr double kCavityShare = 25.5 / 36; ///< and its width as a part of the o
 constexpr double kNarrowest = 20, kWidest = 60;
 constexpr double kBehindBase = 10;   ///< The ventricles end that far behind the base, mm.
 constexpr double kFirstAtrial = 12;  ///< Atrial handles begin behind that, mm.
-constexpr double kLastAtrial = 60;   ///< What is farther behind carries vessels and stays.
+constexpr double kLastAtrial = 60;   ///< Parts farther behind carry vessels and do not move.
 constexpr double kSpread = 20;       ///< Between handles on what is behind the base, mm.
 constexpr double kVesselSpread = 13; ///< The same on vessels,
 constexpr double kVesselOff = 4;     ///< and how far off these they stand, mm.

@@ -15,8 +15,8 @@ constexpr double kRightBaseAngle = 0.436;
 constexpr double kRightWall = 4;
 /// Within this of the left ventricle (mm) what lies outside follows it more than the right one.
 constexpr double kWhereRightBegins = 12;
-// Coordinates average over a wall of 8 mm: so that its outside comes to lie where `wallRho` has it, the
-// handles there go farther out by these parts of the wall's thickening. Tuned by hand against what
+// Coordinates average over a wall of 8 mm: so that its outside lies at `wallRho`, the handles there go
+// farther out by these parts of the wall's thickening. Tuned by hand against what
 // HeartbeatSetup.WallsMoveAsMeasured... holds on the sample heart's surfaces: the left ventricle's muscle
 // keeps its volume within 6 % (5.7 %), its free wall thickens by 30 to 60 % (57 %).
 /// Beside the right ventricle, against the muscle's volume: without it 12.6 % are lost.
@@ -110,7 +110,7 @@ double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& 
   const double septum = anatomy.epicardium.radiusAt(std::max(c, anatomy.baseEpicardium));
   const double beyond = handle.surfaceRho - septum;
   const double gap = rho - handle.surfaceRho;
-  // What lies around the left ventricle's wall gives way as if it kept its volume too.
+  // Tissue around the left ventricle's wall moves as if it kept its volume too.
   const double away = 0.5 - 0.5 * std::cos(handle.place.phi);
   const double push = (kRightPush + away * (kFreePush - kRightPush)) * thickening(state, c);
   // Where only the outside is handled, nothing averages over a wall: its handles go with it.

@@ -2,7 +2,7 @@
 
 namespace viscera::sequences {
 
-/// From `from` at 0 to `to` at 1.
+/// Linear interpolation: `from` at 0, `to` at 1.
 inline double mix(double from, double to, double part) {
   return from + part * (to - from);
 }

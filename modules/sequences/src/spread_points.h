@@ -11,7 +11,7 @@ namespace viscera::sequences {
 /// m)).
 std::vector<Vec3> spreadPoints(const Points& candidates, const Points& present, double reach);
 
-/// The rows of `points` for which `keep` says so.
+/// The rows of `points` for which `keep` returns true.
 template <class Keep>
 Points rowsWhere(const Points& points, Keep keep) {
   Points kept(points.rows(), 3);

@@ -47,7 +47,7 @@ double pylorusAlong(const std::vector<double>& arcs, const std::vector<double>& 
 StomachAnatomy fitStomach(const Centerline& line, const GastricCourse& course, const AnatomySurface& surface,
                           const Points& points) {
   StomachAnatomy anatomy{line, course, surface, {}, grownBox(points, kStomachBoxMargin)};
-  // What rings do not reach is held.
+  // Parts that rings do not reach are held.
   const auto hold = [&anatomy](const Vec3& place) { anatomy.fixed.push_back({place, Vec3::UnitZ(), 0, 1}); };
   const CrossSection top = line.at(0);
   const CrossSection end = line.at(line.length());

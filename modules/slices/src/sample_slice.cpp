@@ -142,7 +142,7 @@ std::vector<double> layersOf(const Scan& scan, double slabMm) {
   return layers;
 }
 
-/// What a thread keeps from row to row.
+/// Memory that a thread reuses from row to row.
 struct Scratch {
   std::vector<float> voxels; ///< Of a row of them.
   std::vector<float> layer;  ///< Of pixels of one layer.

@@ -26,7 +26,7 @@ Vec3 normalOf(const Points& points, const Triangles& triangles, Eigen::Index t) 
   return (b - a).cross(c - a);
 }
 
-/// Collects what is said of a phase.
+/// Collects the verdict on a phase.
 class Judge {
 public:
   void say(FitLight light, std::string reason) {

@@ -41,7 +41,7 @@ std::vector<int> sharesOf(std::size_t surfaces, std::size_t outer, int handles) 
     counts[i] = std::max(kFewestOfASurface, static_cast<int>(std::lround(part * free)));
     left -= counts[i];
   }
-  counts[outer] += left; // What rounding has left over.
+  counts[outer] += left; // The remainder from rounding.
   return counts;
 }
 

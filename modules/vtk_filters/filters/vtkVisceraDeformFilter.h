@@ -5,12 +5,12 @@
 
 /**
  * @class vtkVisceraDeformFilter
- * @brief An organ follows its handles, without a cage.
+ * @brief Deforms an organ by handles, without a cage.
  *
  * Output 0 has the posed points in double precision, and as field data Volume, RestVolume (mm^3; of the
  * tetrahedra, else of the closed surface), VolumeRatio, VectorArea (mm^2: zero to rounding for a closed
  * surface whose cells all count once) and UnboundPoints (outside the hull of the handles, they do not move).
- * These are of the whole organ on every rank; a piece is no organ. Output 1: the handles of the pose, changed
+ * They refer to the whole organ on every rank, not to a piece. Output 1: the handles of the pose, changed
  * by the volume lock where that is on; they lie on the first rank. Cost: O(points x handles) once, then a
  * fifth of it or less for another pose.
  *

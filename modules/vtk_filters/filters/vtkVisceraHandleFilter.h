@@ -10,16 +10,16 @@ class vtkMultiProcessController;
 
 /**
  * @class vtkVisceraHandleFilter
- * @brief What filters have in common whose points follow handles.
+ * @brief Base class of VTK filters that take handles at rest and posed.
  *
  * Input 0: the organ at rest, polygons or tetrahedra in mm (vtkPolyData, vtkUnstructuredGrid, or a composite
  * of them); in parallel any part of it. Input 1: the handles at rest (any vtkPointSet; triangles among them
  * are a cage). Input 2: the same handles posed, in the same order. Handles may lie on one rank, on all, or in
  * parts: every rank gets all.
  *
- * All that is said of the whole organ is the same to the last bit for any number of ranks and threads: ghost
- * cells do not count, and sums are exact. What goes wrong on one rank ends the filter on all of them, with
- * that rank's message.
+ * Values of the whole organ are the same to the last bit for any number of ranks and threads: ghost cells do
+ * not count, and sums are exact. An error on one rank ends the filter on all of them, with that rank's
+ * message.
  */
 class VTKVISCERAFILTERS_EXPORT vtkVisceraHandleFilter : public vtkPointSetAlgorithm {
 public:
@@ -43,7 +43,7 @@ public:
   void RemoveAllParameters();
   ///@}
 
-  ///@{ Two that the celestial systems offer: how much nearer handles count more, and how far a handle is
+  /// @{ Two parameters of the celestial systems: how much nearer handles count more, and how far a handle is
   /// blurred (mm).
   vtkSetClampMacro(Locality, double, 0.0, 6.0);
   vtkGetMacro(Locality, double);
@@ -51,12 +51,12 @@ public:
   vtkGetMacro(Softness, double);
   ///@}
 
-  ///@{ 0: all of the machine's in one process, one in each of several.
+  /// @{ 0: all threads of the machine for one process, one thread for each of several.
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
-  /// Of whom the ranks are; the global one when none was set.
+  /// The controller of the ranks; the global one when none was set.
   virtual void SetController(vtkMultiProcessController*);
 
 protected:
@@ -68,10 +68,10 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int ComputeInputUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Calls `Work`; what it throws becomes an error of the filter.
+  /// Calls `Work`; an exception becomes an error of the filter.
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   struct Job;
-  /// What the filter does. Between collective calls everything may throw by way of `Ranks::together` only.
+  /// Does the work of the filter. Between collective calls, code may throw only within `Ranks::together`.
   virtual void Work(Job& job) = 0;
 
   std::string System = "s-celestial";

@@ -7,7 +7,7 @@
 
 /**
  * @class vtkVisceraHandleSource
- * @brief Handles for an organ: given one by one, or placed around it.
+ * @brief Creates the handles of an organ: given one by one, or placed around it.
  *
  * Where points were set, they are the handles. Else, with the organ's closed surface (polygons) as input,
  * Count handles are placed just off it, spread evenly; with Enclosing the first eight are the corners of a

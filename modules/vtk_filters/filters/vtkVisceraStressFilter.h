@@ -5,7 +5,7 @@
 
 /**
  * @class vtkVisceraStressFilter
- * @brief How a pose of the handles distorts an organ, at each of its points.
+ * @brief Computes how a pose of the handles distorts an organ, at each of its points.
  *
  * The output has the posed points (at rest with PosePoints off) and as point data RotationalStress (rad: the
  * largest angle by which the local stretch turns a direction; 0 for rigid motions), VolumeRatio (at most 0

@@ -23,7 +23,7 @@ constexpr int kNoInput = 66;
 constexpr int kCannotCreate = 73;
 constexpr int kCancelled = 130;
 
-/// The real binary, run as a process in a folder of its own, without a display.
+/// A fixture that runs the real binary as a process in a folder of its own, without a display.
 class CliTest : public testing::Test {
 protected:
   void SetUp() override;
@@ -55,8 +55,8 @@ protected:
     return parsed.is_object() ? parsed : json::object();
   }
 
-  /// Runs and interrupts after this time; a quick machine may be done before that: then again, earlier,
-  /// without what the test's folder has of these names.
+  /// Runs and interrupts after this time. If the command has ended before, as on a quick machine, removes the
+  /// files of these names from the test's folder and tries again with a shorter time.
   test::ProcessResult interrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after,
                                   const std::vector<std::string>& written) {
     options_.interruptAfter = after;
@@ -84,7 +84,7 @@ protected:
     }
   }
 
-  /// How many entries the test's folder has: nothing half-written may stay.
+  /// The number of entries in the test's folder, to check that no half-written file stays.
   std::ptrdiff_t files() const {
     return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator());
   }

@@ -8,7 +8,7 @@
 
 #include "build_paths.h"
 
-/// Reading the project's own sources.
+/// Reads the project's own sources, for tests of their style.
 namespace viscera::house {
 
 /// Every `.h` and `.cpp` file under a folder of the project, sorted; none when there is no such folder.

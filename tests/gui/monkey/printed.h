@@ -4,9 +4,9 @@
 
 namespace viscera::tests {
 
-/// From now on keeps the warnings and errors of Qt and VTK instead of printing them.
+/// Begins to collect the warnings and errors of Qt and VTK instead of printing them.
 void keepPrinted();
-/// What was kept since the last call; empty when nothing was.
+/// The messages collected since the last call; empty for none.
 std::string takePrinted();
 
 } // namespace viscera::tests

@@ -71,7 +71,7 @@ constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
                                           {"window", 3},
                                           {"play", 8}}};
 
-/// Widgets that somebody could use now.
+/// The visible and enabled widgets.
 std::vector<QWidget*> usableWidgets(QWidget& window) {
   std::vector<QWidget*> usable;
   for (QWidget* widget : window.findChildren<QWidget*>()) {

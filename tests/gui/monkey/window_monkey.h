@@ -12,11 +12,11 @@
 #include "viscera/document/document.h"
 #include "window/main_window.h"
 
-/// Drives the real window by seeded random actions, and looks after each whether what must always hold does.
+/// Drives the real window by seeded random actions, and checks invariants after each.
 namespace viscera::tests {
 
-/// One thing that a user does: its kind and numbers in [0, 1) that choose among what there is at that moment.
-/// So an action means something in every state, and a list of them can be cut anywhere.
+/// One action of a user: its kind, and numbers in [0, 1) that choose among the present targets. So an action
+/// is meaningful in every state, and a list of actions can be cut anywhere.
 struct MonkeyAction {
   std::string kind; ///< "drag", "trigger", ...; see window_monkey.cpp.
   double a = 0, b = 0, c = 0, d = 0;
@@ -29,21 +29,21 @@ MonkeyAction actionFrom(const std::string& line);
 /// `count` actions from a seed: always the same.
 std::vector<MonkeyAction> randomActions(unsigned seed, int count);
 
-/// What must hold, and did not.
+/// The invariants that are checked.
 enum class Invariant { none, silence, memory, end, document, shown, timeline, volume, undo, redo, closing };
 /// In a word or two: "the volumes".
 std::string nameOf(Invariant invariant);
 
 struct Violation {
   Invariant invariant = Invariant::none; ///< The first of those that do not hold.
-  std::string text;                      ///< All that is wrong; empty when nothing is.
+  std::string text;                      ///< Description of all violations; empty for none.
 
   explicit operator bool() const { return invariant != Invariant::none; }
   void add(Invariant which, const std::string& what);
   void add(const Violation& other);
 };
 
-/// Takes what the window would hand to a file manager.
+/// Receives the URLs that the window would open in a file manager.
 class RefusedUrls final : public QObject {
   Q_OBJECT
 
@@ -57,15 +57,15 @@ public:
   WindowMonkey();
   ~WindowMonkey();
 
-  /// Does one action and waits for what it began, unless it is hasty.
+  /// Does one action and waits for the work that it starts, unless it is hasty.
   void act(const MonkeyAction& action);
-  /// What the last action did, in words: "trigger edit.undo".
+  /// A description of the last action: "trigger edit.undo".
   const std::string& did() const { return did_; }
-  /// What does not hold after the last action.
+  /// The violation after the last action.
   Violation violation();
-  /// Undoes everything, then redoes it: what of it does not bring back the documents.
+  /// Undoes everything, then redoes it, and checks that both restore the documents.
   Violation undoViolation();
-  /// Closes the window while a sample organ is on its way, and says what that printed.
+  /// Closes the window while a sample organ is loading, and returns what that printed.
   Violation closeViolation();
 
 private:
@@ -94,7 +94,7 @@ private:
   document::DocumentState begin_; ///< Where undo leads to.
   Subscription changes_;
   std::string did_;
-  bool stuck_ = false; ///< What was begun did not end in time.
+  bool stuck_ = false; ///< The work that was started did not end in time.
 };
 
 } // namespace viscera::tests

@@ -7,7 +7,7 @@
 
 namespace viscera::tests {
 
-/// What this process takes of the system at a moment, as Linux tells it.
+/// Memory, descriptors and threads of this process at a moment, as reported by Linux.
 struct ProcessUse {
   double residentMb = 0;
   int descriptors = 0; ///< Open files, sockets and pipes.

@@ -19,17 +19,17 @@ struct SoakSample {
   ProcessUse use;
   int frames = 0;         ///< Drawn in the first view.
   double longestMs = 0;   ///< Between two frames that followed each other while the heart played.
-  std::string occupation; ///< What went on beside the beating: "playing" when nothing did.
+  std::string occupation; ///< The activity beside the beating: "playing" for none.
 };
 
-/// Lets the sample heart beat in a real window in real time, and meanwhile does what a lesson does: drags
-/// handles, records movies and compares two rates, over and over. The window is left as it was after each.
+/// Lets the sample heart beat in a real window in real time, and meanwhile simulates a lesson: drags handles,
+/// records movies and compares two rates, over and over. The window is left as it was after each.
 class WindowSoak {
 public:
   WindowSoak();
   ~WindowSoak();
 
-  /// For so many seconds; `tell` hears each second as it ends.
+  /// Runs for so many seconds; `tell` is called with each second as it ends.
   void run(double seconds, const std::function<void(const SoakSample&)>& tell);
 
 private:
@@ -52,8 +52,8 @@ private:
   std::function<void(const SoakSample&)> tell_;
 };
 
-/// What is wrong with a soak, a line each; empty when memory, descriptors and threads stayed and no frame
-/// came late while nothing went on but the beating.
+/// The faults of a soak, a line each; empty when memory, descriptors and threads stayed and no frame came
+/// late while nothing went on but the beating.
 std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
 
 } // namespace viscera::tests

@@ -9,7 +9,7 @@ namespace viscera::tests {
 /// Which reader a file is for.
 enum class FileUse { surface, handles, labels };
 
-/// A file that can be read, to be broken in every way.
+/// A valid file, which tests damage in every way.
 struct GoodFile {
   std::string name; ///< Says the way it is stored and ends in its extension.
   std::string bytes;

@@ -4,7 +4,8 @@
 
 namespace viscera::tests {
 
-/// A reader may take a few times a file's size; what a header promises would be gigabytes.
+/// The most memory that a reader may take: a few times a file's size, far below the sizes that damaged
+/// headers state.
 constexpr long kMostExtraKilobytes = 200 * 1024;
 
 /// The most memory that this process has had until now.

@@ -11,7 +11,7 @@
 #include "shapes.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Surfaces as they should not be.
+/// Surfaces with defects.
 namespace viscera::tests {
 
 using geometry::TriangleMesh;

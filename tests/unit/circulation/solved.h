@@ -6,7 +6,7 @@
 
 namespace viscera::circulation {
 
-/// A circulation with everything that is asked of it.
+/// A solved circulation with its computed numbers, for tests.
 struct Solved {
   Parameters parameters;
   PeriodicState state;

@@ -13,7 +13,7 @@
 #include "viscera/lesson/packed_arrays.h"
 #include "viscera/motion/sequence_file.h"
 
-/// What the tests of lessons share.
+/// Scenes and helpers that the tests of lessons share.
 namespace viscera::lesson {
 
 /// A ball on ten handles, two of which sway.

@@ -5,7 +5,8 @@
 
 namespace viscera::coordinates {
 
-/// What tells one celestial system from another.
+/// The convex function phi of one celestial system (S or T): its derivatives, and the kernels that find the
+/// minimum from which the coordinates follow.
 struct CelestialFunction {
   double (*first)(double t);  ///< phi'.
   double (*second)(double t); ///< phi''.

@@ -13,7 +13,7 @@ using Mat3 = Eigen::Matrix3d;
 
 constexpr Eigen::Index kGradientsAtOnce = 256;
 
-/// What one handle contributes at one point. The prior weights are `D^-k` here: a common factor changes
+/// The contribution of one handle at one point. The prior weights are `D^-k` here: a common factor changes
 /// nothing.
 struct Seen {
   Vec3 q;

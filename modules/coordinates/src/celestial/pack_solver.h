@@ -4,6 +4,7 @@
 #include "celestial/small_matrices.h"
 #include "simd/pack_math.h"
 
+/// The Newton solver of celestial coordinates for a pack of points, one in each SIMD lane.
 namespace viscera::coordinates::simd::VISCERA_ISA {
 
 constexpr int kTile = 16;
@@ -30,10 +31,10 @@ constexpr double kArrivingStep = 1e-2;
 constexpr long long kPatientSteps = 32;
 constexpr double kBoundarySlack = 30;
 
-/// Part of the decrease that the gradient promises which a step has to reach (Armijo).
+/// The fraction of the decrease predicted by the gradient that a step has to reach (Armijo).
 constexpr double kSufficientDecrease = 1e-4;
 
-/// Changes of F below this part of it drown in rounding.
+/// Changes of F below this part of it are lost in rounding.
 constexpr double kValueRounding = 1e-13;
 
 /// Smallest prior weight. Anything positive keeps the coordinates exact; the floor bounds |x|, and with it
@@ -66,8 +67,8 @@ struct Sums {
   Pack hessian[Dim * (Dim + 1) / 2]{}; ///< Lower triangle by rows.
 };
 
-/// The minimum of F for as many points as a pack has lanes, see celestial_kernels.h. Every lane goes its own
-/// way: what is computed for it does not depend on its neighbours.
+/// The minimum of F for as many points as a pack has lanes, see celestial_kernels.h. The lanes are
+/// independent: the results of a lane do not depend on its neighbours.
 template <class Function, int Dim, bool Prior>
 class PackSolver {
 public:
@@ -310,7 +311,7 @@ private:
     return arrived;
   }
 
-  /// No step is longer than 2 (1 + |x|): far from the solution the quadratic model says little.
+  /// No step is longer than 2 (1 + |x|): far from the solution the quadratic model is not accurate.
   void shorten(Pack (&step)[Dim]) const {
     const Pack length = squareRoot(dot(step, step));
     const Pack most = 2.0 + 2.0 * distanceFromZero();

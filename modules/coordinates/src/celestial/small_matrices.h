@@ -2,8 +2,8 @@
 
 #include "simd/pack_math.h"
 
-/// Vectors and symmetric matrices of two or three dimensions, one in each lane. A symmetric matrix is its
-/// lower triangle by rows.
+/// Linear algebra for vectors and symmetric matrices of two or three dimensions, one in each lane of a pack.
+/// A symmetric matrix is its lower triangle by rows.
 namespace viscera::coordinates::simd::VISCERA_ISA {
 
 template <int Dim>

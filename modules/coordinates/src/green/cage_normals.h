@@ -4,7 +4,7 @@
 
 namespace viscera::coordinates {
 
-/// Lifts a pose by the normals of the cage's triangles, each as long as its triangle is stretched (Lipman,
+/// Lifts a pose by the normals of the cage's triangles, each scaled by the stretch of its triangle (Lipman,
 /// Levin and Cohen-Or 2008, section 4). A triangle without area has no normal and gives a zero row.
 class CageNormals final : public PoseLift {
 public:

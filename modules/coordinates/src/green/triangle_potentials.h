@@ -4,7 +4,7 @@
 
 namespace viscera::coordinates {
 
-/// What a triangle gives to the point at the origin in Green's third identity.
+/// Single and double layer potentials of one triangle at the origin (Green's third identity), with gradients.
 struct TrianglePotentials {
   Vec3 corners = Vec3::Zero(); ///< Double layer of the corners' hat functions.
   double face = 0;             ///< Single layer of the triangle, mm.

@@ -8,12 +8,12 @@
 
 #include "viscera/core/arrays.h"
 
-/// The part that one triangle has in mean value coordinates (thesis 3.1, annex B.3).
+/// Computes the contribution of one triangle to mean value coordinates (thesis 3.1, annex B.3).
 namespace viscera::coordinates {
 
 /// A point whose unit vectors to a triangle's corners span less than this lies in the triangle's plane.
 inline constexpr double kInPlane = 1e-10;
-/// Below this so much cancels that the triangle is computed with more digits.
+/// Below this, cancellation is so large that the triangle is computed with more digits.
 inline constexpr double kNearPlane = 1e-4;
 
 template <class Real>
@@ -23,7 +23,8 @@ using Vector = Eigen::Matrix<Real, 3, 1>;
 template <class Real>
 using Corners = std::array<Vector<Real>, 3>;
 
-/// What a triangle adds to the weights of its corners, and the derivatives of that with respect to the point.
+/// The contribution of a triangle to the weights of its corners, and its derivatives with respect to the
+/// point.
 struct Share {
   std::array<double, 3> weights;
   std::array<Vec3, 3> gradients;
@@ -85,7 +86,7 @@ Share shareOf(const Corners<Real>& corners, bool wantGradients) {
 }
 
 /// The share of a triangle whose corners are relative to the point; nothing for a point in its plane: a
-/// triangle seen from the side has no weight, and a point in the triangle itself is the caller's matter.
+/// triangle seen edge-on has no weight, and the caller handles points in the triangle itself.
 inline std::optional<Share> shareOfTriangle(const Corners<double>& corners, bool wantGradients) {
   const double distances = corners[0].norm() * corners[1].norm() * corners[2].norm();
   const double spanned = std::abs(corners[0].dot(corners[1].cross(corners[2]))) / distances;

@@ -14,7 +14,7 @@ constexpr std::size_t kPlaces = 16;
 constexpr int kDivisions = 16;
 constexpr int kJumpLevels = 7; ///< Down to 4e-9 of a part.
 constexpr int kKinkLevels = 3; ///< Down to 1/2048 of a part: much closer, slopes are lost in rounding.
-/// What is left of a jump's size; anything smaller is the slope over the last distance.
+/// The smallest jump; a smaller change is the slope over the last distance.
 constexpr double kJump = 1e-5;
 /// Of the steepest slope: a smaller change of slope counts for none.
 constexpr double kKink = 0.02;

@@ -18,7 +18,7 @@ constexpr double kBeside = 1e-7;
 /// A binding is timed again until that much time has gone by.
 constexpr double kTimedSeconds = 0.02;
 constexpr int kMostTimed = 25;
-/// What a coordinate counts to have changed by when it is there only before or only after a turn.
+/// The change that counts for a coordinate that exists only before or only after a rotation.
 constexpr double kGone = 1;
 
 /// A job inside another one: it is cancelled with the outer one, and its fraction is its own affair.

@@ -82,7 +82,8 @@ struct Sampler {
       way = space.project(way); // Every direction within the space is as likely as any other.
       const double where = part(random);
       const auto [low, high] = chord(at, way);
-      beta += at + (low + high) / 2 * way; // What is expected of the next place varies less than the place.
+      beta += at + (low + high) / 2 * way; // The expectation of the next place has less variance than the
+                                           // place.
       at = (at + (low + where * (high - low)) * way).cwiseMax(0);
     }
     return true;

@@ -22,8 +22,8 @@ template <int Dim>
 HandleDirectionsOf<Dim> directionsTo(const PointsOf<Dim>& handles,
                                      const Eigen::Matrix<double, Dim, 1>& point);
 
-/// The space of all vectors of n numbers that balance the directions, `sum beta_i q_i = 0`: what the thesis
-/// calls V-perpendicular (3.18), with its projection (annex A). Refers to the directions it was made from.
+/// The space of all vectors of n numbers that balance the directions, `sum beta_i q_i = 0`: V-perpendicular
+/// in the thesis (3.18), with its projection (annex A). Refers to the directions it was made from.
 template <int Dim>
 class BalancedSpace {
 public:
@@ -49,17 +49,17 @@ template <int Dim>
 using BalanceIn = std::function<bool(const HandleDirectionsOf<Dim>& sight, Values& beta)>;
 
 /// Turns balanced numbers into coordinates: divides them by the distances (thesis 3.15) and by their sum.
-/// False where weights of both signs cancel: what is left is rounding.
+/// False where weights of both signs cancel to rounding errors.
 bool weigh(const Values& distances, Values& weights);
 
-/// Systems that ask for balanced numbers over the directions: a point at a handle and a point outside the
-/// hull are dealt with here.
+/// The point solver of systems that need balanced numbers over the directions. It handles points at a handle
+/// and points outside the hull itself.
 class DirectionSolver final : public PointSolver {
 public:
   DirectionSolver(const Points& handles, BalanceIn<3> balance);
   bool solve(const Vec3& point, Values& weights) const override;
 
-  /// What is seen from a point that is inside the hull and at no handle; no balance is asked for elsewhere.
+  /// The directions of the handles seen from a point inside the hull and at no handle; else empty.
   std::optional<HandleDirections> sightFrom(const Vec3& point) const;
 
 private:
@@ -74,7 +74,7 @@ private:
 /// The systems of this folder in the plane, each beside its three-dimensional form.
 BalanceIn<2> planeDeterminants();
 BalanceIn<2> planeGradient(Eigen::Index handles, const ParameterValues& parameters);
-/// Throws `UsageError` for the ways that look at all points together.
+/// Throws `UsageError` for methods that depend on all points together.
 BalanceIn<2> planeLagrange(const ParameterValues& parameters);
 BalanceIn<2> planeWire(const ParameterValues& parameters);
 

@@ -7,7 +7,7 @@
 
 namespace viscera::coordinates {
 
-/// The target vectors of the thesis, 3.3.1.
+/// The target vectors of the least squares problem (thesis 3.3.1).
 enum class Target { one, inverseDistance, closeness };
 
 /// n numbers, none of them negative, for handles at these distances.

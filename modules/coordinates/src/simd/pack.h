@@ -18,7 +18,7 @@ constexpr int kWidth = 2;
 #endif
 
 typedef double Pack __attribute__((vector_size(kWidth * sizeof(double))));
-/// All ones or all zeros a lane: what comparing packs gives.
+/// The result of comparing packs: all ones or all zeros in each lane.
 typedef long long Mask __attribute__((vector_size(kWidth * sizeof(long long))));
 
 inline Pack load(const double* from) {
@@ -31,7 +31,8 @@ inline void store(double* to, Pack pack) {
   __builtin_memcpy(to, &pack, sizeof pack);
 }
 
-/// As many numbers in single precision: half the memory, and roots and quotients in a third of the time.
+/// The same number of lanes in single precision: half the memory, and roots and quotients in a third of the
+/// time.
 typedef float SinglePack __attribute__((vector_size(kWidth * sizeof(float))));
 
 inline Pack load(const float* from) {

@@ -24,7 +24,7 @@ inline void separate(const double* rows, Pack (&xyz)[3]) {
   }
 }
 
-/// What the numbers of a tile's points are to be multiplied by.
+/// The factors of the numbers of a tile's points.
 inline Pack factors(const double*, long, int) {
   return splat(1);
 }

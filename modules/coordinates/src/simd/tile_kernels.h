@@ -11,8 +11,8 @@ inline constexpr int kSumLanes = 8;
 /// read.
 inline constexpr double kLeastSingle = 1.2e-38;
 
-/// Rows whose sum rounding changes by this part of it or more keep what rounding made of them: they add up to
-/// nothing, or are no weights.
+/// Rows whose sum rounding changes by this part of it or more are not corrected: they add up to zero, or are
+/// not weights.
 inline constexpr double kMostCorrection = 1e-6;
 
 struct TileKernels {

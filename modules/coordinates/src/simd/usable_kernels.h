@@ -6,13 +6,13 @@
 #include "simd/determinant_kernels.h"
 #include "simd/tile_kernels.h"
 
-/// Those versions of the kernels that can run here (`vectorBits`), the fastest first.
+/// Lists the versions of the kernels that can run on this processor (`vectorBits`), the fastest first.
 namespace viscera::coordinates::simd {
 
 std::vector<const CelestialKernels*> usableCelestialKernels();
 std::vector<const DeterminantKernels*> usableDeterminantKernels();
 std::vector<const TileKernels*> usableTileKernels();
-/// The first of them.
+/// The fastest version.
 const DeterminantKernels& determinantKernels();
 const TileKernels& tileKernels();
 

@@ -4,7 +4,7 @@
 
 namespace viscera::coordinates {
 
-/// Directions all around, and the part of the unit sphere that each stands for.
+/// Sample directions on the unit sphere with their solid angles.
 struct SphereSamples {
   Eigen::Matrix3Xd directions; ///< `3 x 20 * 4^level` unit vectors: triangles' centres.
   Values areas;                ///< Sum to 4 pi; `sum area * direction` is zero by symmetry.

@@ -19,7 +19,7 @@ const Parameter kMargin{.name = "margin",
                         .unit = "%",
                         .help = "How far beyond the handles' hull the weights are computed"};
 
-/// What the weights leave of each point: three further rows, the unit vectors.
+/// Adds the remainder of each point that the weights do not reproduce: three further rows, the unit vectors.
 class WithRemainder final : public PoseLift {
 public:
   explicit WithRemainder(Eigen::Index handles) : handles_(handles) {}

@@ -7,19 +7,20 @@
 
 #include "viscera/coordinates/coordinate_system.h"
 
+/// Linear finite elements on a tetrahedral mesh of the space inside a cage or hull.
 namespace viscera::coordinates {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// A domain with its edges cut and its inside filled.
+/// A tetrahedral mesh of a domain whose long edges were split.
 struct FilledDomain {
   Eigen::Index onSurface; ///< The first points of `solid` lie on the domain's surface.
   SolidMesh solid;
 };
 
-/// Cuts the edges of `surface` and of the tetrahedra inside to a `resolution`-th of the surface's diagonal
-/// and makes the points `inside` (`k x 3`, mm) corners, right behind those of the surface. Throws
-/// `UsageError` where `options` bring nobody who makes tetrahedra, naming `system`, and what that one throws.
+/// Fills `surface` with tetrahedra, whose edges are split to a `resolution`-th of the surface's diagonal, and
+/// makes the points `inside` (`k x 3`, mm) corners, directly after those of the surface. Throws `UsageError`
+/// that names `system` if `options` have no mesher, and what the mesher throws.
 FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& inside, double resolution,
                           const std::string& system, const BindOptions& options, Progress& progress);
 
@@ -35,7 +36,7 @@ SparseMatrix stiffness(const SolidMesh& mesh);
 /// The volume that belongs to each corner: a quarter of each tetrahedron around it, mm^3.
 Values lumpedMass(const SolidMesh& mesh);
 
-/// The rows and columns of a symmetric matrix, divided into what is free and what is fixed.
+/// A symmetric matrix with its rows and columns divided into free and fixed ones.
 struct SplitSystem {
   /// `fixed` ascending.
   SplitSystem(const SparseMatrix& matrix, const std::vector<Eigen::Index>& fixed);

@@ -43,7 +43,7 @@ private:
   TetrahedraField field_;
 };
 
-/// What every handle gives to a point on the cage: its barycentric coordinates in the triangle it lies on.
+/// The coordinates of a point on the cage: its barycentric coordinates in the triangle it lies on.
 Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triangles& cage) {
   const double size = boundsOf(handles).diagonal();
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(handles.rows());

@@ -13,7 +13,7 @@ namespace viscera::coordinates {
 /// The quadratic programme of bounded biharmonic weights, all handles at once.
 struct SimplexProgram {
   Eigen::SparseMatrix<double> energy; ///< `n x n`, symmetric, positive semidefinite.
-  Values mass;                        ///< `n`, positive: what a point counts in residuals.
+  Values mass;                        ///< `n`, positive: the weight of a point in residuals.
   std::vector<Eigen::Index> fixed;    ///< Ascending; point `fixed[j]` has weight 1 for handle j.
 };
 
@@ -27,8 +27,8 @@ struct SimplexLimits {
 struct SimplexSolution {
   Eigen::MatrixXd weights;
   int iterations = 0;
-  double primal = 0; ///< Root mean square of what the bounds still push, in units of a weight.
-  double dual = 0;   ///< The same of the last change that a penalty step asks for.
+  double primal = 0; ///< Root mean square of the remaining violation of the bounds, in units of a weight.
+  double dual = 0;   ///< The same of the last change of a penalty step.
   bool converged = false;
 };
 

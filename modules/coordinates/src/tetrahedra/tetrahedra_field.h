@@ -7,7 +7,8 @@
 
 namespace viscera::coordinates {
 
-/// Values at the corners of tetrahedra, linear in each. Immutable; may be asked from several threads.
+/// A piecewise linear function given by values at the corners of tetrahedra. Immutable; may be evaluated from
+/// several threads.
 class TetrahedraField {
 public:
   /// `values` has a row for every point of `mesh`.

@@ -10,10 +10,10 @@
 
 class DcmItem;
 
-/// What DICOM files say of their pictures, parsed by DCMTK without their pixels.
+/// Reads the headers of DICOM files, by DCMTK, without their pixels.
 namespace viscera::medical_io {
 
-/// Whether pixels are numbers as they are, and if so which; the same for all frames of a file.
+/// How pixel values are stored; the same for all frames of a file.
 struct DicomPixelFormat {
   int allocated = 16; ///< Bits a pixel takes.
   int stored = 16;    ///< Bits of them that count ...
@@ -32,11 +32,11 @@ struct DicomFrame {
   Vec3 position = Vec3::Zero();                     ///< Of the first pixel's centre, mm LPS.
   Vec3 row = Vec3::UnitX(), column = Vec3::UnitY(); ///< Unit vectors along a row and along a column.
   double betweenColumns = 1, betweenRows = 1;       ///< mm: the steps along a row and along a column.
-  double thickness = 0;                             ///< What the file says, mm; 0 when it does not.
+  double thickness = 0;                             ///< As stated in the file, mm; 0: not stated.
   double slope = 1, intercept = 0;
   std::optional<double> temporalPosition, triggerMs, percent, acquisitionSeconds;
   std::int64_t instance = 0; ///< Its number in the series.
-  std::string echo;          ///< What tells echoes apart.
+  std::string echo;          ///< Identifies the echo.
   std::string uid;           ///< Of the picture; with the frame's number for a file of several.
 
   Vec3 normal() const { return row.cross(column).normalized(); }
@@ -56,7 +56,7 @@ struct DicomHeader {
   std::string notAScan;           ///< Why it has no frames that could be slices: "is a colour picture".
 };
 
-/// A text of a data set, whose characters that says, in UTF-8; letters that cannot be told are question
+/// Converts a text of a data set, which states its character set, to UTF-8; unknown letters become question
 /// marks.
 std::string readable(DcmItem& dataset, const std::string& text);
 

@@ -4,10 +4,10 @@
 
 namespace viscera::medical_io {
 
-/// What a DICOM file holds, as far as its first bytes say.
+/// The contents of a DICOM file, judged by its first bytes.
 enum class DicomKind { none, image, segmentation, other };
 
-/// By the mark behind 128 bytes and the class that stands in the group before the data set; without parsing.
+/// Judges by the mark after 128 bytes and the class in the group before the data set, without parsing.
 /// `other` for what holds no pixels, such as a folder's table of contents or a report. Cheap.
 DicomKind dicomKind(const std::filesystem::path& file);
 

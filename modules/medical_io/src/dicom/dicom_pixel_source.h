@@ -8,7 +8,8 @@ class DcmFileFormat;
 
 namespace viscera::medical_io {
 
-/// Pixels of an opened file; one kind for each way of storing them. `header` outlives it.
+/// The interface that reads pixels of an opened file, implemented for each kind of compression. `header`
+/// outlives it.
 class DicomPixelSource {
 public:
   virtual ~DicomPixelSource() = default;

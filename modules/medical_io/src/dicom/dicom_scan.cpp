@@ -62,7 +62,7 @@ void listFrames(Folder& folder) {
     }
 }
 
-/// Why there is nothing to read, by the first file that says so.
+/// Why no file can be read, from the first one that has a reason.
 [[noreturn]] void failWithoutSlices(const std::filesystem::path& place, const FrameList& list,
                                     const std::vector<std::optional<DataError>>& errors) {
   for (const auto& error : errors)
@@ -200,7 +200,7 @@ void convertSlice(const DicomPixels& pixels, const DicomFrame& frame, const Samp
   }
 }
 
-/// A slice that cannot be unpacked ends the reading: nobody is given a scan with a hole that he does not
+/// A slice that cannot be unpacked ends the reading: a scan must not have a hole that the user does not
 /// expect.
 DicomPixels readPixels(DicomPixelReader& reader, const DicomHeader& header, const DicomFrame& frame) {
   try {

@@ -2,8 +2,8 @@
 
 namespace viscera::medical_io {
 
-/// DCMTK writes what it finds odd to stderr; errors come back as conditions all the same. For any number of
-/// calls from any thread.
+/// Stops DCMTK from writing warnings to stderr; errors are still returned as conditions. May be called
+/// repeatedly, from any thread.
 void silenceDcmtk();
 
 } // namespace viscera::medical_io

@@ -96,7 +96,7 @@ private:
   const FrameList& list_;
 };
 
-/// What tells the phases of a frame apart, in one of several ways.
+/// The value that distinguishes phases, by one of several criteria.
 using TimeOf = std::optional<double> DicomFrame::*;
 
 /// Pictures by the place that they are at, from the lowest to the highest.
@@ -114,7 +114,7 @@ std::vector<std::vector<std::size_t>> byPlace(const FrameList& list, std::vector
   return places;
 }
 
-/// Whether that time is known of all pictures and tells those at each place apart.
+/// Whether that time is known for all pictures and differs among those at each place.
 bool tellsApart(const FrameList& list, const std::vector<std::vector<std::size_t>>& places, TimeOf time) {
   for (const auto& place : places) {
     std::set<double> times;

@@ -4,8 +4,8 @@
 
 #include "dicom/dicom_header.h"
 
-/// Which of a folder's pictures make a volume, and what is odd about them: by positions alone, whatever the
-/// files are called. Knows no files and no pixels.
+/// Sorts the DICOM pictures of a folder into volumes, and finds gaps and other doubts, by their positions and
+/// not by file names. Works on headers only, without files and pixels.
 namespace viscera::medical_io {
 
 /// Pictures of one series that have the same size, directions and spacing: by indices into all frames.
@@ -28,7 +28,7 @@ struct SlicePhase {
   double timeMs = 0;
 };
 
-/// All frames of a list of files, which knows where each one is from.
+/// All frames of a list of files, with the file of each.
 struct FrameList {
   std::vector<DicomHeader> files;
   std::vector<DicomFrame> frames; ///< With `file` set.

@@ -34,7 +34,7 @@ std::filesystem::path besideOf(const FileBytes& file, const StoredValues& stored
       phrase("the file with its voxels, %1, cannot be used: %2", inQuotes(*stored.beside), error.problem()));
 }
 
-/// Calls `read` with the file that has the voxels; what goes wrong is said of `file`.
+/// Calls `read` with the file that has the voxels; errors name `file`.
 template <class Read>
 auto readBeside(const FileBytes& file, const StoredValues& stored, const Read& read) {
   const std::filesystem::path beside = besideOf(file, stored);

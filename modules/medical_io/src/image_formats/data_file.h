@@ -8,10 +8,10 @@
 #include "image_formats/raw_image.h"
 #include "image_formats/unpack.h"
 
-/// What NRRD, MetaImage and NIfTI in two files share: voxels behind the header or in a file beside it.
+/// Reads the voxels of NRRD, MetaImage and NIfTI, which lie behind the header or in another file.
 namespace viscera::medical_io {
 
-/// How a header says that its voxels are stored.
+/// How the voxels are stored, as stated in the header.
 struct StoredValues {
   std::size_t headerEnd = 0;         ///< Where voxels in the same file begin.
   std::optional<std::string> beside; ///< The name of the file that they are in.
@@ -23,7 +23,7 @@ struct StoredValues {
   std::uint64_t skippedLines = 0; ///< Before anything is unpacked.
 };
 
-/// What an image's file says before its voxels. One reader a format finds it, for label maps and scans.
+/// The header of an image file. There is one reader for each format, for label maps and scans.
 struct ImageHeader {
   RawImage image; ///< Without values.
   StoredValues stored;
@@ -56,10 +56,10 @@ struct ValueRange {
   std::uint64_t count = 0;
 };
 
-/// Hands values to `visit`, block by block in their order, each block with its number of values and aligned
-/// for them, so that no more than a block is held beside what `visit` keeps of them. Of `file` only the name
-/// is used. `raw.scalar` and `raw.order` may be set anew before the first call. `prepare` is told
-/// before how many values come, where the file is long enough for them. Throws as `takeValues`, `Cancelled`.
+/// Passes the values to `visit`, block by block in their order, each block with its number of values and
+/// aligned for them, so that only one block is in memory beside what `visit` keeps. Of `file` only the name
+/// is used. `raw.scalar` and `raw.order` may be set anew before the first call. `prepare` is called before
+/// with the number of values, if the file is long enough for them. Throws as `takeValues`, `Cancelled`.
 void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
                  Progress& progress, const std::function<void(std::uint64_t most)>& prepare,
                  const std::function<void(const char* bytes, std::size_t count)>& visit);

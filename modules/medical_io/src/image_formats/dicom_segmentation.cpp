@@ -208,7 +208,7 @@ private:
     setSliceDirection();
   }
 
-  /// What the file states, unless slices are closer; for a single one its thickness.
+  /// The spacing that the file states, unless slices are closer; for a single one its thickness.
   double spacingOf(const std::vector<double>& heights) const {
     const double thickness = raw_.indexToLps.linear().col(2).norm();
     const double least = kSliceTolerance * (thickness > 0 ? thickness : 1);

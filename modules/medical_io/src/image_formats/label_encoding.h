@@ -6,12 +6,13 @@
 
 #include "image_formats/raw_image.h"
 
+/// Converts the values of an image to consecutive numbers of labels.
 namespace viscera::medical_io {
 
 /// A layer and a value in it.
 using LayerLabel = std::pair<int, std::int64_t>;
 
-/// Voxels by the number of their label.
+/// Voxels as numbers of their labels.
 struct EncodedLabels {
   std::vector<LabelMap::Layer> layers;
   std::vector<LayerLabel> labels; ///< Ascending; that of number n is `labels[n - 1]`.

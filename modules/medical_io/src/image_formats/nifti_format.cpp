@@ -29,10 +29,10 @@ constexpr std::uint64_t kMostNiftiHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
 
-/// Less than this is left of the quaternion's length by rounding alone: a half turn, as nifti1_io.c has it.
+/// Less than this is left of the quaternion's length by rounding alone: a half turn, as in nifti1_io.c.
 constexpr double kHalfTurn = 1e-7;
 
-/// What both versions say, whatever the width of the fields.
+/// The fields that both versions of the header have.
 struct Header {
   std::size_t bytes = 0;
   std::endian order = std::endian::little;
@@ -335,7 +335,7 @@ RawTimes timesOf(const Header& h) {
   return times;
 }
 
-/// `axes` as `gridOf` has it.
+/// `axes` as in `gridOf`.
 ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
   replaceByHeader(file);
   const Header h = headerOf(file, beginOf(file, kNifti2.bytes));

@@ -118,7 +118,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
   return list;
 }
 
-/// What makes the file's axes LPS.
+/// The factors that convert the file's axes to LPS.
 Vec3 turnToLps(std::string_view space, RawImage& raw) {
   const std::string name = lowered(space);
   const auto is = [&](std::string_view longName, std::string_view shortName) {

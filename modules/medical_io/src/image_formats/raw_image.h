@@ -14,7 +14,7 @@
 
 namespace viscera::medical_io {
 
-/// What a file says of one segment.
+/// Name and colour of one segment as stated in a file.
 struct StatedSegment {
   std::int64_t label = 0;
   int layer = 0;
@@ -22,14 +22,15 @@ struct StatedSegment {
   std::optional<Vec3> color; ///< 0 to 1.
 };
 
-/// What a file of several volumes says of the time between them.
+/// The times between the volumes of a file, as stated in it.
 struct RawTimes {
   std::vector<double> values; ///< One a volume, in `unit`; empty: only `step` is known.
   double step = 0;            ///< Between two volumes, in `unit`; 0: not stated.
   std::string unit;           ///< "s", "ms", "us" or another; empty: not stated.
 };
 
-/// What a format's reader found, before it is made a label map or a scan: the values are not checked.
+/// An image as read by a format's reader, before it is converted to a label map or a scan; the values are not
+/// checked.
 struct RawImage {
   std::array<int, 3> size = {};
   int layers = 1;
@@ -67,7 +68,7 @@ RawImage readDicomSegmentation(FileBytes& file);
 /// segments when no voxel has a label.
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress);
 
-/// Makes a label map of what a reader found: checks grid and values, numbers labels, counts their voxels.
+/// Makes a label map from a raw image: checks grid and values, numbers labels, counts their voxels.
 LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress);
 
 /// Takes names and colours from a table beside `file` where the file itself has none.

@@ -9,7 +9,7 @@
 
 namespace viscera::medical_io {
 
-/// How bytes are made fewer.
+/// A method of compression.
 enum class Packing { none, zlib, bzip2 }; ///< zlib: or gzip.
 
 /// Unpacks all gzip members or bzip2 streams, one behind the other, or zlib data, block by block.
@@ -32,8 +32,8 @@ private:
   std::unique_ptr<Library> library_;
 };
 
-/// Unpacks at most `most` bytes; what lies behind is left. Memory is taken for what comes out. Throws as
-/// `Unpacker`.
+/// Unpacks at most `most` bytes; what lies behind is left. Allocates memory only for what is unpacked. Throws
+/// as `Unpacker`.
 std::string unpacked(const FileBytes& file, std::string_view packed, Packing packing, std::uint64_t most);
 
 } // namespace viscera::medical_io

@@ -17,7 +17,7 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
 struct ComponentType {
   Scalar scalar;
-  double largest; ///< What a normalised integer is divided by; 0 for floats.
+  double largest; ///< Divisor of normalised integers; 0 for floats.
 };
 
 constexpr std::array<std::pair<std::uint64_t, ComponentType>, 6> kComponentTypes = {

@@ -12,8 +12,8 @@
 
 namespace viscera::medical_io {
 
-/// A glTF 2.0 file: its JSON, its buffers, and numbers out of them. Every index and size is checked. All
-/// members throw `DataError` for what is damaged.
+/// A glTF 2.0 file: gives access to its JSON, its buffers, and the numbers in them. Every index and size is
+/// checked. All members throw `DataError` for damaged files.
 class GltfDocument {
 public:
   using Json = nlohmann::json;
@@ -31,7 +31,7 @@ public:
   std::uint64_t whole(const Json& object, const char* key, std::uint64_t otherwise) const;
   /// The same for a member that has to be there.
   std::uint64_t whole(const Json& object, const char* key) const;
-  /// The member that is a text; empty when it is absent.
+  /// The text member `key`; empty when it is absent.
   static std::string text(const Json& object, const char* key);
 
   /// An accessor's numbers, element by element, normalised integers as fractions. `components` gets how many
@@ -49,7 +49,7 @@ private:
     std::size_t count = 0;
     std::size_t components = 0;
     Scalar scalar = Scalar::float32;
-    double largest = 0; ///< What normalised integers are divided by; 0: they are taken as they are.
+    double largest = 0; ///< Divisor of normalised integers; 0: they are not normalised.
   };
 
   void parseGlb();

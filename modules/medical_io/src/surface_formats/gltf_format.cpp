@@ -27,8 +27,8 @@
 // glTF is in metres with y up. A file that Viscera writes holds LPS (or RAS) millimetres in its vertices, a
 // node whose matrix turns them upright in metres for other programs, and `"extras": {"SPACE": "LPS", "unit":
 // "mm"}` in its asset; with that mark, vertices are taken as they are and nodes are ignored. Without it
-// nobody can know what a scene's axes mean: nodes are applied, numbers are taken as LPS mm, and a warning
-// says so.
+// the meaning of a scene's axes is unknown: nodes are applied, numbers are taken as LPS mm, and a warning is
+// added.
 namespace viscera::medical_io {
 namespace {
 
@@ -103,7 +103,7 @@ private:
       raw_.warnings.push_back(phrase("%n {set|sets} of points or lines ignored", skipped_));
   }
 
-  /// What `writeSurfaces` says of an organ beside its mesh. Whatever is not as it writes it is left out.
+  /// Reads the attributes that `writeSurfaces` stores for an organ beside its mesh. Invalid ones are ignored.
   void readLook(std::size_t part, RawPart& read) const {
     const Json& node = document_.entry("nodes", part);
     const auto extras = node.find("extras");
@@ -506,7 +506,8 @@ Json materialOf(const NamedSurface& surface) {
   return material;
 }
 
-/// What only Viscera reads: colours without the way through linear ones, and what is a cavity of what.
+/// The data that only Viscera reads: colours without conversion to linear values, and the parents of
+/// cavities.
 Json extrasOf(const NamedSurface& surface) {
   Json extras = {{"color", {surface.color.x(), surface.color.y(), surface.color.z()}},
                  {"opacity", surface.opacity}};

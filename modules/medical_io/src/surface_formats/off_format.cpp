@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  /// The next line that says something; comments run from # to the line's end.
+  /// The next line that is not empty; comments run from # to the line's end.
   std::string_view nextLine(std::string_view part) {
     while (scanner_.remaining() > 0) {
       std::string_view line = scanner_.line();

@@ -62,7 +62,7 @@ struct Element {
   }
 };
 
-/// What is read of an element: one number a property, and the contents of one of its lists.
+/// The values read of an element: one number for each property, and the contents of one of its lists.
 struct Row {
   std::vector<double> values;
   std::vector<std::int64_t> list;

@@ -17,7 +17,7 @@ struct VtpStorage {
   std::endian order = std::endian::little;
   std::size_t headerBytes = 4; ///< Of the numbers that say how many bytes follow.
   std::string compressor;      ///< VTK's class name; empty: not compressed.
-  std::string_view appended;   ///< What stands behind the underscore of AppendedData.
+  std::string_view appended;   ///< The data after the underscore of AppendedData.
   bool appendedIsBase64 = true;
 };
 

@@ -39,7 +39,7 @@ public:
   /// A direction: not zero; returned with length 1.
   Vec3 direction(const std::string& key);
 
-  /// Calls `read` with the fields of the object within this one, where it is there; `read` asks for all.
+  /// Calls `read` with the fields of the object `key`, if it exists; `read` has to read all of them.
   template <class Read>
   void optionalPart(const std::string& key, const Read& read) {
     if (const nlohmann::json* content = optional(key)) {
@@ -51,7 +51,7 @@ public:
 
   /// Marks a field as known without reading it.
   void ignore(const std::string& key) { known_.insert(key); }
-  /// Throws when the object has a field that nobody asked for ("comment" is always allowed).
+  /// Throws when the object has a field that was not read ("comment" is always allowed).
   void requireNothingElse() const;
 
   /// Throws `DataError`: what is wrong with `key`, and what to try.
@@ -67,7 +67,7 @@ private:
 /// Three numbers; throws `DataError` with `where` and `key` for anything else.
 Vec3 vectorFrom(const nlohmann::json& value, const std::string& where, const std::string& key);
 
-/// The name in `names` that `wrong` is most probably meant to be, or an empty string when none is near.
+/// The name in `names` that is most similar to `wrong`, or an empty string when none is similar.
 std::string nearestName(const std::string& wrong, const std::set<std::string>& names);
 
 /// The names of a map.

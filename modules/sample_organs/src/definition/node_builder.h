@@ -12,12 +12,12 @@
 namespace viscera::sample_organs {
 
 /// Builds the implicit surfaces of a definition at one resolution. Named nodes are built once, when first
-/// referred to. The definition must outlive the builder. Not thread-safe; what it builds is.
+/// referred to. The definition must outlive the builder. Not thread-safe, but the nodes that it builds are.
 class NodeBuilder {
 public:
   NodeBuilder(const OrganDefinition& definition, Resolution resolution);
 
-  /// The node of this name. Throws `UsageError` that names the nodes there are.
+  /// The node of this name. Throws `UsageError` that lists the existing nodes.
   NodePtr named(const std::string& name);
 
   /// The root of a surface. Throws `DataError` that names the file, the node and the field.

@@ -14,11 +14,11 @@
 
 namespace viscera::sample_organs {
 
-/// A surface that a definition asks for.
+/// A surface of a definition.
 struct SurfaceDefinition {
   std::string name;
   std::string organ;                                    ///< Its name when it is an organ of its own.
-  bool checkOnly = false;                               ///< Made only when asked for by name.
+  bool checkOnly = false;                               ///< Generated only when requested by name.
   Vec3 color = {0.8, 0.45, 0.4};                        ///< Red green blue, 0 to 1.
   std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.
   double largestSpacing = 1.6;                          ///< mm between samples of the field.
@@ -43,7 +43,7 @@ struct OrganDefinition {
   std::vector<SurfaceDefinition> surfaces;     ///< Of this file only, the outer surface first.
   std::uint64_t contentHash = 0;               ///< Of the bytes of all files read.
 
-  /// Throws `UsageError` that names the surfaces there are.
+  /// Throws `UsageError` that lists the existing surfaces.
   const SurfaceDefinition& surface(const std::string& surfaceName) const;
 };
 

@@ -12,8 +12,8 @@
 
 namespace viscera::sample_organs {
 
-/// Lays the paths of one `surface_vessels` node on its base, one after the other: a path may branch off one
-/// before it.
+/// Builds the vessels of one `surface_vessels` node on its base, one after the other; a path may branch off
+/// an earlier one.
 class VesselBuilder {
 public:
   /// How to build the nodes that paths refer to: content, and where it stands.
@@ -25,7 +25,7 @@ public:
   /// Reads one path. Throws `DataError` that names file, node, path and field.
   void add(const nlohmann::json& content, const std::string& where);
 
-  /// What was added.
+  /// Returns the vessels that were added.
   std::vector<SurfaceVessel> take() { return std::move(vessels_); }
 
 private:

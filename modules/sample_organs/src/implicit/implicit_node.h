@@ -8,12 +8,13 @@
 
 #include "viscera/core/arrays.h"
 
+/// The nodes of implicit surfaces, from which sample organs are built.
 namespace viscera::sample_organs {
 
 /// An axis-parallel box, mm; empty at first.
 using Extent = Eigen::AlignedBox3d;
 
-/// By `margin` mm on every side.
+/// The box grown by `margin` mm on every side.
 inline Extent grown(const Extent& box, double margin) {
   return {Vec3(box.min().array() - margin), Vec3(box.max().array() + margin)};
 }
@@ -23,27 +24,27 @@ inline double distance2(const Extent& box, const Vec3& point) {
   return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
-/// Everything that the tree knows about a point.
+/// Distance, colour and edge scale at a point.
 struct Shade {
   double distance = 0;           ///< As `ImplicitNode::distance`, mm.
   Vec3 color = {0.8, 0.45, 0.4}; ///< Red green blue, 0 to 1.
   double edgeScale = 1;          ///< Wanted edge length here relative to the surface's.
 };
 
-/// Unevenness of a colour, as grown tissue has it.
+/// Random variation of a colour, as in natural tissue.
 struct Mottle {
   double amount = 0.05;   ///< Largest change of brightness, a share.
   double wavelength = 12; ///< mm
 };
 
-/// What a definition may say about the look of a node; paint and edge scale win over those below the node.
+/// The look of a node in a definition; paint and edge scale override those of its children.
 struct Finish {
   std::optional<Vec3> paint;
   std::optional<double> edgeScale;
   std::optional<Mottle> mottle;
 };
 
-/// One node of an implicit-surface tree. Immutable once built, so any number of threads may ask it.
+/// One node of an implicit-surface tree. Immutable once built, so any number of threads may evaluate it.
 class ImplicitNode {
 public:
   explicit ImplicitNode(const Extent& extent) : extent_(extent) {}
@@ -55,11 +56,11 @@ public:
   /// about a third above it further out.
   double distance(const Vec3& point) const { return distanceUpTo(point, kUnlimited); }
 
-  /// The distance where it is below `limit` mm, else any value that is not: cheaper, because what is farther
-  /// need not be looked for.
+  /// The distance where it is below `limit` mm, else any value that is not: cheaper, because farther parts
+  /// need not be evaluated.
   virtual double distanceUpTo(const Vec3& point, double limit) const = 0;
 
-  /// A limit that limits nothing, mm.
+  /// A value of `limit` without effect, mm.
   static constexpr double kUnlimited = 1e9;
 
   /// Distance, colour and edge scale; slower than `distance`.
@@ -80,8 +81,8 @@ private:
   Finish finish_;
 };
 
-/// Blended and stretched distances may fall short of the true one; parts are left out of a sum by their box
-/// only when it is farther than this many times the distance that matters.
+/// A safety factor, because blended and stretched distances may be smaller than the true one: a part is left
+/// out of a sum only when its box is farther than this many times the relevant distance.
 inline constexpr double kDistanceShortfall = 1.5;
 
 using NodePtr = std::shared_ptr<const ImplicitNode>;

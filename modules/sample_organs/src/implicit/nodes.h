@@ -7,7 +7,7 @@
 
 #include "implicit/implicit_node.h"
 
-/// The nodes that definitions put together, apart from the tube (tube.h).
+/// Creates the nodes of implicit surfaces that definitions combine, apart from the tube (tube.h).
 namespace viscera::sample_organs {
 
 /// A node that may still be given its finish.
@@ -41,10 +41,10 @@ struct Roughness {
   int octaves = 1;        ///< Each with about half the amplitude and half the wavelength of the one before.
   int seed = 1;
 };
-/// The child with gentle bumps, so that it looks grown rather than turned on a lathe.
+/// The child with gentle bumps, for a natural look.
 NewNode makeDisplacement(const NodePtr& child, const Roughness& roughness);
 
-/// Where a child's own frame lies: `world = origin + rotation * scale * mirror * local`.
+/// The placement of a child's own frame: `world = origin + rotation * scale * mirror * local`.
 struct Placement {
   Vec3 origin = Vec3::Zero();
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -59,7 +59,7 @@ struct SurfaceVessel {
   NodePtr node;
   double seam = 0.35; ///< mm on either side of its edge over which the colours mix.
 };
-/// A body with vessels or fat on its surface, which melt into it over `blend` mm.
+/// A body with vessels or fat on its surface, which blend into it over `blend` mm.
 NewNode makeSurfaceVessels(const NodePtr& base, std::vector<SurfaceVessel> vessels, double blend);
 
 } // namespace viscera::sample_organs

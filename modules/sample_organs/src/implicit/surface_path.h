@@ -6,7 +6,7 @@
 
 namespace viscera::sample_organs {
 
-/// How a vessel runs over a surface.
+/// The path of a vessel over a surface, with its radii.
 struct SurfacePath {
   std::vector<Vec3> points; ///< A few rough points near the surface, mm; at least two.
   double startRadius = 2;   ///< mm

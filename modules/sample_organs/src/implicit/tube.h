@@ -29,7 +29,7 @@ struct Waves {
   double phase = 0;        ///< In periods.
 };
 
-/// Folds that run along the tube, as the stomach's wall has them.
+/// Folds that run along the tube, as in the stomach's wall.
 struct Folds {
   int count = 10;         ///< Round the tube.
   double depth = 0.02;    ///< Of the radius, from the mean to the top.
@@ -39,7 +39,7 @@ struct Folds {
   double from = 0, to = 1e9; ///< Part of the axis, mm; fades in and out over one wavelength.
 };
 
-/// What makes a tube's radius differ from its axis's.
+/// The relief that modifies a tube's radius: haustra, waves and folds.
 struct TubeRelief {
   std::optional<Haustra> haustra;
   std::optional<Waves> waves;
@@ -48,7 +48,7 @@ struct TubeRelief {
   bool plain() const { return !haustra && !waves && !folds; }
   /// The factor on the radius at `arc` mm along the axis, at `angle` rad round it.
   double factor(double arc, double angle) const;
-  /// The largest factor there can be.
+  /// The largest possible factor.
   double largestFactor() const { return (waves ? 1 + waves->amplitude : 1) * (folds ? 1 + folds->depth : 1); }
 };
 

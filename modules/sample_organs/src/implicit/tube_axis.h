@@ -29,7 +29,7 @@ struct AxisSample {
 std::vector<AxisSample> sampleAxis(const std::vector<AxisPoint>& points, double step,
                                    const Vec3& firstNormal);
 
-/// Where on a sampled axis the tube's surface is nearest.
+/// The place on a sampled axis at which the tube's surface is nearest.
 struct NearestOnAxis {
   int segment = -1;    ///< Between samples `segment` and `segment + 1`; -1 for none.
   double t = 0;        ///< 0 at its start, 1 at its end.

@@ -5,13 +5,14 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
+/// Generates the surface mesh of a sample organ from its implicit surface.
 namespace viscera::sample_organs {
 
-/// Raised whenever the same definition gives another surface than before; cached surfaces of older versions
-/// are then made anew.
+/// The version of the generator, increased whenever the same definition gives another surface than before;
+/// cached surfaces of older versions are then generated again.
 inline constexpr int kGeneratorVersion = 2;
 
-/// What `generateSurface` aims at.
+/// The goals of `generateSurface`.
 struct SurfaceGoal {
   int triangles = 30000;
   double largestSpacing = 1.6; ///< mm between samples of the field.

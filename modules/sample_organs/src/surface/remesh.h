@@ -5,9 +5,10 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
+/// Remeshes the surface of a sample organ with equilateral triangles.
 namespace viscera::sample_organs {
 
-/// Of an equilateral triangle with edges of length 1.
+/// The area of an equilateral triangle with edges of length 1.
 inline constexpr double kTriangleArea = 0.433;
 
 /// Rebuilds a closed manifold surface of `node` from about equilateral triangles, about `triangles` of them

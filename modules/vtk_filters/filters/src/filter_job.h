@@ -6,7 +6,7 @@
 class vtkDataObject;
 class vtkInformationVector;
 
-/// One execution of a filter: who takes part, with which handles, on what.
+/// The state of one execution of a filter: ranks, handles, input and output.
 struct vtkVisceraHandleFilter::Job {
   viscera::vtk_filters::Ranks ranks;
   viscera::vtk_filters::Rig rig;

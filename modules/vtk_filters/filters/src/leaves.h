@@ -28,8 +28,8 @@ struct Leaf {
   vtkPointSet* to = nullptr;
 };
 
-/// Copies the input, shallow, into the output and pairs what has points; blocks without are left out. Throws
-/// `DataError` for a block that has cells but no points of its own (an image).
+/// Copies the input, shallow, into the output and pairs the leaves with points; blocks without points are
+/// left out. Throws `DataError` for a block that has cells but no points of its own (an image).
 std::vector<Leaf> copyLeaves(vtkDataObject* input, vtkDataObject* output);
 
 /// Rows [begin, end) of the points, mm. Throws `DataError` that names the first one that is not finite.
@@ -93,7 +93,7 @@ void forEachCell(vtkPointSet* set, Triangle triangle, Tetrahedron tetrahedron) {
   }
 }
 
-/// Whether the point is another rank's.
+/// Whether the point belongs to another rank.
 inline bool isGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point) {
   return ghosts && (ghosts->GetValue(point) & vtkDataSetAttributes::DUPLICATEPOINT);
 }

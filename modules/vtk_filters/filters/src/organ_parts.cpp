@@ -175,8 +175,9 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// What a corner's derivative is rounded to: fixed point, so that sums do not depend on their order. With
-/// 40 bits and weights of 30 the direction is good to 1e-9, and the volume is made exact along it anyway.
+/// The resolution to which a corner's derivative is rounded: fixed point, so that sums do not depend on their
+/// order. With 40 bits and weights of 30 the direction is good to 1e-9, and the volume is made exact along it
+/// anyway.
 constexpr double kDerivativeBits = 1099511627776.0; // 2^40
 constexpr double kWeightBits = 1073741824.0;        // 2^30
 

@@ -11,9 +11,10 @@
 #include "ranks.h"
 #include "rig.h"
 
+/// Binds, poses and measures the part of an organ that one rank holds.
 namespace viscera::vtk_filters {
 
-/// Coordinates of one leaf's points, in portions of them.
+/// The coordinates of one leaf's points, divided into portions.
 using Portions = std::vector<std::shared_ptr<const coordinates::Binding>>;
 
 /// The volume of all parts on all ranks.
@@ -22,7 +23,7 @@ struct GlobalVolume {
   bool solid = false; ///< Of tetrahedra; else of a surface.
 };
 
-/// The same at rest, with what tells an open surface.
+/// The volume at rest, with the vector area, by which open surfaces are detected.
 struct RestVolume {
   GlobalVolume volume;
   double areaMm2 = 0;       ///< Of a surface.
@@ -31,8 +32,8 @@ struct RestVolume {
   bool closed() const { return volume.solid || vectorAreaMm2 <= 1e-6 * areaMm2; }
 };
 
-/// The coordinates that are kept from one execution to the next: of points that have not changed, with
-/// respect to handles that have not either.
+/// The coordinates that are kept from one execution to the next, for points and handles that have not
+/// changed.
 struct KeptWeights {
   using Key = std::pair<const void*, unsigned long>; ///< The points and when they changed.
   Rig rig;
@@ -44,7 +45,7 @@ struct KeptWeights {
 /// The parts of an organ that this rank holds, bound and posed. Members marked so are collective.
 class OrganParts {
 public:
-  /// Told between portions, with how much is done; may throw to end it.
+  /// Called between portions with the fraction done; may throw to abort.
   using Told = std::function<void(double fraction)>;
 
   OrganParts(const Ranks& ranks, const Rig& rig, std::vector<Leaf> leaves)
@@ -77,7 +78,7 @@ private:
   Points direction(const KeptWeights& kept, const std::vector<int>& free, bool solid) const;
   std::array<double, 4> along(const KeptWeights& kept, const Points& pose, const Points& direction,
                               bool solid) const;
-  /// How the points of a leaf go when the handles go to `to`.
+  /// The displacements of a leaf's points when the handles go to `to`.
   Points motionOf(const KeptWeights& kept, std::size_t leaf, const Points& to) const;
   void poseAgain(const KeptWeights& kept, const Points& pose);
   using Memory = std::function<const double*(std::size_t leaf)>;

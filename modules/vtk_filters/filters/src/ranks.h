@@ -11,8 +11,8 @@ class vtkMultiProcessController;
 
 namespace viscera::vtk_filters {
 
-/// What the processes of one run do together. Every member but `count` and `first` is collective: all ranks
-/// call it, in the same order, or none does. Without a controller there is one rank.
+/// Communication between the processes of one run. Every member but `count` and `first` is collective: all
+/// ranks call it, in the same order, or none does. Without a controller there is one rank.
 class Ranks {
 public:
   explicit Ranks(vtkMultiProcessController* controller) : controller_(controller) {}
@@ -20,8 +20,8 @@ public:
   int count() const;
   bool first() const;
 
-  /// Runs what each rank does by itself. When it throws on one of them, all throw a `DataError` with that
-  /// rank's message: nobody is left waiting in the next collective call.
+  /// Runs the local work of each rank. When it throws on one of them, all throw a `DataError` with that
+  /// rank's message, so that no rank waits in the next collective call.
   void together(const std::function<void()>& part) const;
 
   /// The numbers of all ranks, a vector for each.

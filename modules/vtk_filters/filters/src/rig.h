@@ -12,7 +12,7 @@ class vtkPolyData;
 
 namespace viscera::vtk_filters {
 
-/// The handles, the same on every rank, and the coordinates that points get with respect to them.
+/// The handles of a filter, equal on every rank, with the coordinate system.
 struct Rig {
   std::shared_ptr<const coordinates::CoordinateSystem> system;
   coordinates::HandleSet handles;
@@ -23,18 +23,19 @@ struct Rig {
   bool bindsAs(const Rig& other) const;
 };
 
-/// What a user chooses.
+/// The settings of the filter.
 struct Choices {
   std::string system;
-  std::map<std::string, double> parameters; ///< Those that the system does not offer are refused.
+  std::map<std::string, double> parameters; ///< Unknown ones are an error.
   double locality = 0;                      ///< 0: not given.
   double softness = 0;
   int threads = 0;
 };
 
-/// The handles of all ranks: ghosts do not count, and a rank that holds what an earlier one holds has a copy.
+/// The handles of all ranks: ghosts do not count, and equal handles of a later rank count as a copy.
 /// Triangles among the rest handles are a cage. Collective. Throws, on all ranks alike, `UsageError` for an
-/// unknown system or parameter, `DataError` for handles that are none, or not as many as posed ones.
+/// unknown system or parameter, `DataError` for invalid handles, or for a number that differs from the posed
+/// ones.
 Rig gatherRig(const Ranks& ranks, vtkPointSet* rest, vtkPointSet* posed, const Choices& choices);
 
 /// Makes `data` the handles at `positions` (`h x 3` mm): a vertex each, and its number as point data

@@ -39,10 +39,10 @@ struct ArteryIndices {
 struct Indices {
   std::array<ChamberIndices, kChambers> chambers; ///< In the order of `Compartment`.
   ArteryIndices aorta, pulmonaryArtery;
-  double forwardStrokeMl = 0;           ///< What a beat brings into the aorta for good.
+  double forwardStrokeMl = 0;           ///< Net volume that a beat ejects into the aorta.
   double cardiacOutputLMin = 0;         ///< The same each minute, l.
-  double mitralRegurgitationMl = 0;     ///< What flows back a beat while the left ventricle contracts.
-  double aorticRegurgitationMl = 0;     ///< What flows back a beat through the aortic valve.
+  double mitralRegurgitationMl = 0;     ///< Backward volume of a beat while the left ventricle contracts.
+  double aorticRegurgitationMl = 0;     ///< Backward volume of a beat through the aortic valve.
   double mitralRegurgitantFraction = 0; ///< Of the left ventricle's stroke volume.
   double aorticMeanGradient = 0;        ///< mmHg, while blood flows forward through the open valve.
   double aorticPeakGradient = 0;
@@ -55,7 +55,7 @@ struct Indices {
                                 ///< others 1992, doi 10.1161/01.CIR.86.2.513).
   double couplingRatio = 0;     ///< Ea / Ees
   std::array<std::optional<ValveTimes>, kValves>
-      valves; ///< Nothing for a valve that never opens or never shuts.
+      valves; ///< Empty for a valve that never opens or never shuts.
 
   const ChamberIndices& of(Compartment c) const { return chambers[static_cast<std::size_t>(c)]; }
 };

@@ -9,9 +9,9 @@ namespace viscera::circulation {
 struct NormalValues {
   double low = -std::numeric_limits<double>::infinity(); ///< Minus infinity: no lower bound.
   double high = std::numeric_limits<double>::infinity();
-  std::string source; ///< Who says so.
-  /// Of a row of the table of `norms`: how the range comes about, and who was measured. Each is a text of its
-  /// own, so that it can be translated.
+  std::string source; ///< The source of the range.
+  /// For a row of the table of `norms`: the definition of the range, and the people that were measured. Two
+  /// texts, so that each can be translated.
   std::string meaning = {}, people = {};
 
   bool holds(double value) const { return value >= low && value <= high; }

@@ -45,14 +45,15 @@ struct Vessels {
 /// All parameters of the circulation; the defaults are those of an adult at rest. A plain value.
 struct Parameters {
   double rate = 72;          ///< Beats a minute.
-  double stressedVolume = 0; ///< Blood that stretches vessels and chambers (preload), ml.
+  double stressedVolume = 0; ///< The blood volume that stretches vessels and chambers (preload), ml.
   double conduction = 0;     ///< From the beginning of the atria's contraction to that of the ventricles', s.
   Chamber lv, rv, la, ra;
   Vessels systemic, pulmonary;
   ValveAreas mitral, aortic, tricuspid, pulmonic;
   double pericardialFluid = 0; ///< ml
-  double pericardialRoom = 0;  ///< What heart and fluid may fill before the pericardium presses, ml.
-  double pericardialScale = 0; ///< Each further so many ml multiply its pressure by e.
+  double pericardialRoom = 0;  ///< The volume of heart and fluid above which the pericardium exerts pressure,
+                               ///< ml.
+  double pericardialScale = 0; ///< The additional volume, ml, that multiplies its pressure by e.
 
   Parameters();
   friend bool operator==(const Parameters&, const Parameters&) = default;
@@ -64,11 +65,12 @@ struct ParameterInfo {
   std::string title; ///< "Contractility of the left ventricle"
   std::string unit;  ///< "mmHg/ml"; empty for none.
   double rest = 0;   ///< The default.
-  double lowest = 0; ///< What may be set; `checkParameters` refuses the rest.
+  double lowest = 0; ///< The allowed range, which `checkParameters` enforces.
   double highest = 0;
   std::string source;   ///< Where the default comes from: a DOI, or "fitted to the values at rest".
-  bool control = false; ///< Among those that lessons move: rate, preload, afterload, contractility, valves.
-  std::optional<NormalValues> normal = {}; ///< Of controls: what a slider marks.
+  bool control = false; ///< Whether lessons use it as a control: rate, preload, afterload, contractility,
+                        ///< valves.
+  std::optional<NormalValues> normal = {}; ///< For controls: the range that the slider marks.
 };
 
 /// Every parameter, in the order of the documentation. O(1) after the first call; thread-safe.

@@ -28,9 +28,10 @@ struct PatientFit {
   double pressureErrorMmHg = 0;          ///< The same of the mean aortic pressure.
   std::vector<std::string> atLimit = {}; ///< Names of parameters that would have to leave their ranges.
 
-  /// Whether volume, ejection fraction and pressure are those wanted: within 0.5 ml, 0.002 and 0.5 mmHg.
+  /// Whether volume, ejection fraction and pressure match the measured ones: within 0.5 ml, 0.002 and 0.5
+  /// mmHg.
   bool met() const;
-  /// What was reached, as a sentence.
+  /// The result of the fit, as a sentence.
   std::string remark() const;
 };
 
@@ -39,15 +40,15 @@ struct PatientFit {
 const std::vector<std::string>& fittedParameters();
 
 /// Finds the circulation in which the left ventricle has the measured end-diastolic volume and ejection
-/// fraction. Two numbers do not tell everything, so this is chosen: the ventricle is that of `start` at
-/// another size (volumes by the ratio of the end-diastolic ones, elastances by its inverse), the right
-/// ventricle by the ratio of the stroke volumes; then contractility (`lvEes`), preload (`stressedVolume`) and
-/// afterload (`systemicResistance`) are found so that ejection fraction, volume and mean aortic pressure are
-/// met (Gauss-Newton steps on their logarithms, damped, within their ranges). What is out of reach is in
-/// `atLimit` and in the errors.
+/// fraction. Two numbers do not determine everything, so these assumptions are made: the ventricle is that of
+/// `start` at another size (volumes by the ratio of the end-diastolic ones, elastances by its inverse), the
+/// right ventricle by the ratio of the stroke volumes; then contractility (`lvEes`), preload
+/// (`stressedVolume`) and afterload (`systemicResistance`) are found so that ejection fraction, volume and
+/// mean aortic pressure are met (Gauss-Newton steps on their logarithms, damped, within their ranges). Values
+/// that cannot be reached are reported in `atLimit` and in the errors.
 ///
-/// Takes 0.1 to 1 s. Throws `UsageError` for what cannot be a measurement, `DataError` where no beat repeats
-/// itself, `Cancelled`. Thread-safe.
+/// Takes 0.1 to 1 s. Throws `UsageError` for implausible measurements, `DataError` if there is no periodic
+/// beat, `Cancelled`. Thread-safe.
 PatientFit fitToVentricle(const MeasuredVentricle& measured, Progress& progress,
                           const Parameters& start = {});
 

@@ -10,21 +10,22 @@ namespace viscera::circulation {
 
 /// Tolerance and limits of the search for a periodic state.
 struct SolverOptions {
-  double tolerance = 1e-7; ///< A beat is periodic when no volume ends farther from where it began, ml.
+  double tolerance = 1e-7; ///< A beat is periodic when no volume differs by more between its ends, ml.
   int mostBeats = 300;     ///< Gives up after so many.
   int samples = 1000;      ///< Even steps in the curves of a beat; an even number.
   double step = 1e-3;      ///< Of the integration, s, at most.
-  bool accelerate = true;  ///< False: beat after beat, as a heart would, which takes some 40 beats and more.
+  bool accelerate = true;  ///< False: integrates beat after beat, as a heart would, which takes some 40 beats
+                           ///< and more.
 };
 
-/// The result of the search: a beat that repeats itself, or the last one that was tried.
+/// The result of the search: a periodic beat, or the last one that was tried.
 struct PeriodicState {
   bool converged = false;
   int beats = 0;             ///< That were integrated to find it.
   double residual = 0;       ///< Largest change of a volume over the last beat, ml.
   State start{};             ///< At the beginning of the ventricles' contraction.
   Beat beat;                 ///< From there.
-  std::string failureReason; ///< Empty when converged; else what happens and what to try, in one sentence.
+  std::string failureReason; ///< Empty when converged; else the problem and a remedy, in one sentence.
 };
 
 /// A state to begin with: the stressed volume spread over the compartments about as at rest. O(1).
@@ -32,9 +33,9 @@ State guessedState(const Parameters& parameters);
 
 /// Finds the periodic state: beats are integrated in even steps by the classical Runge-Kutta method
 /// (Boost.Odeint) and their fixed point is sought by Anderson's acceleration (Walker and Ni 2011,
-/// doi 10.1137/10078356X), whose steps keep the blood volume. `nearby`, when given, is where to begin: the
-/// state for parameters that differ a little, as while a control moves; its volumes are scaled to the
-/// stressed volume.
+/// doi 10.1137/10078356X), whose steps keep the blood volume. `nearby`, when given, is the start of the
+/// search: the state for parameters that differ a little, as while a control moves; its volumes are scaled to
+/// the stressed volume.
 ///
 /// Takes 5 to 20 ms. Throws `UsageError` for parameters out of range, `Cancelled`. Thread-safe; the result
 /// does not depend on the number of threads. A circulation that never settles is no error: `converged` is

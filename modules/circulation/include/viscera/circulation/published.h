@@ -14,7 +14,7 @@ struct PublishedValue {
   std::string unit;     ///< Empty for a ratio.
   double published = 0;
   std::string spread; ///< "+- 3.3", ">=" and the like; may be empty.
-  std::string source; ///< Who, when, and the DOI.
+  std::string source; ///< Authors, year and DOI.
   double ours = 0;
   double ratio() const { return ours / published; }
 };

@@ -16,9 +16,9 @@ struct ResponsePoint {
 };
 
 /// Computes how the numbers depend on one parameter while all others stay: over `stressedVolume` it is Frank
-/// and Starling's curve, over `systemicResistance` the answer to afterload. A point a value, in their order,
-/// each begun from the one before. Throws `UsageError` for unknown names and values out of range, `DataError`
-/// at a value where no beat repeats itself, `Cancelled`. About 10 ms a point.
+/// and Starling's curve, over `systemicResistance` the response to afterload. One point for each value, in
+/// their order; each search starts from the point before. Throws `UsageError` for unknown names and values
+/// out of range, `DataError` at a value without a periodic beat, `Cancelled`. About 10 ms a point.
 std::vector<ResponsePoint> responseTo(const Parameters& parameters, const std::string& name,
                                       const std::vector<double>& values, Progress& progress);
 

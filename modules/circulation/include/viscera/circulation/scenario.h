@@ -14,8 +14,9 @@ struct Scenario {
   std::string name;    ///< "Aortic stenosis"
   std::string summary; ///< One sentence: what is changed, and what to look at.
   std::vector<std::pair<std::string, double>> changes; ///< Parameter and its value.
-  /// The mass of the left ventricle's muscle, as a part of a healthy one's. It is drawn and in no equation:
-  /// what a thick wall does to pressures and volumes is among the changes (stiffness, relaxation, strength).
+  /// The mass of the left ventricle's muscle, as a part of a healthy one's. It is only drawn and enters no
+  /// equation: the effect of a thick wall on pressures and volumes is among the changes (stiffness,
+  /// relaxation, strength).
   double leftMuscle = 1;
 };
 
@@ -25,7 +26,7 @@ const std::vector<Scenario>& scenarios();
 /// Throws `UsageError` that lists the scenarios for an unknown id.
 const Scenario& scenario(const std::string& id);
 
-/// The muscle of the scenario whose name, or that with ", changed" behind it, this is; 1 for any other name.
+/// The muscle of the scenario with this name, which may end in ", changed"; 1 for any other name.
 double leftMuscleOf(const std::string& name);
 
 /// The parameters of a scenario: those at rest with the scenario's changes. Throws as `scenario`.

@@ -12,8 +12,8 @@ namespace viscera::circulation {
 /// The electrocardiogram (about lead II) at `seconds` after the beginning of the ventricles' contraction, mV;
 /// periodic. A sum of Gaussians for P, Q, R, S and T after McSharry and others 2003,
 /// doi 10.1109/TBME.2003.808805, but in time and not in phase: P lies where the atria begin to contract, QRS
-/// before the ventricles do, T before the end of systole. Schematic: it shows when things happen, not what a
-/// diseased heart's looks like. O(1).
+/// before the ventricles do, T before the end of systole. Schematic: it shows the timing of events, not the
+/// shape in disease. O(1).
 double electrocardiogram(const Parameters& parameters, double seconds);
 
 /// A heart sound: when it is heard, how loud it is and its frequency.
@@ -26,9 +26,9 @@ struct HeartSound {
 };
 
 /// The sounds of a beat, in the order of their names. S1 and S2 come with the shutting of their valves,
-/// louder the faster the pressure rises or the higher it stands; S3 and S4 are there when rapid filling, or
-/// the atrium's contraction, raises the left ventricle's pressure unusually fast, as in a failing, an
-/// overfilled or a stiff heart.
+/// louder the faster the pressure rises or the higher it stands; S3 and S4 occur when rapid filling, or the
+/// atrium's contraction, raises the left ventricle's pressure unusually fast, as in a failing, an overfilled
+/// or a stiff heart.
 std::vector<HeartSound> heartSounds(const Parameters& parameters, const Beat& beat, const Indices& indices);
 
 /// The phonocardiogram at the beat's samples, without unit: the sounds as oscillations that fade, and murmurs

@@ -10,9 +10,9 @@ class vtkPolyData;
 /// Makes surfaces from values on a grid (isosurfaces). VTK's flying edges make them.
 namespace viscera::contour {
 
-/// The surface on which `values` pass `level`: they lie x fastest at `origin` + `spacing` (i, j, k), as many
-/// as the product of `size`. `Value` is float or unsigned char. Empty where nothing passes. Without colours;
-/// which way triangles face depends on the values. O(values). For any thread.
+/// The surface on which `values` are equal to `level`. The values lie, x fastest, at `origin` + `spacing` (i,
+/// j, k), as many as the product of `size`. `Value` is float or unsigned char. Empty if there is no such
+/// surface. Without colours; the orientation of triangles depends on the values. O(values). For any thread.
 ///
 ///     const std::vector<float> values = {-1, 1, -1, 1, -1, 1, -1, 1};
 ///     const geometry::TriangleMesh plane = contourOf(values, {2, 2, 2}, 0.0);

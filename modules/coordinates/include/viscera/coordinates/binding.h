@@ -24,7 +24,7 @@ struct BindingReport {
 /// x 3`, mm.
 ///
 /// Most systems write a point as `p = sum a_i v_i`; Green coordinates also use the cage's normals. A binding
-/// hides the difference: the members speak of poses and points only.
+/// hides the difference: its members take and return poses and points only.
 class Binding {
 public:
   virtual ~Binding() = default;
@@ -41,10 +41,10 @@ public:
   virtual void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                           Threads threads = {}) const = 0;
 
-  /// What `deform` and `moveHandle` do, to the same bits, in pieces: for whoever poses several organs in one
-  /// loop. `points` gets its size at once; it, `pose` and this must live until all pieces are done, and
-  /// nobody else may touch them meanwhile. All pieces of one binding fall alike, so that they can be done
-  /// `inTurn`. Where a binding knows no better, the whole is one piece.
+  /// The work of `deform` and `moveHandle`, with the same bits, divided into pieces, for posing several
+  /// organs in one parallel loop. `points` is resized at once; it, `pose` and this binding must live until
+  /// all pieces are done, and must not be accessed meanwhile. All bindings are divided in the same way, so
+  /// that they can be done `inTurn`. The base class returns one piece.
   virtual PiecesOfWork deformInPieces(const Points& pose, Points& points) const {
     return {1, [this, &pose, &points](Eigen::Index) { deform(pose, points, Threads{1}); }};
   }
@@ -64,8 +64,8 @@ public:
   /// The influence of one handle on every point: `pointCount` numbers, its coordinate.
   virtual Values influence(int handle) const = 0;
 
-  /// The influence of one handle on one point: `influence(handle)[point]`. O(pointCount) unless a binding
-  /// knows better; those of weights take O(1).
+  /// The influence of one handle on one point: `influence(handle)[point]`. O(pointCount) in the base class,
+  /// O(1) for bindings by weights.
   virtual double weight(Eigen::Index point, int handle) const { return influence(handle)[point]; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace viscera::coordinates {
 
-/// A new instance of every system that this library holds, in the order in which a list shows them.
+/// Creates an instance of every coordinate system of this library, in the order in which a list shows them.
 std::vector<std::shared_ptr<const CoordinateSystem>> builtInSystems();
 
 } // namespace viscera::coordinates

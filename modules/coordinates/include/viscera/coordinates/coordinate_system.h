@@ -18,12 +18,12 @@ namespace viscera::coordinates {
 
 /// The properties of a coordinate system, such as positive or exact, that lists and badges show.
 struct Traits {
-  bool needsCage = false;          ///< Wants `HandleSet::cage`.
-  bool needsTetrahedra = false;    ///< Wants `BindOptions::tetrahedralise`, and takes seconds to prepare.
+  bool needsCage = false;          ///< Needs `HandleSet::cage`.
+  bool needsTetrahedra = false;    ///< Needs `BindOptions::tetrahedralise`, and takes seconds to prepare.
   bool positive = false;           ///< No coordinate is ever negative.
   bool interpolates = false;       ///< A point at a handle follows it exactly.
   bool closedFormGradient = false; ///< `CoordinateGradients` without differences.
-  bool usesGroups = false;         ///< Looks at `HandleSet::groups`.
+  bool usesGroups = false;         ///< Uses `HandleSet::groups`.
   bool rotationInvariant = true;   ///< Turning handles and points together changes nothing but rounding.
   bool everywhere = true;          ///< Finds coordinates at every point inside the hull (or the cage).
   bool continuous = true;          ///< No coordinate jumps.
@@ -45,8 +45,8 @@ struct CoordinateGradients {
 struct BindOptions {
   ParameterValues parameters;
   Threads threads;
-  /// For systems whose traits say `needsTetrahedra`; empty: they throw a `UsageError` that says so.
-  /// `deformation` brings TetGen's.
+  /// The mesher for systems with the trait `needsTetrahedra`; empty: they throw a `UsageError`. The module
+  /// `deformation` provides TetGen's.
   Tetrahedraliser tetrahedralise = {};
   /// Coordinates that would take more memory are kept in single precision by the systems that can (the
   /// point-based ones): half of it, and 1e-7 of the handles' size for the identity, which the report
@@ -71,10 +71,10 @@ public:
   virtual Traits traits() const = 0;
   virtual std::vector<Parameter> parameters() const = 0;
 
-  /// Computes the coordinates of `points` (`n x 3`). Points without an answer (outside the handles' hull,
-  /// say) are listed in the report's failures. Throws `DataError` for handles that no point could use (fewer
-  /// than four, all in one plane, two at one place, not finite), `UsageError` for a parameter out of range,
-  /// `Cancelled`.
+  /// Computes the coordinates of `points` (`n x 3`). Points without coordinates, such as those outside the
+  /// handles' hull, are listed in the report's failures. Throws `DataError` for handles that no point could
+  /// use (fewer than four, all in one plane, two at one place, not finite), `UsageError` for a parameter out
+  /// of range, `Cancelled`.
   virtual std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points,
                                         const BindOptions& options, Progress& progress) const = 0;
 

@@ -8,11 +8,11 @@
 
 namespace viscera::coordinates {
 
-/// The coordinates of a triangle's three corners p, q, r by three handles i, j, k are a 3 x 3 matrix. This
-/// sums its determinants over all triangles of a surface:
-/// `D_ijk = sum_pqr det [a_i(p) a_j(p) a_k(p); a_i(q) a_j(q) a_k(q); a_i(r) a_j(r) a_k(r)]`.
-/// By the formula of Cauchy and Binet, `D_ijk / 6` are the coefficients of the surface's volume as a cubic
-/// form of the handles. Immutable, thread-safe.
+/// Sums determinants of coordinates over the triangles of a surface, the coefficients of its volume form. The
+/// coordinates of a triangle's three corners p, q, r by three handles i, j, k are a 3 x 3 matrix, whose
+/// determinants are summed over all triangles: `D_ijk = sum_pqr det [a_i(p) a_j(p) a_k(p); a_i(q) a_j(q)
+/// a_k(q); a_i(r) a_j(r) a_k(r)]`. By the formula of Cauchy and Binet, `D_ijk / 6` are the coefficients of
+/// the surface's volume as a cubic form of the handles. Immutable, thread-safe.
 ///
 ///     const CornerDeterminants determinants(binding, triangles);
 ///     CornerDeterminants::Sums sums;
@@ -26,9 +26,9 @@ public:
 
   Eigen::Index handles() const { return handles_; }
 
-  /// `sums(i, j)` becomes `D_ijk` for `i < j < k`; the rest of it, and its size of at least `k x k`, are of
-  /// no meaning. `O(points x k^2)`, one half of a product of matrices; AVX-512, AVX2 or plain code, as
-  /// `vectorBits` says.
+  /// `sums(i, j)` becomes `D_ijk` for `i < j < k`; its other entries are undefined, and its size is at least
+  /// `k x k`. `O(points x k^2)`, one half of a product of matrices; AVX-512, AVX2 or plain code, by
+  /// `vectorBits`.
   void ofHandle(Eigen::Index k, Sums& sums) const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace viscera::coordinates {
 
-/// `n x Dim` points in two or three dimensions, row major; with Dim = 3 the same as `Points`.
+/// The type of `n x Dim` points in two or three dimensions, row major; with Dim = 3 the same as `Points`.
 template <int Dim>
 using PointsOf = Eigen::Matrix<double, Eigen::Dynamic, Dim, Eigen::RowMajor>;
 

@@ -6,7 +6,8 @@
 
 namespace viscera::coordinates {
 
-/// A number that a user may set on a coordinate system. The window and the command line are made from these.
+/// A number that a user may set on a coordinate system. The window creates controls and the command line
+/// options from these.
 struct Parameter {
   std::string name; ///< As in `--param name=value`.
   double minimum = 0;
@@ -21,7 +22,7 @@ struct Parameter {
   bool withoutEffect = false;
 };
 
-/// The values given for one binding, checked against what the system offers.
+/// The values of parameters for one binding, which can be checked against the parameters of the system.
 class ParameterValues {
 public:
   ParameterValues() = default;
@@ -32,7 +33,7 @@ public:
   void setFromText(const std::vector<Parameter>& offered, const std::string& name, const std::string& text);
   /// The value of `parameter`, or its standard one.
   double get(const Parameter& parameter) const;
-  /// Throws `UsageError` for a value that `offered` does not know or that is out of range.
+  /// Throws `UsageError` for a value that is not in `offered` or is out of range.
   void requireWithin(const std::vector<Parameter>& offered) const;
   const std::map<std::string, double>& all() const { return values_; }
 

@@ -20,12 +20,12 @@ struct PlanarWeights {
 std::vector<std::string> planarSystems();
 
 /// The coordinates of `points` (`m x 2`) with respect to `handles` (`n x 2`) by the two-dimensional form of a
-/// system, with the parameters it has in space; unit of lengths as one likes. Where a system's own numbers
-/// are triples in space they are pairs here, tetrahedra are triangles. "mean-value" takes the handles as the
-/// corners of a simple polygon in their order, either way around (Floater 2003, doi
-/// 10.1016/S0167-8396(03)00002-5), and answers everywhere; the others answer inside the handles' hull.
-/// Throws `UsageError` for an id without a planar form and for parameters as `CoordinateSystem::bind` does,
-/// `DataError` for handles that no point could be bound to. Bitwise independent of the number of threads.
+/// system, with the parameters it has in space; in any unit of length. Triples of a system's form in space
+/// are pairs here, and tetrahedra are triangles. "mean-value" takes the handles as the corners of a simple
+/// polygon in their order, either way around (Floater 2003, doi 10.1016/S0167-8396(03)00002-5), and has
+/// coordinates everywhere; the others have coordinates inside the handles' hull. Throws `UsageError` for an
+/// id without a planar form and for parameters as `CoordinateSystem::bind` does, `DataError` for handles that
+/// no point could be bound to. Bitwise independent of the number of threads.
 PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handles, const PointsOf<2>& points,
                             const ParameterValues& parameters = {}, Threads threads = {});
 

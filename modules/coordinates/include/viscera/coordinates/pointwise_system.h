@@ -8,17 +8,17 @@
 
 namespace viscera::coordinates {
 
-/// Computes the coordinates of single points for one set of handles, with whatever was prepared for that set.
-/// Immutable; asked from several threads.
+/// Computes the coordinates of single points for one set of handles, with data prepared for that set.
+/// Immutable; called from several threads.
 class PointSolver {
 public:
   virtual ~PointSolver() = default;
 
-  /// What extends a pose before it is summed; nothing for most systems. Where there is one, `weights` and
+  /// The lift that extends a pose before it is summed; null for most systems. If there is one, `weights` and
   /// `gradients` below have as many rows as a lifted pose, and the traits promise closed-form gradients.
   virtual std::shared_ptr<const PoseLift> lift() const { return {}; }
 
-  /// What the binding's report is to say to a user.
+  /// Sentences for the user in the report of the binding.
   virtual std::vector<std::string> notes() const { return {}; }
 
   /// Fills `weights` (one a handle, set to zero before) with the coordinates of `point`, mm; false where the
@@ -26,21 +26,21 @@ public:
   virtual bool solve(const Vec3& point, Values& weights) const = 0;
 
   /// As `solve`, and fills `gradients` (`handles x 3`, zero before, 1/mm) with the coordinates' derivatives;
-  /// false where the coordinates have none (a corner of the cage, say). Only asked where the system's traits
-  /// promise a closed form.
+  /// false where the coordinates have none, such as at a corner of the cage. Only called if the system's
+  /// traits promise a closed form.
   virtual bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const;
 };
 
 /// A base for coordinate systems that compute each point independently, so that a subclass only implements
-/// the formula: threads, cancelling, failures, the binding and its report are here.
+/// the formula. This class handles threads, cancelling, failures, the binding and its report.
 class PointwiseSystem : public DescribedSystem {
 public:
-  /// What does not depend on the point. `parameters` are within their ranges, the handles usable
-  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
+  /// Prepares the data that do not depend on the point. `parameters` are within their ranges, the handles
+  /// usable (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
   using Prepare = std::function<std::unique_ptr<const PointSolver>(const HandleSet& handles,
                                                                    const ParameterValues& parameters)>;
-  /// For systems whose coordinates of one point depend on all that are bound with it, and for those that
-  /// take long or want tetrahedra. Throws as `Prepare`, and `Cancelled`.
+  /// For systems whose coordinates of one point depend on the other points that are bound with it, and for
+  /// those that take long or need tetrahedra. Throws as `Prepare`, and `Cancelled`.
   using PrepareFor = std::function<std::unique_ptr<const PointSolver>(
       const HandleSet& handles, const Points& points, const BindOptions& options, Progress& progress)>;
 

@@ -5,9 +5,9 @@
 namespace viscera::coordinates {
 
 /// Appends rows to a pose that some coordinate systems need in their weighted sums: Green coordinates add the
-/// cage's normals, systems that do not reproduce a point from its handles alone add what is left of it.
-/// `points = weights * lift(pose)` then holds for them as `points = weights * pose` does for the others.
-/// Immutable; may be asked from several threads.
+/// cage's normals, systems that do not reproduce a point from its handles alone add the remainder. `points =
+/// weights * lift(pose)` then holds for them as `points = weights * pose` does for the others. Immutable; may
+/// be asked from several threads.
 class PoseLift {
 public:
   virtual ~PoseLift() = default;

@@ -25,11 +25,11 @@ struct SpacePart {
   std::vector<std::array<int, 2>> edges; ///< Pairs of `vertices`; a point is its own edge.
 };
 
-/// How a system divides the space around given handles, for pictures and for what to tell a user. Empty for
+/// How a system divides the space around given handles, for pictures and for messages to the user. Empty for
 /// systems that treat all space alike.
 struct SpaceLayout {
   std::vector<SpacePart> parts;
-  /// Parameters that these handles bound from above, and from where on a larger value changes nothing.
+  /// Upper bounds of parameters that depend on these handles; larger values have no further effect.
   std::map<std::string, double> upperBounds;
   std::vector<std::string> notes; ///< Sentences for a user: what was cut, left out or joined.
 };

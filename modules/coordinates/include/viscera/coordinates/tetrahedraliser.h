@@ -14,9 +14,9 @@ struct SolidMesh {
   geometry::Tetrahedra tetrahedra; ///< `t x 4` indices into `points`; each fills some space.
 };
 
-/// Fills a closed surface with tetrahedra of about `volumeMm3` at most. Triangles of the surface stay as they
-/// are; points that no triangle uses lie inside and become corners. The same input gives the same mesh.
-/// Throws an `Error` that says why there are none, and `Cancelled`. Called from several threads.
+/// Fills a closed surface with tetrahedra of about `volumeMm3` at most. Triangles of the surface are kept;
+/// points that no triangle uses lie inside and become corners. The same input gives the same mesh. Throws an
+/// `Error` with the reason if that is not possible, and `Cancelled`. Called from several threads.
 using Tetrahedraliser =
     std::function<SolidMesh(const geometry::TriangleMesh& surface, double volumeMm3, Progress& progress)>;
 

@@ -11,8 +11,7 @@ namespace viscera::coordinates {
 
 /// A `points x handles` matrix of coordinates, stored in tiles of 16 points by all handles: the layout in
 /// which a pose costs least (see docs/performance.md), and in which one handle's column is still read in
-/// whole cache lines. The products run as AVX-512, AVX2 or plain code, chosen by what the processor has when
-/// the program runs.
+/// whole cache lines. The products run as AVX-512, AVX2 or plain code, chosen by the processor at run time.
 ///
 /// Large matrices may be kept in single precision, with half the memory: each number then has a relative
 /// error below 1.3e-7. Each point also keeps a factor that gives its numbers the sum they had, so that a pose
@@ -23,8 +22,8 @@ public:
   static constexpr int kTile = 16;
   static constexpr Eigen::Index kTilesOfAPiece = 64; ///< The products are computed in pieces of these.
 
-  /// All zero. O(points x handles) memory, whose pages the first writer brings in: a parallel solver does
-  /// that in parallel. Throws `std::bad_alloc`.
+  /// All zero. O(points x handles) memory, whose pages are allocated at the first write, which a parallel
+  /// solver does in parallel. Throws `std::bad_alloc`.
   TiledWeights(Eigen::Index points, Eigen::Index handles);
   /// In single precision where doubles would take more than `mostBytes`.
   TiledWeights(Eigen::Index points, Eigen::Index handles, std::size_t mostBytes);
@@ -45,7 +44,7 @@ public:
   }
 
   /// The tile's `handles x 16` numbers, handle by handle, aligned to a cache line; the last tile is padded
-  /// with zeros, and whoever writes it keeps them zero. Only in double precision.
+  /// with zeros, which must stay zero. Only in double precision.
   double* tile(Eigen::Index tile) {
     assert(!single_);
     return data_.get() + tile * kTile * handles_;
@@ -54,17 +53,17 @@ public:
     assert(!single_);
     return data_.get() + tile * kTile * handles_;
   }
-  /// The same in single precision: `(handles + 1) x 16`. What is added to 1 in the last row is the factor of
-  /// all numbers of its point.
+  /// The same in single precision: `(handles + 1) x 16`. The factor of all numbers of a point is 1 plus the
+  /// value in the last row.
   const float* singleTile(Eigen::Index tile) const {
     assert(single_);
     return reinterpret_cast<const float*>(data_.get()) + tile * kTile * (handles_ + 1);
   }
 
-  /// Where to write a tile's `handles x 16` numbers: its own memory, or in single precision `room` (as many
-  /// numbers). `filled` is to follow. Several threads may fill different tiles.
+  /// The memory into which to write a tile's `handles x 16` numbers: its own, or in single precision `room`
+  /// (as many numbers). Call `filled` afterwards. Several threads may fill different tiles.
   double* toFill(Eigen::Index tile, double* room) { return single_ ? room : this->tile(tile); }
-  /// Keeps what was written to `numbers`, which in single precision become the numbers that are kept.
+  /// Stores the numbers written to `numbers`; in single precision these are rounded to the stored ones.
   void filled(Eigen::Index tile, double* numbers);
   /// A tile's `handles x 16` numbers: its own memory, or in single precision `room`, filled with them.
   const double* read(Eigen::Index tile, double* room) const;
@@ -76,7 +75,7 @@ public:
     const float* own = singleTile(point / kTile);
     return static_cast<double>(own[index]) * factorOf(own, point);
   }
-  /// In single precision the point's sum is afterwards as rounding leaves it; `setRow` keeps it.
+  /// In single precision the point's sum then has a rounding error; `setRow` corrects it.
   void set(Eigen::Index point, Eigen::Index handle, double value) {
     const Eigen::Index index = handle * kTile + point % kTile;
     if (!single_)
@@ -91,8 +90,8 @@ public:
   /// `points = W pose`, resized to `points x 3`; `pose` is `handles x 3`. Bitwise independent of the number
   /// of threads.
   void multiply(const Points& pose, Points& points, Threads threads) const;
-  /// The same of one tile: `rows` (16 x 3, row by row) become its 16 points. For whoever goes through the
-  /// tiles in an order of its own. O(handles).
+  /// The same of one tile: `rows` (16 x 3, row by row) become its 16 points. For code that processes the
+  /// tiles in its own order. O(handles).
   void multiplyTile(Eigen::Index tile, const Points& pose, double* rows) const;
   /// `points += column(handle) delta^T`. O(points).
   void addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const;

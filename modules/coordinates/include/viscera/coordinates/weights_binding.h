@@ -10,7 +10,8 @@ namespace viscera::coordinates {
 class WeightsBinding final : public Binding {
 public:
   /// Measures the report from the weights, the rest handles and the rest points. `failures` ascending; their
-  /// rows of `weights` are ignored. `seconds` is the time the system took, `notes` what its report is to say.
+  /// rows of `weights` are ignored. `seconds` is the time the system took, `notes` the sentences for its
+  /// report.
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
                  std::vector<int> failures, double seconds, Threads threads,
                  std::vector<std::string> notes = {});

@@ -13,10 +13,9 @@ struct FreeZeroed {
 
 using ZeroedMemory = std::unique_ptr<double, FreeZeroed>;
 
-/// `count` zeros at a multiple of a cache line, in pages that come into being when they are first touched.
-/// Large blocks ask the system for huge pages: a matrix of coordinates is walked through from end to end for
-/// every frame, and bringing it in by pages of 4 KiB took a third of the time to compute it. Throws
-/// `std::bad_alloc`.
+/// `count` zeros at a multiple of a cache line, in pages that are allocated on first access. Large blocks
+/// request huge pages from the system: a matrix of coordinates is read from end to end for every frame, and
+/// allocating it in pages of 4 KiB took a third of the time to compute it. Throws `std::bad_alloc`.
 ZeroedMemory allocateZeroed(std::size_t count);
 
 } // namespace viscera::coordinates

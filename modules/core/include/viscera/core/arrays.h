@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// The arrays that every module shares. Row major, so that VTK can look at the same memory without a copy.
+/// The arrays that every module shares. Row major, so that VTK can use the same memory without a copy.
 namespace viscera {
 
 /// One point or vector in mm, patient LPS (x to the left, y to the back, z to the head).

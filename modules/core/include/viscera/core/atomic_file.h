@@ -21,18 +21,19 @@ public:
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// What to write to. It ends like the target, for writers that choose the format by the name.
+  /// The file to write to. It has the target's extension, for writers that choose the format by the name.
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Brings the contents to the disk and gives them the target's name, and removes what programs that were
-  /// killed while they wrote this target have left. The writer has closed the file and checked that
-  /// everything was written. Throws `CannotCreateError`.
+  /// Flushes the contents to the disk, renames the file to the target, and removes temporary files of
+  /// programs that were killed while they wrote this target. Before, the caller has to close the file and
+  /// check that everything was written. Throws `CannotCreateError`.
   void commit();
 
 private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
-  int lock_ = -1; ///< Of the open temporary file: says to `removeAbandonedWrites` that its writer lives.
+  int lock_ = -1; ///< Lock on the open temporary file, by which `removeAbandonedWrites` knows that its writer
+                  ///< still runs.
   bool direct_ = false;
   bool committed_ = false;
 };

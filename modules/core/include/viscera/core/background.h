@@ -4,10 +4,10 @@
 
 namespace viscera {
 
-/// Does work on a new thread of low priority and waits for its end; rethrows what it throws. For a worker
-/// whose result nobody waits for: while a picture is made it leaves the processors to that, else it has them
-/// all. The threads that the work starts have its priority. Where the system knows no priority of single
-/// threads, the work has the usual one. For any thread but one that a user waits for.
+/// Runs work on a new thread with low priority and waits for its end; rethrows what it throws. For background
+/// results: while a picture is rendered, rendering gets the processors first, else the work gets them all.
+/// Threads that the work starts have its priority. On systems without priorities of single threads, the work
+/// runs with the usual one. Call it from a worker thread, not from one that the user waits for.
 void inBackground(const std::function<void()>& work);
 
 } // namespace viscera

@@ -40,7 +40,7 @@ struct ChildResult {
 class ChildProcess {
 public:
   /// Starts `arguments[0]`, looked for in the PATH when it names no folder. It reads from the descriptor
-  /// `input` and writes to `output` (below 0: nowhere); both stay the caller's. Throws `Error` when the
+  /// `input` and writes to `output` (below 0: nowhere); the caller keeps both. Throws `Error` when the
   /// machine has no more files.
   ChildProcess(std::vector<std::string> arguments, int input, int output);
   ~ChildProcess();

@@ -6,17 +6,18 @@
 /// The exceptions for errors that a user can do something about. A caller's mistake is an assertion instead.
 namespace viscera {
 
-/// sysexits.h: an internal error, the exit code of what no caller and no data is to blame for.
+/// The exit code of an internal error after sysexits.h, for failures that neither the caller nor the data has
+/// caused.
 inline constexpr int kInternalError = 70;
 
-/// The base of all errors: it says what went wrong, where (a file, an element), and what to try, and joins
-/// the three in its message.
+/// The base class of all errors: it holds what went wrong, where (a file, an element), and what to try, and
+/// joins the three in its message.
 class Error : public std::runtime_error {
 public:
   /// `exitCode` is the program's, after sysexits.h.
   Error(int exitCode, std::string what, std::string where = {}, std::string tryThis = {});
 
-  const std::string& problem() const { return problem_; } ///< With a capital letter first, whoever said it.
+  const std::string& problem() const { return problem_; } ///< Always begins with a capital letter.
   const std::string& where() const { return where_; }
   const std::string& tryThis() const { return tryThis_; }
   int exitCode() const { return exitCode_; }
@@ -58,7 +59,8 @@ public:
   Cancelled();
 };
 
-/// What `std::bad_alloc` is for a user, with what to try. Its exit code is that of an internal error.
+/// The error that replaces `std::bad_alloc`, with a text for the user. Its exit code is that of an internal
+/// error.
 Error notEnoughMemory();
 
 } // namespace viscera

@@ -11,16 +11,17 @@ namespace viscera {
 /// Kulisch (Neal 2015, arXiv 1505.05571). About 5 ns an addition. For one thread at a time.
 class ExactSum {
 public:
-  /// Of 2^-1074 to 2^1024, with room for the carries of 2^60 summands; one more counts what is not finite.
+  /// For 2^-1074 to 2^1024, with room for the carries of 2^60 summands; one more counts summands that are not
+  /// finite.
   static constexpr int kLimbs = 69;
   using Limbs = std::array<std::int64_t, kLimbs>;
 
   void add(double value);
   void add(const ExactSum& other);
 
-  /// The sum as numbers that can be added, each by itself, to those of other sums: up to 2^30 of them.
+  /// The sum as numbers that can be added, one by one, to those of up to 2^30 other sums.
   const Limbs& limbs();
-  /// The sum that such numbers, added up, stand for.
+  /// The sum from such numbers, which may be added up from several sums.
   static ExactSum fromLimbs(const Limbs& limbs);
 
   /// The sum, rounded to the nearest double; not a number when a summand was not finite.

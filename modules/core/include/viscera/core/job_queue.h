@@ -32,9 +32,9 @@ struct JobInfo {
   std::string step;
 };
 
-/// Runs long jobs on worker threads. Everything but the work itself belongs to one thread, the main one: the
-/// members are called there, and results, progress and `onChange` arrive there, through the function given to
-/// the constructor.
+/// Runs long jobs on worker threads. Everything but the work itself belongs to one thread, the main thread:
+/// call the members there; results, progress and `onChange` are delivered there, through the function given
+/// to the constructor.
 class JobQueue {
 public:
   /// Runs a function later on the main thread. Called from any thread; never calls the function at once.
@@ -43,16 +43,16 @@ public:
   /// `workers` threads, at least one. More than one is rarely useful: the work itself uses all of the
   /// machine.
   explicit JobQueue(Post post, int workers = 1);
-  /// Cancels everything and waits for the work to stop. No result arrives any more, also none that was
-  /// posted.
+  /// Cancels all jobs and waits for the work to stop. No result is delivered after that, not even one that
+  /// was posted.
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
   /// Queues `work`; `done` gets its result on the main thread, exactly once while the queue lives. A job with
   /// a slot that is not empty supersedes the one in the same slot: that one is cancelled, and its value is
-  /// thrown away even if it was ready, so that an old result never arrives after a newer one was asked for.
-  /// Returns the job's id.
+  /// dropped even if it was ready, so that an old result never arrives after a newer job was queued. Returns
+  /// the job's id.
   template <class Value>
   std::int64_t submit(std::string name, std::string slot, std::function<Value(Progress&)> work,
                       std::function<void(JobResult<Value>)> done) {
@@ -70,16 +70,16 @@ public:
         });
   }
 
-  /// Asks a job to stop; its `done` will say so. Nothing happens for one that has ended.
+  /// Requests a job to stop; its `done` gets a cancelled result. Nothing happens for one that has ended.
   void cancel(std::int64_t id);
   void cancelSlot(const std::string& slot);
   void cancelAll();
 
-  /// What waits and runs, oldest first.
+  /// The jobs that wait or run, oldest first.
   std::vector<JobInfo> jobs() const;
   bool idle() const { return jobs().empty(); }
 
-  /// Tells when `jobs()` is new, on the main thread; progress too.
+  /// Calls `observer` on the main thread when `jobs()` has changed, including progress.
   [[nodiscard]] Subscription onChange(std::function<void()> observer);
 
 private:
@@ -97,11 +97,11 @@ private:
 class ManualEventLoop {
 public:
   ManualEventLoop();
-  /// What the constructor of `JobQueue` wants. The box may be destroyed before the queue.
+  /// The argument for the constructor of `JobQueue`. The loop may be destroyed before the queue.
   JobQueue::Post post() const;
-  /// Runs what has been posted, on this thread; returns how many there were.
+  /// Runs the posted functions on this thread; returns their number.
   int run();
-  /// Runs what is posted until `done()` says so.
+  /// Runs posted functions until `done()` returns true.
   void runUntil(const std::function<bool()>& done);
 
 private:

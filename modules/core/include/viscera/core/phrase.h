@@ -9,7 +9,7 @@
 
 /// Texts for a user that are put together from parts, in a form that can be translated.
 ///
-/// The numerical modules speak English and know nothing of translations; the window translates what they say
+/// The numerical modules produce English texts without any translation; the window translates them
 /// (app/window/language.h). It recognises a text by its pattern, so a text with a number or a name in it is
 /// written as a pattern with its parts instead of being added up:
 ///
@@ -39,8 +39,8 @@ std::string phrase(std::string_view pattern, const Parts&... parts) {
   return phraseOf(pattern, {PhrasePart(parts)...});
 }
 
-/// Where the number begins with which a name ends, with the space before it: 6 in "Septum 12"; the name's
-/// size when there is none. Such a name is translated without its number. O(n); from any thread.
+/// The index at which the trailing number of a name begins, with the space before it: 6 in "Septum 12"; the
+/// name's size when there is none. Such a name is translated without its number. O(n); from any thread.
 std::size_t numberAtEnd(std::string_view name);
 
 } // namespace viscera

@@ -7,8 +7,8 @@
 
 namespace viscera {
 
-/// Progress and cancellation of a long job: the job reports its progress, and whoever waits for it may cancel
-/// it. Every member may be called from any thread.
+/// Progress and cancellation of a long job: the job reports its progress, and the code that started it may
+/// cancel it. Every member may be called from any thread.
 class Progress {
 public:
   /// Called with a fraction in [0, 1] and the name of the present step; calls never overlap.
@@ -21,10 +21,10 @@ public:
   Progress() = default;
   explicit Progress(Listener listener, Look look = {});
 
-  /// Tells the listener, at most once per per mille of progress or per new step name.
+  /// Calls the listener, at most once for each per mille of progress or new step name.
   void report(double fraction, const std::string& step = {});
 
-  /// Asks the job to stop; it ends with `Cancelled` at its next look.
+  /// Requests the job to stop; it throws `Cancelled` when it checks next.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const {
     if (look_)
@@ -32,7 +32,7 @@ public:
     return cancelled_.load(std::memory_order_relaxed) || (whole_ && whole_->cancelled());
   }
 
-  /// Throws `Cancelled` when somebody has cancelled.
+  /// Throws `Cancelled` if `cancel` was called.
   void throwIfCancelled() const;
 
 private:

@@ -59,8 +59,8 @@ private:
 
 /// A list of observers that are called when something happens, after the observer pattern. For one thread.
 /// Observers are called in the order in which they were connected; one may connect or disconnect any observer
-/// while it is being called. One that throws keeps nobody from hearing: the first exception is thrown again
-/// when all have heard.
+/// while it is being called. If an observer throws, the others are still called; then the first exception is
+/// rethrown.
 template <class... Arguments>
 class Signal {
 public:
@@ -77,7 +77,8 @@ public:
 
   void emit(Arguments... arguments) const { tell(observers_, arguments...); }
 
-  /// The emission for later: it tells those who are connected then, and nobody once the signal is gone.
+  /// A function that emits the signal later: it calls the observers connected at that time, and does nothing
+  /// if the signal was destroyed.
   std::function<void()> emission(Arguments... arguments) const {
     return [list = std::weak_ptr<Observers>(observers_),
             kept = std::tuple<std::decay_t<Arguments>...>(arguments...)] {
@@ -89,7 +90,7 @@ public:
 private:
   using Observers = std::map<int, std::shared_ptr<Observer>>;
 
-  /// Keeps the list: an observer may destroy the signal.
+  /// Holds the list by value, because an observer may destroy the signal.
   static void tell(const std::shared_ptr<Observers> list, const std::decay_t<Arguments>&... arguments) {
     std::vector<int> keys;
     for (const auto& [key, observer] : *list)

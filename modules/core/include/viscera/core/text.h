@@ -21,11 +21,12 @@ inline std::string csvField(const std::string& text) {
   return quoted + '"';
 }
 
-/// Whether a text is UTF-8 as RFC 3629 has it: no overlong forms, surrogates or numbers above 10FFFF. O(n).
+/// Whether a text is UTF-8 as defined by RFC 3629: no overlong forms, surrogates or numbers above 10FFFF.
+/// O(n).
 bool isUtf8(std::string_view text);
 
-/// Text from a file, from the command line or from the system, as UTF-8. Bytes that are no UTF-8 are taken as
-/// Latin-1, so that texts that differ still do. O(n).
+/// Text from a file, from the command line or from the system, as UTF-8. Bytes that are not UTF-8 are read as
+/// Latin-1, so that different texts stay different. O(n).
 std::string toUtf8(std::string text);
 
 } // namespace viscera

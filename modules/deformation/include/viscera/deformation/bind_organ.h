@@ -13,7 +13,7 @@ namespace viscera::deformation {
 /// Thrown when vertices of an organ cannot be bound; names them and the reason.
 class UnboundVertices final : public DataError {
 public:
-  /// What the vertices lie outside of.
+  /// The region outside of which the vertices lie.
   enum class Of { hull, regions, cage };
 
   /// `outsideHull` of the `vertices` lie outside the hull of all handles.
@@ -22,7 +22,7 @@ public:
 
   const std::vector<int>& vertices() const { return vertices_; } ///< Rows of the organ's points, ascending.
   int outsideHull() const { return outsideHull_; }
-  /// It is the groups' regions, or the rig's own cage, that count.
+  /// Whether the groups' regions, or the rig's own cage, determine which points can be bound.
   bool groupsCount() const { return of_ == Of::regions; }
   bool cageCounts() const { return of_ == Of::cage; }
 
@@ -33,8 +33,8 @@ private:
 };
 
 /// Binds an organ to handles, and throws when a vertex cannot be bound. Throws what the system throws, and
-/// `UnboundVertices` when vertices have no coordinates: how many, the first of them, how far out, and what
-/// helps: enclosing handles, where groups count a group around them, where a given cage counts another one.
+/// `UnboundVertices` when vertices have no coordinates: how many, the first of them, how far out, and the
+/// remedy: enclosing handles, for grouped handles a group around them, for a given cage another one.
 std::shared_ptr<const coordinates::Binding>
 bindOrgan(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
           const Points& organPoints, const coordinates::BindOptions& options, Progress& progress);

@@ -12,8 +12,8 @@ namespace viscera::deformation {
 struct NewPose;
 
 /// Computes a bound surface in any pose of its handles: points, and on demand normals, volume and the
-/// volume's gradient. The arrays stay at the same address from one pose to the next, so that VTK may look at
-/// them without a copy. For use by one thread at a time; works itself on several.
+/// volume's gradient. The arrays stay at the same address from one pose to the next, so that VTK may use them
+/// without a copy. For use by one thread at a time; it computes on several threads.
 ///
 ///     Deformer deformer(mesh, binding, handles.positions);
 ///     deformer.setPose(pose);

@@ -7,8 +7,8 @@
 #include "viscera/core/arrays.h"
 
 /// Divides handles into groups automatically, for localised coordinates; a user edits them afterwards. Every
-/// group's hull holds its part of the organ, so that no vertex lies in no region; where the handles there are
-/// cannot do that, eight corners of a box around the part are added. All of it is deterministic.
+/// group's hull holds its part of the organ, so that no vertex lies in no region; if the given handles do not
+/// suffice, eight corners of a box around the part are added. All functions are deterministic.
 namespace viscera::deformation {
 
 /// The groups that were made, over the given handles followed by the handles `added`: row i of `added` is

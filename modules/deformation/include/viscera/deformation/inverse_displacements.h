@@ -26,17 +26,17 @@ struct GridOptions {
 /// The box around a surface at rest and posed, with two cells of room.
 GridOptions gridAround(const Points& rest, const Points& posed, double spacing);
 
-/// More points than this are refused.
+/// The largest number of points of a grid.
 inline constexpr double kMostGridPoints = 2e7;
 
 /// Computes where the tissue at the points of a grid was at rest: for a pose that moves a rest point p to
 /// F(p), the vector d at x solves F(x + d) = x. That is the direction in which images are resampled and in
 /// which 3D Slicer and ITK keep displacement fields in files.
 ///
-/// F is the motion that the system's coordinates make of the handles' one from `handles.positions` to `pose`
+/// F is the deformation by the system's coordinates when the handles move from `handles.positions` to `pose`
 /// (`n x 3`). Outside the handles' hull, where there are no coordinates, a point moves as the one does where
-/// the line to the hull's middle enters the hull, so that the field goes on without a jump. Each point is
-/// found by Broyden's iteration (Broyden 1965, doi 10.1090/S0025-5718-1965-0198670-6) to a thousandth of the
+/// the line to the hull's middle enters the hull, so that the field is continuous there. Each point is found
+/// by Broyden's iteration (Broyden 1965, doi 10.1090/S0025-5718-1965-0198670-6) to a thousandth of the
 /// spacing.
 ///
 /// Throws what binding throws, `UsageError` for a spacing that is not positive or more than

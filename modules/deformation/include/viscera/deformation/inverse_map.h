@@ -10,11 +10,11 @@
 
 namespace viscera::deformation {
 
-/// What happened to the tissue at a point of the posed space.
+/// Whether the place at rest of a point of the posed space is known.
 enum class RestState : std::uint8_t {
-  still,  ///< It lies where no handle acts: it is its own place at rest.
+  still,  ///< No handle has an effect there: the place at rest is the point itself.
   moved,  ///< The place is known.
-  folded, ///< The pose brings tissue there that it turns inside out: the place is one of several, or a guess.
+  folded, ///< The tissue at this point is folded: the place is one of several, or a guess.
 };
 
 /// The rest positions of some points of the posed space, and the state of each.
@@ -37,25 +37,25 @@ struct SamplePlane {
 
 /// How far rest positions are refined beyond the accuracy of the grid.
 struct Refinement {
-  double toleranceMm = 0.02; ///< How near F(x) has to come to the sample.
-  /// No more samples are asked about, the roughest first. One costs about two bindings of a point.
+  double toleranceMm = 0.02; ///< Largest distance of F(x) from the sample.
+  /// The largest number of samples to refine, the roughest first. One costs about two bindings of a point.
   Eigen::Index mostPoints = std::numeric_limits<Eigen::Index>::max();
 };
 
 /// The accuracy of an inverse map and the limit of its memory.
 struct InverseMapOptions {
-  double accuracyMm = 0.1;  ///< What the motion between bound points may be off; halves spacings until it is.
+  double accuracyMm = 0.1;  ///< Largest error of the motion between bound points; spacings are halved until
+                            ///< it is met.
   double mostWeights = 3e6; ///< Bound points times handles are no more: eight bytes of memory each.
 };
 
 /// The inverse of a deformation: finds where tissue was at rest, so that images can be deformed with the
 /// handles.
 ///
-/// A pose moves a rest point x to F(x) = x + u(x). Within the handles' hull u is what the system's
-/// coordinates make of the handles' motion. Outside it is the motion where the line to the hull's middle
-/// enters the hull, times a smooth step that falls to zero at a distance that grows with the motion there (at
-/// least three times as far as the hull's border moves), so that nothing tears and what is far away does not
-/// move.
+/// A pose moves a rest point x to F(x) = x + u(x). Within the handles' hull u follows from the handles'
+/// motion by the system's coordinates. Outside it is the motion where the line to the hull's middle enters
+/// the hull, times a smooth step that falls to zero at a distance that grows with the motion there (at least
+/// three times as far as the hull's border moves), so that u is continuous and far places do not move.
 ///
 /// u is bound once at the nodes of a regular grid, on which it is trilinear; a new pose takes one sum a node.
 /// F(x) = y is solved by Newton's method with the grid's own gradients, from the answer of a neighbour.
@@ -76,7 +76,7 @@ public:
   InverseMap& operator=(const InverseMap&) = delete;
 
   /// Takes another pose of the same handles (`n x 3`, mm). Throws `DataError` for a pose of another size or
-  /// that is not finite. O(nodes x handles), a few milliseconds; not while another thread asks.
+  /// that is not finite. O(nodes x handles), a few milliseconds; not while another thread uses the map.
   void setPose(const Points& pose);
 
   /// F of rest points, `n x 3` mm.
@@ -87,28 +87,28 @@ public:
   /// some and between them linear wherever that is exact to a quarter of `accuracyMm`.
   void restPlane(const SamplePlane& plane, RestPoints& result) const;
 
-  /// Goes on from what `restPlane` found where the grid may be off by more than half of the tolerance (by the
-  /// second differences of u between its nodes): asks the system itself, by Broyden's iteration from the
-  /// grid's gradient. What the grid is off where the hull is entered fades within two cells outside of it.
-  /// Folded samples stay as they are. `system` is the one of the constructor. Throws what binding throws,
+  /// Refines the result of `restPlane` where the error of the grid may be more than half of the tolerance (by
+  /// the second differences of u between its nodes): uses the system itself, by Broyden's iteration from the
+  /// grid's gradient. The grid's error at the border of the hull fades within two cells outside of it. Folded
+  /// samples stay as they are. `system` is the one of the constructor. Throws what binding throws,
   /// `Cancelled`.
   void refinePlane(const coordinates::CoordinateSystem& system, const SamplePlane& plane,
                    const Refinement& refinement, RestPoints& result, Progress& progress) const;
 
-  /// How far u between the nodes is off what the system itself says, mm: no farther at 99 of 100 of two
+  /// The error of u between the nodes, compared with the system itself, mm: the 99th percentile of two
   /// thousand places in the hull.
   double errorMm() const;
-  /// How far `rest`, the answers for `posed`, are from being right by the system itself, mm: the largest
-  /// |F(rest) - posed| among those that lie in the hull and are not folded. As long as binding them.
+  /// The error of `rest`, the results for `posed`, compared with the system itself, mm: the largest |F(rest)
+  /// - posed| among those that lie in the hull and are not folded. As long as binding them.
   double residualMm(const coordinates::CoordinateSystem& system, const Points& posed, const RestPoints& rest,
                     Progress& progress) const;
   /// Whether binding anew for this pose would be more exact: it is farther from rest than the first one was.
   bool wantsFinerGrid() const;
   double spacingMm() const; ///< Of the grid.
-  /// How much tissue at rest the pose turns inside out, ml; to cells of the grid.
+  /// The volume of folded tissue, at rest, ml; in whole cells of the grid.
   double foldedMl() const;
-  Eigen::Index boundPoints() const; ///< What the constructor has bound last.
-  Bounds movedBox() const;          ///< Outside of this box, mm, everything is still.
+  Eigen::Index boundPoints() const; ///< The number of points that the constructor has bound in its last step.
+  Bounds movedBox() const;          ///< The box, mm, outside of which nothing moves.
 
 private:
   class Field;

@@ -16,7 +16,8 @@ namespace viscera::deformation {
 /// `|dev sym(R^T M)|^2 / (tr S / 3)^2` is a quadratic model of the squared stress in the positions of the
 /// handles; `dev` takes the mean of the diagonal away. `relaxation` minimises it with the volume kept to
 /// first order, as far as the model itself goes down; `direction` is the motion of least added stress that
-/// changes the volume. A small share of least displacement keeps handles still that no witness feels.
+/// changes the volume. A small share of least displacement keeps handles without influence on any witness
+/// still.
 ///
 /// Immutable, thread-safe. O(witnesses x free^2) a call: take some thousands of witnesses.
 class LeastStress final : public RestorationModel {

@@ -6,7 +6,7 @@ namespace viscera::deformation {
 
 /// The thesis's approximation of the rotational stress (figure 5.5): a polynomial of degree six in the
 /// largest and the smallest singular value. The program itself uses the closed form (`localDistortion`); this
-/// is here to measure the claim. The angle depends on the ratio of the two only, so that s1 up to 1 stands
+/// class serves to check the claim. The angle depends on the ratio of the two only, so that s1 up to 1 stands
 /// for any size.
 class StressPolynomial {
 public:
@@ -27,7 +27,7 @@ private:
 /// The exact angle of singular values s1 >= s2 >= s3 > 0 in degrees, by `localDistortion`.
 double stressDegrees(double s1, double s2, double s3);
 
-/// The same by looking for the direction that turns most, in steps: what the thesis did. Degrees.
+/// The same by a stepwise search for the direction that turns most, the thesis's method. Degrees.
 double searchedStressDegrees(double s1, double s2, double s3);
 
 } // namespace viscera::deformation

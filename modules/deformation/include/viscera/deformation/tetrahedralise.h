@@ -21,15 +21,15 @@ struct TetrahedraOptions {
   std::filesystem::path worker; ///< Empty: `installedTetgenWorker()`.
 };
 
-/// Thrown when a surface cannot be filled with tetrahedra; says why.
+/// Thrown when a surface cannot be filled with tetrahedra; holds the reason.
 class TetrahedraError : public Error {
 public:
   enum class Reason {
-    missing,     ///< The worker program is not there or cannot be started.
+    missing,     ///< The worker program does not exist or cannot be started.
     refused,     ///< TetGen cannot mesh this surface: it ended, or crashed, as it does on bad surfaces.
-    unusable,    ///< What came back is not a mesh of this surface.
+    unusable,    ///< The result is not a mesh of this surface.
     timeLimit,   ///< It took too long and was ended.
-    memoryLimit, ///< It wanted more memory than it may have.
+    memoryLimit, ///< It exceeded the memory limit.
   };
   TetrahedraError(Reason reason, std::string what, std::string tryThis = {});
   Reason reason() const { return reason_; }
@@ -39,8 +39,8 @@ private:
 };
 
 /// The path of the program that runs TetGen, which is installed beside this library: `viscera_tetgen_worker`
-/// in the installation's libexec folder or in the build's bin folder, or what the environment variable
-/// VISCERA_TETGEN_WORKER names. The path may not exist.
+/// in the installation's libexec folder or in the build's bin folder, or the path in the environment variable
+/// VISCERA_TETGEN_WORKER. The path may not exist.
 std::filesystem::path installedTetgenWorker();
 
 /// Fills a closed surface (mm, LPS; any number of nested or separate pieces) with tetrahedra by TetGen
@@ -54,7 +54,7 @@ std::filesystem::path installedTetgenWorker();
 WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const TetrahedraOptions& options,
                            Progress& progress);
 
-/// `options` with TetGen as the one who makes tetrahedra, where they name nobody: 60 s and 2 GB at most.
+/// `options` with TetGen as the mesher where no mesher is set, limited to 60 s and 2 GB.
 coordinates::BindOptions withTetgen(coordinates::BindOptions options);
 
 } // namespace viscera::deformation

@@ -19,14 +19,14 @@ namespace viscera::deformation {
 /// pass over 172,974 vertices takes milliseconds. Immutable, thread-safe.
 class VolumeForm {
 public:
-  /// Whether a form is worth while for a surface that is posed many times: it is made in about a second, and
+  /// Whether a form saves time for a surface that is posed many times: it is made in about a second, and
   /// reading its `handles^3` numbers costs less than reading all coordinates twice, as a gradient on the
   /// surface does.
   static bool pays(Eigen::Index points, Eigen::Index handles);
 
-  /// The form of `rest` (closed) as bound by `binding`. Nothing when the points are not linear in the handles
-  /// (Green coordinates, points that have no coordinates): found by comparing with the surface itself in a
-  /// seeded random pose. Bitwise independent of the number of threads.
+  /// The form of `rest` (closed) as bound by `binding`. Empty when the points are not linear in the handles
+  /// (Green coordinates, points that have no coordinates), which is detected by comparison with the surface
+  /// itself in a seeded random pose. Bitwise independent of the number of threads.
   static std::optional<VolumeForm> of(const geometry::TriangleMesh& rest, const coordinates::Binding& binding,
                                       Threads threads = {});
   /// The same, for a worker. Throws `Cancelled`.

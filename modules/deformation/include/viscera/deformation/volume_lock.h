@@ -42,26 +42,26 @@ struct RestoredPose {
 /// at once, and coordinates that are not linear in the pose, are finished by Newton steps.
 ///
 /// Compensations work on each surface's `VolumeForm`, so that they do not pass over the surface again and
-/// again; what they report is measured on the surface itself. Where a form does not exist, is not there yet
-/// (`Forms`) or would take too long to make, they pass over the surface: the volumes are then as exact, the
-/// pose differs by rounding.
+/// again; the reported volumes are measured on the surface itself. If a form does not exist, is not made yet
+/// (`Forms`) or would take too long to make, compensations evaluate the surface: the volumes are then as
+/// exact, the pose differs by rounding.
 ///
 /// Immutable but for the targets; const members may be called from several threads.
 class VolumeLock {
 public:
   static constexpr double kRelativeTolerance = 1e-10;
 
-  /// Who makes the volume forms.
+  /// When the volume forms are made.
   enum class Forms {
-    whenAsked, ///< Who first asks for a compensation waits for them, for a large surface a second or two.
-    given      ///< Nobody: the lock has those that are known when it is made.
+    whenAsked, ///< On the first compensation, which takes a second or two for a large surface.
+    given      ///< Never: the lock uses those that exist when it is made.
   };
 
   /// Throws `DataError` for an open surface (it names the number of boundary edges), or for a target that is
   /// not positive. O(m log m).
   explicit VolumeLock(std::vector<LockedSurface> surfaces, Threads threads = {});
-  /// The same, quicker where others know a surface: what they found out about it, and about its binding, is
-  /// shared. With `given` all forms of `known` must have been made. Null pointers know nothing.
+  /// The same, but shares the results that other locks have computed for a surface and its binding. With
+  /// `given` all forms of `known` must have been made. Null pointers are ignored.
   VolumeLock(std::vector<LockedSurface> surfaces, Threads threads, Forms forms,
              const std::vector<std::shared_ptr<const VolumeLock>>& known);
 
@@ -73,12 +73,12 @@ public:
   /// Present volumes at `pose`, mm^3, one a surface.
   std::vector<double> volumes(const Points& pose) const;
 
-  /// How much the volumes change when the handles `selection` move together: `surfaces x 3`, mm^2. For one
+  /// The change of the volumes when the handles `selection` move together: `surfaces x 3`, mm^2. For one
   /// surface the row is the normal of the plane in which the selection may move.
   Points translationGradient(const Points& pose, const std::vector<int>& selection) const;
 
   /// Moves the handles `free` (ascending) by the least amount, as `model` measures it, that gives `wanted`
-  /// the locked volumes. Fails, and says why, when that takes more than `limitMm`.
+  /// the locked volumes. Fails, with a reason, when that takes more than `limitMm`.
   RestoredPose restore(const Points& wanted, const std::vector<int>& free, const RestorationModel& model,
                        double limitMm) const;
 
@@ -87,10 +87,10 @@ private:
     std::once_flag asked;
     std::optional<VolumeForm> made;
   };
-  /// What is found out about a surface and its binding.
+  /// Results computed for a surface and its binding.
   struct Surface {
     std::shared_ptr<const geometry::VertexTriangles> around;
-    std::shared_ptr<Form> form; ///< Null: nobody makes one.
+    std::shared_ptr<Form> form; ///< Null: no form is made.
   };
 
   /// A surface in one pose. Each pose is evaluated once while volumes are restored: a pass over the weights
@@ -125,8 +125,7 @@ private:
   Threads threads_;
 };
 
-/// The handles that a pose leaves at rest exactly, ascending: free to make up for the volume that the others
-/// change.
+/// The handles that a pose leaves at rest exactly, ascending: free to compensate for changes of the volume.
 std::vector<int> restingHandles(const Points& restHandles, const Points& pose);
 
 /// Poses `deformer` so that it encloses `targetMm3` (mm^3): moves the `compensating` handles at the least

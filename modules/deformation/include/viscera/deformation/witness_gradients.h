@@ -29,15 +29,15 @@ struct StressStatistics {
   int folded = 0;          ///< Witnesses with det M <= 0.
 };
 
-/// Of the first `count` points of the map only: a `WitnessMesh` has its witness points first.
+/// Statistics of the first `count` points of the map only: a `WitnessMesh` has its witness points first.
 StressStatistics statisticsOf(const StressMap& map, Eigen::Index count);
 
 /// The derivatives of the coordinates at fixed witness points inside an organ, laid out so that a new pose's
 /// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Thread-safe once it is filled.
 class WitnessGradients {
 public:
-  /// For `witnesses` points that `put` brings in portions; until then their derivatives are zero. `lift` as
-  /// that of the gradients that will come.
+  /// For `witnesses` points that `put` fills in portions; until then their derivatives are zero. `lift` as in
+  /// the gradients passed to `put`.
   WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
                    std::shared_ptr<const coordinates::PoseLift> lift = {});
 
@@ -53,8 +53,8 @@ public:
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
   Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
 
-  /// The derivative of one handle's coordinate at one witness, 1/mm. Where poses are lifted this is not all
-  /// of what the handle does there.
+  /// The derivative of one handle's coordinate at one witness, 1/mm. For lifted poses this is only a part of
+  /// the handle's effect.
   Vec3 gradient(Eigen::Index witness, Eigen::Index handle) const {
     return {data_(rowOf(witness, 0), handle), data_(rowOf(witness, 1), handle),
             data_(rowOf(witness, 2), handle)};
@@ -65,9 +65,9 @@ public:
   /// Fills `map` (resized) at `pose`. O(witnesses x handles); bitwise independent of the number of threads.
   /// Throws `DataError` for a pose of another size.
   void evaluate(const Points& pose, StressMap& map, Threads threads = {}) const;
-  /// The same for several poses at the first `count` witnesses, `maps[i]` of `poses[i]`: the derivatives come
-  /// from memory once for all of them, which is what a pose of many handles waits for. Same values to the
-  /// bit.
+  /// The same for several poses at the first `count` witnesses, `maps[i]` of `poses[i]`: the derivatives are
+  /// read from memory once for all of them, since memory limits the speed with many handles. Same values to
+  /// the bit.
   void evaluate(std::span<const Points> poses, std::span<StressMap> maps, Eigen::Index count,
                 Threads threads = {}) const;
 

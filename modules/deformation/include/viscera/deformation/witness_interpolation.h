@@ -7,7 +7,7 @@
 
 namespace viscera::deformation {
 
-/// Carries numbers at the points of a witness mesh over to other points, say the vertices of the organ's
+/// Interpolates numbers at the points of a witness mesh at other points, such as the vertices of the organ's
 /// surface: linearly within the tetrahedron that holds the point, and from the nearest one for points just
 /// outside. A vertex that is a point of the mesh gets exactly its number. Immutable, thread-safe.
 class WitnessInterpolation {
@@ -17,7 +17,7 @@ public:
 
   Eigen::Index targets() const { return corners_.rows(); }
 
-  /// Of a target, mm: to the place in the mesh whose numbers it gets; 0 inside the mesh.
+  /// The distance of a target from the place in the mesh whose numbers it gets, mm; 0 inside the mesh.
   double distance(Eigen::Index target) const { return distances_[target]; }
   /// Calls `visit(corner, weight)` for the four points of the mesh that a target's number is made of; the
   /// weights are 0 at least, and 1 together.

@@ -41,11 +41,11 @@ Triangles skinOf(const Tetrahedra& tetrahedra);
 void requireUsable(const WitnessMesh& mesh, const std::string& where);
 
 /// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted),
-/// with their walls as its skin there: tetrahedra in a cavity go, those on its wall are cut along it, with a
-/// new point on every edge that goes through. Corners inside one are no witnesses any more, points that none
-/// needs go, all other witnesses stay where they are, in their order and first. Unchanged when no cavity
-/// meets the mesh or nothing would be left. O((n + t) log m) on several threads; the same answer whatever
-/// their number.
+/// with their walls as its skin there: tetrahedra in a cavity are removed, those on its wall are cut along
+/// it, with a new point on every edge that goes through. Corners inside a cavity are no longer witnesses, and
+/// unused points are removed; all other witnesses keep their place and order and come first. Unchanged when
+/// no cavity meets the mesh or nothing would be left. O((n + t) log m) on several threads; the same answer
+/// whatever their number.
 WitnessMesh withoutCavities(const WitnessMesh& mesh,
                             const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
                             Threads threads = {});

@@ -16,8 +16,8 @@ namespace viscera::document {
 
 class FileLock;
 
-/// A recovery file of a program that has ended without removing it. While this lives, no other program is
-/// offered it.
+/// A recovery file of a program that has ended without removing it. While this object lives, other programs
+/// do not find the file.
 struct Recovery {
   std::filesystem::path file;
   std::filesystem::file_time_type written;
@@ -34,17 +34,17 @@ std::vector<Recovery> findRecoveries(const std::filesystem::path& folder);
 /// Removes the file: its contents are not wanted, or are saved.
 void discard(const Recovery& recovery);
 
-/// Writes the recovery file of this program, a while after the first change that is not saved. Whoever owns
-/// one says `changed` and `clear`, looks at `due` now and then, and then hands over what is to be written: a
-/// state that never changes, so that writing it on a worker stops nobody. For one thread.
+/// Writes the recovery file of this program, some time after the first unsaved change. The owner calls
+/// `changed` and `clear`, checks `due` regularly, and then calls `write` with the contents. These are an
+/// immutable state, which a worker writes without blocking the window. For one thread.
 ///
 /// The file stays when the program ends without `clear`; a lock that the system releases tells other programs
 /// that this one is gone.
 class Autosave {
 public:
-  /// Seconds that never go back.
+  /// Returns monotonic seconds.
   using Clock = std::function<double()>;
-  /// What a write ended with: null, or why it failed.
+  /// Called with the result of a write: null, or the error.
   using Done = std::function<void(std::shared_ptr<const Error>)>;
 
   /// How long a change may be unsaved, s.
@@ -58,7 +58,8 @@ public:
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// The document is not what was saved any more; the time runs from the first call since the last write.
+  /// Call it when the document has unsaved changes; the delay counts from the first call since the last
+  /// write.
   void changed();
   /// Whether the contents should be written now.
   bool due() const;
@@ -68,14 +69,14 @@ public:
   /// Writes the contents and waits until they are on the disk, for a program that is about to end. Throws as
   /// `writeSession` does.
   void writeNow(const SessionContents& contents);
-  /// Everything is saved, or not wanted: the recovery file goes, at the latest when a write that has begun is
-  /// over, and what waits to be written is forgotten. Waits for nobody.
+  /// Call it when everything is saved or discarded: removes the recovery file, at the latest when a write
+  /// that has begun is over, and drops pending writes. Does not wait.
   void clear();
-  /// Looks after this file from now on in place of a new one: its contents are the document's now.
+  /// Takes over this recovery file instead of a new one, after the document was opened from it.
   void adopt(const Recovery& recovery);
 
-  /// Of this program; whether it is there or not. Empty before the first write. Waits for a write that has
-  /// begun.
+  /// The recovery file of this program, whether it exists or not. Empty before the first write. Waits for a
+  /// write that has begun.
   std::filesystem::path file() const;
 
 private:

@@ -15,13 +15,14 @@ struct KeptCirculation {
   friend bool operator==(const KeptCirculation&, const KeptCirculation&) = default;
 };
 
-/// The user's choice of what moves the heart: the textbook's beat with its fixed curves, or a circulation
-/// with its parameters.
+/// The user's choice of how the heart is moved: by the textbook's beat with its fixed curves, or by a
+/// circulation with its parameters.
 struct CirculationChoice {
-  bool drives = false;           ///< The circulation does; else the textbook's beat.
+  bool drives = false;           ///< The circulation moves the heart; else the textbook's beat.
   std::string scenario = "rest"; ///< The one chosen last (`circulation::scenario`), which controls vary.
   circulation::Parameters parameters;
-  /// What was found for a heart's volumes, in place of the scenario; controls vary this. None: the scenario.
+  /// Parameters fitted to a heart's volumes, which replace the scenario; controls vary them. None: the
+  /// scenario's.
   std::optional<circulation::Parameters> fitted;
   std::optional<KeptCirculation> kept; ///< "As before".
 

@@ -8,10 +8,10 @@
 /// Commands that choose between the circulation and the textbook's beat, and change the circulation.
 namespace viscera::document {
 
-/// Lets the circulation move the heart, or the textbook's beat again. The circulation stays as it is.
+/// Sets whether the circulation or the textbook's beat moves the heart. The circulation is not changed.
 Command driveHeart(bool byCirculation);
 
-/// Takes a scenario with all its parameters, and lets it move the heart. What was kept stays. Throws
+/// Chooses a scenario with all its parameters, and lets it move the heart. A kept circulation stays. Throws
 /// `UsageError` for an unknown one.
 Command chooseScenario(const std::string& id);
 
@@ -25,7 +25,7 @@ Command setCirculationParameter(const std::string& name, double value);
 /// parameters out of their ranges.
 Command takeCirculation(const std::string& title, const circulation::Parameters& parameters);
 
-/// Keeps the present circulation, to compare what follows with it.
+/// Keeps the present circulation, for comparison with later ones.
 Command keepCirculation();
 /// Forgets the kept circulation. Nothing happens when none is kept.
 Command forgetKeptCirculation();

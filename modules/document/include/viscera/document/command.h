@@ -9,15 +9,15 @@
 
 namespace viscera::document {
 
-/// A change of the document, as a value: it makes a new state from a state and touches nothing else. To take
-/// it back is to go back to the state before, so an undo is exact whatever the command does.
+/// A change of the document, as a value: it makes a new state from a state, without side effects. Undo
+/// restores the previous state, so it is exact whatever the command does.
 ///
-/// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not ask
-/// whether the state is one that can be saved: `UndoStack::perform` does (validate.h). The commands there are
-/// come from the functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
+/// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not
+/// check whether the state can be saved: `UndoStack::perform` does (validate.h). Commands are made by the
+/// functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
 /// key_sequence_commands.h, measurement_commands.h, circulation_commands.h, scan_item.h and open_files.h.
 struct Command {
-  std::string name; ///< "Move handle H-3", for the menu; a user reads it.
+  std::string name; ///< "Move handle H-3", shown in the menu.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;
   /// Not empty: a command that follows one with the same key joins its undo step (a slider that moves).
   std::string mergeKey = {};

@@ -32,8 +32,7 @@ struct SystemChoice {
 /// states share with one another: a copy costs nine pointers, and a state that is kept (by the undo stack,
 /// by a worker that saves) never changes.
 ///
-/// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
-/// sequence.
+/// It does not contain the view: the selection (`Selection`), the camera, the mode, the time of a sequence.
 struct DocumentState {
   std::shared_ptr<const OrganList> organs; ///< Never null, nor is any of its items.
   std::shared_ptr<const Rig> rig;          ///< Never null.
@@ -42,7 +41,7 @@ struct DocumentState {
   std::shared_ptr<const KeySequence> keySequence;       ///< The keys that a user has recorded. Never null.
   std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
   std::shared_ptr<const StressMarks> stressMarks;       ///< Probes and lines in stress maps. Never null.
-  std::shared_ptr<const CirculationChoice> circulation; ///< What moves the heart. Never null.
+  std::shared_ptr<const CirculationChoice> circulation; ///< How the heart is moved. Never null.
   std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
 
   /// An empty document.
@@ -51,7 +50,7 @@ struct DocumentState {
   /// The organ with that id, or null. O(organs).
   std::shared_ptr<const Organ> organ(OrganId id) const;
 
-  /// The same parts, by address: what `isClean` of the undo stack means. O(1).
+  /// Compares the parts by address, as `isClean` of the undo stack does. O(1).
   friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
 
@@ -66,7 +65,7 @@ bool atRest(const DocumentState& state);
 struct Change {
   DocumentState before;
   DocumentState after;
-  /// A step that a user is still in the middle of (a drag, a slider): another change or an end follows.
+  /// The step is not complete (a drag, a slider): another change or its end follows.
   bool interactive = false;
 
   bool organs() const { return before.organs != after.organs; }
@@ -80,14 +79,14 @@ struct Change {
   bool scan() const { return before.scan != after.scan; }
 };
 
-/// The open document: its state, and a signal for changes of it. Whoever has one reads it; only an
-/// `UndoStack` changes it, by commands. For one thread; other threads are given a `DocumentState`.
+/// The open document: its state, and a signal for changes of it. Any holder may read it; only an `UndoStack`
+/// changes it, by commands. For one thread; other threads are given a `DocumentState`.
 ///
-/// A change is told in two rounds. First all that is derived from the document and read beside it (selection,
-/// bindings, maps) brings itself up to date and says nothing. Then everybody hears: the observers of the
-/// document, of what is derived from it, and of the undo stack; whoever hears may read all of it, so nothing
-/// depends on the order. An observer that throws keeps nobody from hearing; the first exception is thrown
-/// again by whoever made the change, which stands.
+/// A change is notified in two rounds. First the objects derived from the document (selection, bindings,
+/// maps) update themselves without notifying anyone. Then all observers are called: those of the document, of
+/// the derived objects, and of the undo stack. At that time everything is up to date, so observers do not
+/// depend on the order. If one throws, the others are still called; then the function that made the change
+/// rethrows the first exception. The change is not undone.
 class Document {
 public:
   Document() = default;
@@ -105,32 +104,35 @@ public:
   const StressMarks& stressMarks() const { return *state_.stressMarks; }
   const CirculationChoice& circulation() const { return *state_.circulation; }
 
-  /// Tells of every change. An observer may read the document; to change it is a `std::logic_error`.
+  /// Calls `observer` after every change. An observer may read the document; changing it throws
+  /// `std::logic_error`.
   [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {
     return changed_.connect(std::move(observer));
   }
 
-  /// For what is derived from the document: called before anybody hears of a change, in the order in which it
-  /// was connected (what is derived from something else is made after it).
+  /// For objects derived from the document: called before the observers of a change, in the order of
+  /// connection (so an object is connected after those that it is derived from).
   [[nodiscard]] Subscription onDerive(std::function<void(const Change&)> bringUpToDate) {
     return derived_.connect(std::move(bringUpToDate));
   }
-  /// How what is derived tells its own news: at once, or when the change under way is complete.
+  /// Calls `news`, by which a derived object notifies its own observers: at once, or after the change under
+  /// way is complete.
   void announce(std::function<void()> news);
 
 private:
   friend class UndoStack;
 
-  /// Throws `std::logic_error` while a change is being told.
+  /// Throws `std::logic_error` while observers of a change are being called.
   void requireNoChangeUnderWay() const;
-  /// Tells the observers also when nothing but `interactive` is new: the end of a step is news.
+  /// Calls the observers even if only `interactive` has changed, because the end of a step is a change for
+  /// them.
   void replace(DocumentState state, bool interactive, std::function<void()> news);
 
   DocumentState state_;
   IdSource ids_;
   Signal<const Change&> derived_;
   Signal<const Change&> changed_;
-  std::deque<std::function<void()>> news_; ///< What is to be told of the change under way.
+  std::deque<std::function<void()>> news_; ///< Notifications of derived objects for the change under way.
   bool changing_ = false;
 };
 

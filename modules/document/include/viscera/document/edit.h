@@ -92,7 +92,8 @@ inline std::string freeName(const std::string& wanted, const std::function<bool(
   return name;
 }
 
-/// Triangles over the rows of a rig as the rig keeps them. Throws `UsageError` for a row that there is not.
+/// Converts triangles over the rows of a rig to those of the rig. Throws `UsageError` for a row that does not
+/// exist.
 inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
   std::vector<CageTriangle> cage(static_cast<std::size_t>(rows.rows()));
   for (std::size_t t = 0; t < cage.size(); ++t)

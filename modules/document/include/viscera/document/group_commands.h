@@ -11,7 +11,7 @@
 /// `UsageError` for groups and handles that are not there.
 namespace viscera::document {
 
-/// Adds a group of handles that are there.
+/// Adds a group of existing handles.
 Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles);
 /// Removes a group; its handles stay.
 Command removeGroup(GroupId group);
@@ -45,7 +45,7 @@ GroupingChoice::By groupingFromName(const std::string& name);
 /// and Ito); it begins anew after seven.
 Vec3 groupColor(std::size_t number);
 
-/// What says of a handle that `groupAutomatically` has added it, in its description.
+/// The description of handles that `groupAutomatically` has added.
 inline constexpr const char* kAddedByGrouping = "added by automatic grouping";
 
 /// The groups of `handles` (`n x 3` mm) for these organs. Pieces with less than a fiftieth of an organ's
@@ -54,9 +54,9 @@ inline constexpr const char* kAddedByGrouping = "added by automatic grouping";
 deformation::Grouping makeGroups(const GroupingChoice& choice, const OrganList& organs,
                                  const Points& handles);
 
-/// Puts new groups in the place of those there are, in one step. Handles that an earlier automatic grouping
-/// had added are gone; where the others do not surround a group's part of the organs, corners of a box around
-/// it are added. The pose of the handles that stay is kept.
+/// Replaces all groups by new ones, in one step. Handles that an earlier automatic grouping had added are
+/// removed; where the others do not surround a group's part of the organs, corners of a box around it are
+/// added. The pose of the handles that stay is kept.
 Command groupAutomatically(const GroupingChoice& choice);
 
 } // namespace viscera::document

@@ -11,8 +11,8 @@
 #include "viscera/medical_io/surface_repairs.h"
 
 /// The contents of files that the user checks and repairs before they are imported into a document.
-/// Everything here is a value: a worker makes the next draft of a copy, and what is not accepted is
-/// forgotten.
+/// Everything here is a value: a worker makes the next draft from a copy, and a draft that is not accepted is
+/// dropped.
 namespace viscera::document {
 
 /// One organ of an import draft, with its findings and the repairs done.
@@ -31,11 +31,12 @@ struct DraftOrgan {
 struct ImportDraft {
   OpenedFiles files;
   std::vector<DraftOrgan> organs;                 ///< As many as `files.organs`.
-  std::optional<medical_io::Finding> arrangement; ///< When organs do not lie to each other as in a body.
+  std::optional<medical_io::Finding> arrangement; ///< A finding about organs that are not arranged as in a
+                                                  ///< body.
 
-  /// Something that a user should look at before it is accepted.
+  /// Whether a user should check the draft before it is accepted.
   bool questionable() const;
-  /// Whether anything is left to accept.
+  /// Whether the draft holds nothing that could be accepted.
   bool empty() const;
 };
 
@@ -59,20 +60,22 @@ ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& orga
 struct SharedFinding {
   medical_io::FindingSubject subject = medical_io::FindingSubject::size;
   medical_io::FindingSeverity severity = medical_io::FindingSeverity::doubt; ///< The worst.
-  std::vector<std::size_t> organs;                                           ///< In which it was found.
+  std::vector<std::size_t> organs;                                           ///< The organs with this
+                                                                             ///< finding.
   std::vector<std::string> repairs; ///< Those that help every one of them, best first.
   std::vector<std::size_t> mends;   ///< The organs that a repair is for.
-  bool ofThePatient = false;        ///< It is one thing about the patient, and said of no organ alone.
+  bool ofThePatient = false;        ///< The finding concerns the whole patient and is not shown for single
+                                    ///< organs.
 };
 
-/// What a user should look at in two or more of the organs that are taken along, the gravest and the most
-/// frequent first. The unit of length is one for a patient: where the sizes of more than half are in doubt,
-/// the unit that most of them need is the one repair (the first on a tie), and it is for all organs read from
-/// surface files, also for those whose size says nothing. O(organs).
+/// The findings that two or more of the included organs share, the gravest and the most frequent first. The
+/// unit of length is one for a patient: where the sizes of more than half are in doubt, the unit that most of
+/// them need is the one repair (the first on a tie), and it is for all organs read from surface files, also
+/// for those whose size is not conclusive. O(organs).
 std::vector<SharedFinding> sharedFindings(const ImportDraft& draft);
 
-/// What is to be added to the document: the organs that are included, as they were repaired, each with a
-/// warning that names its repairs. A cavity goes with the organ that it is in.
+/// The files to add to the document: the included organs, as repaired, each with a warning that names its
+/// repairs. A cavity is only included with the organ that it is in.
 OpenedFiles accepted(const ImportDraft& draft);
 
 } // namespace viscera::document

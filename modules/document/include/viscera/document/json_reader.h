@@ -12,16 +12,17 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/phrase.h"
 
+/// Reads JSON files with checks that name the file and the place of an error.
 namespace viscera::document {
 
 /// A whole file as text. Throws `NoInputError` when it cannot be read.
 std::string readText(const std::filesystem::path& file);
 
 /// Reads values from a JSON file with checks; every `DataError` names the file, the place in it and what to
-/// try. `place` is what a user would look for, as `organs[2].look`; empty for the outermost object.
+/// try. `place` is the path of a value in the file, such as `organs[2].look`; empty for the outermost object.
 class JsonReader {
 public:
-  /// What the program writes and reads.
+  /// A file format that the program writes and reads.
   struct Format {
     const char* id;      ///< The value of "format".
     int version;         ///< The latest that is known.
@@ -55,7 +56,7 @@ public:
                                        const std::string& place) const;
   void requireObject(const nlohmann::ordered_json& value, const std::string& place) const;
 
-  /// What `find` makes of a name, or a failure that lists the names there are.
+  /// Returns the result of `find` for a name, or throws an error that lists the known names.
   template <class Value>
   Value named(std::optional<Value> (*find)(const std::string&), const nlohmann::ordered_json& object,
               const char* key, const std::string& place, const std::string& known) const {
@@ -82,7 +83,7 @@ private:
   std::vector<std::string> unknown_;
 };
 
-/// Three numbers as JSON has them.
+/// Three numbers as a JSON array.
 nlohmann::ordered_json listOf(const Vec3& v);
 
 } // namespace viscera::document

@@ -19,11 +19,12 @@ struct MeasuredValues {
   double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values.
   double now = 0;  ///< With the organs' points as they are given; of a region as at rest.
   std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
-  /// Of a region, when there is a scan: its values, as they were recorded, not bent along.
+  /// For a region, if there is a scan: the statistics of its recorded values, without deformation by the
+  /// pose.
   std::optional<slices::RegionStatistics> region;
 };
 
-/// Where an organ's points are now, `n x 3` mm; asked for organs of the document only.
+/// Returns an organ's present points, `n x 3` mm; called for organs of the document only.
 using PointsOf = std::function<const Points&(OrganId)>;
 
 /// Where a point is now, mm, LPS; at rest where its organ is not in the document. O(1).
@@ -33,7 +34,7 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
 /// one thread.
 class RegionMemory {
 public:
-  /// None without a scan. O(voxels of the region) for one that it does not know.
+  /// The statistics of a region; none without a scan. O(voxels of the region) if it is not in the cache.
   std::optional<slices::RegionStatistics> of(const Measurement& measurement, const DocumentState& state);
 
 private:
@@ -54,7 +55,7 @@ double measuredValue(const std::vector<Vec3>& places);
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
                        RegionMemory* memory = nullptr);
 
-/// The part of the patient that a rectangle or a sphere is; none of the other kinds.
+/// The region of a rectangle or a sphere; none for the other kinds.
 std::optional<slices::Region> regionOf(const Measurement& measurement);
 
 /// "mm", "deg", or of a region the scan's unit; empty where that has none.

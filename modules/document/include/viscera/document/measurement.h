@@ -12,11 +12,11 @@ namespace viscera::document {
 
 struct Organ;
 
-/// An end point of a measurement, on an organ's surface or in space. On an organ's surface it goes where the
-/// surface goes.
+/// An end point of a measurement, on an organ's surface or in space. A point on an organ's surface moves with
+/// it.
 struct MeasuredPoint {
   Vec3 rest = Vec3::Zero();    ///< At rest, mm, LPS.
-  OrganId organ;               ///< Whose surface it is on; none for a place that stays.
+  OrganId organ;               ///< The organ on whose surface it lies; none for a fixed place.
   int triangle = -1;           ///< Row of that organ's triangles.
   Vec3 weights = Vec3::Zero(); ///< Barycentric, of the triangle's corners; their sum is 1.
 
@@ -41,7 +41,7 @@ struct Measurement {
 
 using MeasurementList = std::vector<Measurement>;
 
-/// How many points make a measurement of that kind.
+/// The number of points of a measurement of that kind.
 std::size_t pointCount(MeasurementKind kind);
 /// Whether it measures the scan's values.
 bool isRegion(MeasurementKind kind);
@@ -50,8 +50,8 @@ std::string nameOf(MeasurementKind kind);
 /// The kind of that name; none for another word.
 std::optional<MeasurementKind> measurementKindFromName(const std::string& name);
 
-/// The point with these weights of a triangle's corners. Weights that are a little off (rounding) are made
-/// whole. Throws `DataError` when there is no such triangle or the weights are no place in it.
+/// The point with these weights of a triangle's corners. Weights whose sum differs from 1 by rounding are
+/// normalised. Throws `DataError` when there is no such triangle or the weights are no place in it.
 MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights);
 
 /// The point of an organ's surface at rest that is nearest to a place (mm, LPS). O(triangles).

@@ -10,17 +10,16 @@
 /// they name.
 namespace viscera::document {
 
-/// Measures: two points are a distance, three the angle at the middle one. Without a name it is called
-/// "Distance 1", or the next number that is free.
+/// Adds a measurement: two points give a distance, three the angle at the middle one. Without a name it is
+/// called "Distance 1", or the next number that is free.
 Command addMeasurement(std::vector<MeasuredPoint> points, std::string name = {});
 
-/// Measures what `wanted` says, of whose id nothing is taken; without a name as above. A region's points are
-/// taken off their organs, and a rectangle's second corner is brought into the slice of its first.
+/// Adds the measurement `wanted`, with a new id; without a name as above. Points of a region are detached
+/// from organs, and a rectangle's second corner is moved into the slice of its first.
 Command addMeasurement(Measurement wanted);
 
-/// Puts one of its points elsewhere. Moves of one point one after the other are one undo step. A sphere's
-/// middle takes the sphere along, and a rectangle stays flat: both corners go to the slice of the one that
-/// is moved.
+/// Moves one of its points. Successive moves of one point are one undo step. Moving a sphere's middle moves
+/// the whole sphere, and a rectangle stays in one slice: both corners move to the slice of the moved one.
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point);
 
 Command renameMeasurement(MeasurementId measurement, std::string name);

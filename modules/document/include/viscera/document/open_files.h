@@ -19,8 +19,8 @@
 #include "viscera/medical_io/space.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Reads files of organs and handles, and makes the command that adds them to a document. Reading touches no
-/// document, so a worker does it; the command is performed afterwards.
+/// Reads files of organs and handles, and makes the command that adds them to a document. Reading does not
+/// access the document, so a worker does it; the command is performed afterwards.
 namespace viscera::document {
 
 /// A surface as it was read from its file, before an organ is made of it (which may turn its triangles
@@ -48,27 +48,27 @@ struct OpenedFiles {
 /// An organ that is already read, of a file of which others are still being read.
 struct ArrivingOrgan {
   std::string name;
-  std::optional<Vec3> color;                          ///< That its file gives it.
+  std::optional<Vec3> color;                          ///< The colour given in its file.
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As it was read; never null.
   Bounds whole; ///< mm LPS: what the organs of its file will fill, as far as that is known.
 };
 
-/// Told of every organ as soon as its surface is there, long before all of them are: by any thread, never by
-/// two at a time.
+/// Called with every organ as soon as its surface is read, before the others are: on any thread, never on two
+/// at a time.
 using ArrivingOrganListener = std::function<void(ArrivingOrgan)>;
 
-/// Where session files can be opened: by themselves, in place of everything, or nowhere here.
+/// How the caller treats session files: `alone` opens one in place of everything, `nowhere` cannot open them.
 enum class Sessions { alone, nowhere };
 
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
 /// Reads all files: surfaces, label maps and folders of masks (an organ for each label), and the first handle
-/// file. One that cannot be read is left out and told in `failures`, and so are further handle files and
+/// file. A file that cannot be read is left out and listed in `failures`, and so are further handle files and
 /// sessions; when nothing is left, throws what the first of them throws (`NoInputError`, `DataError`,
-/// `UsageError` for a session or an ending that nothing is known about). Throws `UsageError` for no file at
-/// all, `Cancelled`. Who is told by `arrives` gets a copy of each surface. What is said of sessions depends
-/// on whether the caller opens them otherwise.
+/// `UsageError` for a session or an unknown extension). Throws `UsageError` for no file at all, `Cancelled`.
+/// `arrives` is called with a copy of each surface. The error for sessions depends on whether the caller can
+/// open them otherwise.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 
@@ -85,7 +85,7 @@ OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progre
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
                                      const ArrivingOrganListener& arrives = {});
-/// The same without who is whose cavity.
+/// The same without parents of cavities.
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
                                    Progress& progress, const ArrivingOrganListener& arrives = {});
 
@@ -101,7 +101,7 @@ Organ readOrgan(const std::filesystem::path& file);
 /// place) is one handle in several groups. Throws `DataError` for a rig that nothing can be bound to: fewer
 /// than four handles, all in one plane, two at one place.
 NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where);
-/// The rig at rest as a handle file has it; handles without a group form the list "Handles".
+/// The rig at rest as the contents of a handle file; handles without a group form the list "Handles".
 medical_io::HandleFile handleFile(const Rig& rig);
 /// The same of a rig that is not in a document.
 medical_io::HandleFile handleFile(const NewRig& rig);

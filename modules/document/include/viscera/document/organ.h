@@ -40,14 +40,13 @@ struct Organ {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< At rest, mm, LPS; never null.
   OrganLook look;
   OrganId parent;             ///< The organ whose cavity this is; none for an organ of its own.
-  std::filesystem::path file; ///< Where it was read from; empty for one that the program made.
+  std::filesystem::path file; ///< The file from which it was read; empty for one that the program made.
   OrganOrigin origin;
-  /// Parts of it that have names. Of a sample organ, as its definition says; a session names the sample.
+  /// Parts of it that have names, for a sample organ those of its definition; a session names the sample.
   std::vector<geometry::NamedPlace> places;
-  std::vector<std::string>
-      warnings;             ///< What a user should know: assumed space, implausible size, what was mended.
-  int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.
-  double restVolumeMm3 = 0; ///< Signed, of the rest mesh; 0 for an open one.
+  std::vector<std::string> warnings; ///< What a user should know: assumed space, implausible size, repairs.
+  int boundaryEdges = 0;             ///< Edges with one triangle. An open surface has no volume.
+  double restVolumeMm3 = 0;          ///< Signed, of the rest mesh; 0 for an open one.
 
   /// No motion of the handles in the pose may change the volume. Only of a closed surface.
   bool volumeLocked = false;

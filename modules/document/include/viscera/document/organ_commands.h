@@ -9,12 +9,13 @@ namespace viscera::document {
 
 /// An organ that is to be added to a document.
 struct NewOrgan {
-  Organ organ; ///< From `makeOrgan`; its id is given when it is added, `parent` may name one there is.
+  Organ organ; ///< From `makeOrgan`; it gets its id when it is added, and `parent` may be an organ of the
+               ///< document.
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
 };
 
-/// Adds organs behind those there are, in order. A name that is taken gets a number ("Liver 2");
-/// names and remarks, which may come from files, are made UTF-8, and who has no name is called "Organ".
+/// Adds organs after the existing ones, in order. A name that is taken gets a number ("Liver 2"); names and
+/// remarks, which may come from files, are converted to UTF-8, and an organ without a name is called "Organ".
 Command addOrgans(std::vector<NewOrgan> organs);
 
 /// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.

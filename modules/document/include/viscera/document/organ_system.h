@@ -7,7 +7,7 @@
 /// Finds the body system (circulation, digestion and others) of an organ by its name, to arrange long lists.
 namespace viscera::document {
 
-/// The systems in the order of a list, the one of names that say nothing last: "Heart", "Arteries", "Veins",
+/// The systems in the order of a list; unknown names belong to the last one: "Heart", "Arteries", "Veins",
 /// "Respiratory system", ..., "Other".
 const std::vector<std::string>& organSystems();
 

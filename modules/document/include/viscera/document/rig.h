@@ -18,8 +18,8 @@ struct Handle {
   bool locked = false;      ///< A locked handle is moved by no command, neither at rest nor in the pose.
   bool visible = true;
   std::string description; ///< Free text, kept for the files that have it.
-  /// Moves to make up for what other handles' motions change of a locked volume. Where no handle does, all
-  /// that are free do.
+  /// Moves to compensate for changes of a locked volume by other handles. If no handle is marked so, all free
+  /// ones compensate.
   bool compensates = false;
 
   friend bool operator==(const Handle&, const Handle&) = default;
@@ -68,7 +68,7 @@ struct Rig {
 /// Describes handles for a user: "handle H-3", or "5 handles".
 std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
 
-/// The rig as a coordinate system takes it: positions, groups, and the cage that was given, if any.
+/// The rig as the input of a coordinate system: positions, groups, and the given cage, if any.
 coordinates::HandleSet handleSet(const Rig& rig);
 
 } // namespace viscera::document

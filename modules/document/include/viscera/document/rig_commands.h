@@ -9,13 +9,14 @@
 #include "viscera/sequences/sequence.h"
 
 /// Commands that change the handles, at rest and in the pose. All of them throw `UsageError` for handles and
-/// groups that are not there. Texts may come from files: they are made UTF-8, and names where there are none.
+/// groups that are not there. Texts, which may come from files, are converted to UTF-8, and missing names are
+/// generated.
 namespace viscera::document {
 
 /// A handle that is to be added to a document.
 struct NewHandle {
   Vec3 rest = Vec3::Zero();                 ///< mm, LPS.
-  std::optional<Vec3> posed = std::nullopt; ///< Where it is in the present pose; at rest when not given.
+  std::optional<Vec3> posed = std::nullopt; ///< Its place in the present pose; none: at rest.
   std::string label = {};                   ///< Empty: the next free "H-n". One that is taken gets a number.
   std::string description = {};
   bool locked = false;
@@ -39,28 +40,27 @@ struct NewRig {
 /// A new handle for every row of `positions` (`n x 3`), unlabelled.
 std::vector<NewHandle> newHandles(const Points& positions);
 
-/// Adds handles behind those there are, in order, and puts them into `group` when one is given.
+/// Adds handles after the existing ones, in order, to `group` if one is given.
 Command addHandles(std::vector<NewHandle> handles, GroupId group = {});
 
-/// Adds the eight corners of a box around everything: all organs and all handles there are. They come as a
-/// group of their own, "Enclosing". What is offered when vertices lie outside the handles' hull. Throws
-/// `UsageError` without any organ.
+/// Adds the eight corners of a box around all organs and all handles, in a group of their own, "Enclosing".
+/// The window offers this when vertices lie outside the handles' hull. Throws `UsageError` without any organ.
 Command addEnclosingHandles();
 
-/// Adds a group of eight new handles, the corners of a box around those vertices of an organ. What is offered
-/// when vertices lie in no group's region. Throws `UsageError` for an organ or vertices that are not there.
+/// Adds a group of eight new handles, the corners of a box around those vertices of an organ. The window
+/// offers this when vertices lie in no group's region. Throws `UsageError` for an organ or vertices that are
+/// not there.
 Command addEnclosingGroup(OrganId organ, std::vector<int> vertices);
 
-/// Removes handles; groups lose them but stay. With a corner of the cage goes the cage: the convex hull takes
-/// its place.
+/// Removes handles, also from their groups, which stay. Removing a corner of the cage removes the cage, and
+/// the convex hull is used instead.
 Command removeHandles(std::vector<HandleId> handles);
 
 /// Moves handles at rest to `positions` (`handles x 3`). A handle keeps its displacement in the pose: one at
 /// rest stays at rest exactly. Locked ones stay where they are.
 Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 
-/// Puts another rig in the place of the one there is, at rest: automatic placement, a file, a sequence's own
-/// handles.
+/// Replaces the rig by another one, at rest: automatic placement, a file, a sequence's own handles.
 Command replaceRig(NewRig rig, std::string name = "Replace handles");
 
 /// The changes of a handle: label, lock, description, visibility, compensation. What is not given stays.
@@ -85,7 +85,7 @@ Command setPose(Points pose, std::string name = "Set pose");
 Command resetPose();
 
 /// Throws `DataError` when a sequence cannot move these handles: another number of them or another rest pose
-/// (apart by more than 1e-6 of the size). It says to take the sequence's own handles.
+/// (apart by more than 1e-6 of the size). The message proposes the sequence's own handles.
 void requireFits(const Rig& rig, const sequences::Sequence& sequence);
 
 /// The sequence's own handles, for `replaceRig`: in its groups, each handle labelled after its group.

@@ -27,18 +27,20 @@ struct ScanItem {
 /// nothing only. O(voxels) for two scans in different places.
 bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<const ScanItem>& b);
 
-/// Makes a scan of the document from one that was read: by its modality and description, else by its file.
+/// Makes a scan of the document from one that was read, named by its modality and description, else by its
+/// file.
 ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
                   const medical_io::ScanOptions& options = {});
 
-/// Reads a scan for a document, with its hash. Touches none; throws what `medical_io::readScan` throws.
+/// Reads a scan for a document, with its hash, without accessing a document. Throws what
+/// `medical_io::readScan` throws.
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress);
 
 /// Takes the first file or folder out of `files` that is a scan, and reads it; none when all of them are
-/// something else. Image formats hold scans and label maps alike: what looks like labels is none, and neither
-/// is what cannot be read as a scan but may be a label map. Throws `NoInputError`, `DataError` for a scan
-/// that is damaged, `Cancelled`.
+/// something else. Image formats hold scans and label maps alike: a file that looks like labels is not taken,
+/// and neither is one that cannot be read as a scan but may be a label map. Throws `NoInputError`,
+/// `DataError` for a scan that is damaged, `Cancelled`.
 std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress);
 
 /// Opens a scan in the document, in place of the present one.

@@ -6,9 +6,9 @@
 
 namespace viscera::document {
 
-/// The selected organ and handles of a document. It is a way of looking at the document, not a part of it:
-/// selecting is no undo step, is not saved, and what leaves the document leaves the selection, before anybody
-/// hears of it. For the document's thread.
+/// The selected organ and handles of a document. It is not a part of the document: selecting is not an undo
+/// step and is not saved. Items that are removed from the document are removed from the selection before
+/// observers of the document are called. For the document's thread.
 class Selection {
 public:
   explicit Selection(Document& document);
@@ -30,7 +30,7 @@ public:
   void setGroup(GroupId group);
   void clear();
 
-  /// Tells of every change, after it.
+  /// Calls `observer` after every change.
   [[nodiscard]] Subscription onChange(std::function<void()> observer) {
     return changed_.connect(std::move(observer));
   }

@@ -9,15 +9,15 @@
 #include "viscera/document/document.h"
 #include "viscera/sample_organs/sample_organ.h"
 
-/// Reads and writes session files (`.viscera`, docs/session_format.md), which hold all that is needed to come
-/// back to the same picture and the same numbers.
+/// Reads and writes session files (`.viscera`, docs/session_format.md), which hold everything that is needed
+/// to restore the same picture and the same numbers.
 namespace viscera::document {
 
-/// What the names of session files end in.
+/// The extension of session files.
 inline constexpr const char* kSessionEnding = ".viscera";
 
 /// An organ of a session whose surface was not found when the session was opened. It is not in the document,
-/// but it is written again as it was, so that it comes back when its file does.
+/// but saving writes it again unchanged, so that it can be opened when its file is found.
 struct MissingOrgan {
   std::string name;
   std::string record;            ///< As in the file: a JSON object.
@@ -44,14 +44,14 @@ struct SessionContents {
   std::filesystem::path recovers;
 };
 
-/// Where the surface of an organ came from when a session was opened.
+/// The source of an organ's surface when a session was opened.
 struct SurfaceFinding {
   enum class State {
     embedded, ///< It is inside the session file.
-    found,    ///< Its file, or its sample organ, is what it was.
+    found,    ///< Its file, or its sample organ, is unchanged.
     moved,    ///< The same file, in another place.
     changed,  ///< Another surface than the one that was saved is there now, and is used.
-    missing   ///< Nothing that can be read; the organ was left out.
+    missing   ///< No readable file was found; the organ was left out.
   };
   std::string organ;  ///< Its name.
   std::string source; ///< The file as found (or as it was), "sample:heart/lv@medium", or empty.
@@ -83,8 +83,8 @@ OpenedSession readSession(const std::filesystem::path& file, const sample_organs
 
 /// Writes a session; reading it back gives the same document to the last bit, and writing that again the same
 /// bytes. Atomic: what was there before stays until the new file is complete on the disk. Reads the organs'
-/// files to see that they are still what they were. Throws `CannotCreateError` (also for a name that does not
-/// end in .viscera), `DataError` for a state that is not valid (validate.h), `Cancelled`. For any thread.
+/// files to check that they are unchanged. Throws `CannotCreateError` (also for a name that does not end in
+/// .viscera), `DataError` for a state that is not valid (validate.h), `Cancelled`. For any thread.
 void writeSession(const std::filesystem::path& file, const SessionContents& contents, Progress& progress);
 
 } // namespace viscera::document

@@ -8,11 +8,11 @@
 
 namespace viscera::document {
 
-/// A point of an organ's tissue whose stress is watched. It is a material point: it is kept where it lies at
-/// rest, and goes where the tissue goes.
+/// A point of an organ's tissue at which stress is displayed. It is a material point, stored by its place at
+/// rest, and moves with the tissue.
 struct StressProbe {
   StressProbeId id;
-  int number = 1; ///< What it is called in the view and in tables, from 1; no two have the same.
+  int number = 1; ///< Its unique number in the view and in tables, from 1.
   OrganId organ;
   Vec3 rest = Vec3::Zero(); ///< mm, LPS.
 
@@ -28,7 +28,7 @@ struct StressLine {
   friend bool operator==(const StressLine&, const StressLine&) = default;
 };
 
-/// What a user has marked in stress maps, each list in the order in which it was made.
+/// The probes and lines that a user has marked in stress maps, each list in the order of creation.
 struct StressMarks {
   std::vector<StressProbe> probes;
   std::vector<StressLine> lines;

@@ -9,8 +9,8 @@
 #include "viscera/geometry/triangle_mesh.h"
 
 /// Commands that choose the coordinate system and the cage that some systems need. The document does not know
-/// which systems there are: what a system does not accept is for whoever has the registry to refuse
-/// beforehand, and `LiveBinding` says it of every organ.
+/// which systems exist: code that has the registry should check the choice beforehand, and `LiveBinding`
+/// reports for every organ what the system does not accept.
 namespace viscera::document {
 
 /// Chooses the coordinates and all of their parameters.
@@ -34,12 +34,12 @@ struct GivenCage {
 /// manifold, of more than `kMostCageVertices`, or that crosses itself, and `Cancelled`.
 GivenCage readCage(const std::filesystem::path& file, Progress& progress);
 
-/// Whether handles stand at rest at all vertices of the cage, one at each. O(handles x vertices).
+/// Whether there is one handle at rest at each vertex of the cage. O(handles x vertices).
 bool handlesAtAllVertices(const Rig& rig, const geometry::TriangleMesh& cage);
 
-/// Sets the cage. Handles that stand at all of its vertices become its corners and keep everything else;
-/// others beside them stay, without influence. Else the cage's vertices become the handles, at rest, in the
-/// place of those there are and of their groups. Throws as `replaceRig` and `coordinates::requireCage`.
+/// Sets the cage. If there are handles at all of its vertices, they become its corners and keep their other
+/// properties; further handles stay, without influence. Else the cage's vertices become the handles, at rest,
+/// and replace the present handles and their groups. Throws as `replaceRig` and `coordinates::requireCage`.
 Command takeCage(GivenCage cage);
 
 /// Removes the cage: the convex hull of the handles is the cage again. All handles stay.

@@ -19,25 +19,25 @@ namespace viscera::document {
 ///     undo.undo();
 class UndoStack {
 public:
-  /// What the steps may keep in memory, bytes; beyond it the oldest ones are forgotten.
+  /// The memory that steps may use, bytes; beyond it the oldest ones are dropped.
   static constexpr std::size_t kMemory = std::size_t{1} << 30;
 
   explicit UndoStack(Document& document, std::size_t memory = kMemory);
 
-  /// Does a command as one undo step (or as part of the step that is open). A command that changes nothing
-  /// leaves no step. Passes on what the command throws, and throws `DataError` for a state that no session
-  /// file could hold (validate.h), with the document and the stack as they were.
+  /// Performs a command as one undo step (or as part of the open step). A command that changes nothing adds
+  /// no step. Throws what the command throws, and `DataError` for a state that no session file could hold
+  /// (validate.h); document and stack are then unchanged.
   void perform(const Command& command);
 
   /// An open step: all commands until `finish` become one undo step, and observers see the changes as
-  /// interactive. Steps do not nest: a new one finishes the one before, whose holder then holds nothing. The
+  /// interactive. Steps do not nest: a new one finishes the one before, whose object then has no effect. The
   /// stack must live longer.
   class [[nodiscard]] Step {
   public:
     Step(UndoStack& undo, const std::string& name);
     Step(Step&& other) noexcept : undo_(std::exchange(other.undo_, nullptr)), number_(other.number_) {}
     Step& operator=(Step&&) = delete;
-    /// Cancels what is still open: an error on the way, Esc during a drag.
+    /// Cancels the step if it is still open, as after an error or Esc during a drag.
     ~Step();
 
     /// Closes the step. One that changed nothing in the end leaves no entry.
@@ -53,19 +53,19 @@ public:
   };
   bool stepOpen() const { return stepOpen_; }
 
-  /// The next command begins a step of its own even when its merge key is that of the last one: a slider was
-  /// let go.
+  /// Makes the next command begin a new step even if its merge key is that of the last one, as after a slider
+  /// was released.
   void seal() { sealed_ = true; }
 
-  /// False while a step is open: whoever drags finishes or cancels first.
+  /// False while a step is open: it has to be finished or cancelled first.
   bool canUndo() const { return !stepOpen_ && position_ > 0; }
   bool canRedo() const { return !stepOpen_ && position_ < entries_.size(); }
-  /// Goes one step back or forth; nothing happens when `canUndo` or `canRedo` says no.
+  /// Goes one step back or forth; nothing happens when `canUndo` or `canRedo` is false.
   void undo();
   void redo();
-  /// Goes to where `steps` of all steps are done, as so many `undo` or `redo` would; observers are told once.
+  /// Goes to the state after `steps` of all steps, like repeated `undo` or `redo`; observers are called once.
   void goTo(std::size_t steps);
-  /// The name of the step that `undo` would take back, or `redo` do again; empty when there is none.
+  /// The name of the step that `undo` or `redo` would affect; empty when there is none.
   std::string undoName() const;
   std::string redoName() const;
   /// The names of all steps, oldest first, and how many of them are done now.
@@ -76,15 +76,15 @@ public:
   void markSaved();
   /// Remembers the state that was saved while work went on.
   void markSaved(DocumentState state);
-  /// No state there has been is a saved one: the document came out of a recovery file.
+  /// Marks all states as unsaved, for a document from a recovery file.
   void markUnsaved();
-  /// Whether the document is what was saved (or loaded): undoing back to it is clean again.
+  /// Whether the document is in the saved (or loaded) state, also after undoing back to it.
   bool isClean() const;
 
   /// Another document: forgets all steps and takes `state` as saved.
   void reset(DocumentState state);
 
-  /// Tells when the names, `canUndo`, `canRedo`, `isClean` or the open step may be new.
+  /// Calls `observer` when the names, `canUndo`, `canRedo`, `isClean` or the open step may have changed.
   [[nodiscard]] Subscription onChange(std::function<void()> observer) {
     return changed_.connect(std::move(observer));
   }
@@ -95,7 +95,7 @@ private:
     std::string mergeKey;
     DocumentState before;
     DocumentState after;
-    std::size_t bytes = 0; ///< What is in `after` and not in `before`.
+    std::size_t bytes = 0; ///< Memory of the parts that are in `after` and not in `before`.
   };
 
   void beginStep(const std::string& name);

@@ -72,7 +72,7 @@ private:
 /// The edge of the cells (mm) in which a few of `points` points that fill `box` lie, such that a grid of them
 /// stays below twenty million.
 inline double cellEdge(const Bounds& box, Eigen::Index points) {
-  constexpr double kCellScale = 1.5; // Edge of a cell, in terms of the cube that one point has to itself.
+  constexpr double kCellScale = 1.5; // Edge of a cell, in units of the cube that one point takes.
   constexpr double kMostCells = 2e7;
   const Vec3 extent = (box.high - box.low).cwiseMax(1e-6 * box.diagonal());
   const double perPoint = std::cbrt(extent.prod() / static_cast<double>(points));

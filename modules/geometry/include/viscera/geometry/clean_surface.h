@@ -13,7 +13,7 @@ struct CleanedSurface {
   bool changed() const { return mergedPoints + removedTriangles + turnedTriangles > 0; }
 };
 
-/// Of the diagonal of the mesh's box.
+/// The largest distance of points that are merged, as a fraction of the diagonal of the mesh's box.
 inline constexpr double kMergeDistance = 1e-9;
 
 /// Merges coinciding points, removes triangles without area and repeated ones, drops points that no triangle
@@ -27,8 +27,8 @@ CleanedSurface cleanSurface(const TriangleMesh& mesh);
 int faceOutward(TriangleMesh& mesh);
 
 /// Simplifies a surface by joining vertices that are in one cell: all points within a cube of edge `cell`
-/// (mm) become their mean, and triangles that lose their area thereby go. What was closed stays closed in the
-/// sense that winding numbers see no hole, but may touch itself. O(m).
+/// (mm) become their mean, and triangles that lose their area are removed. A closed surface stays closed for
+/// winding numbers, but may touch itself. O(m).
 TriangleMesh clusterVertices(const TriangleMesh& mesh, double cell);
 
 } // namespace viscera::geometry

@@ -13,11 +13,11 @@ struct ClosedSurface {
 /// Fills every hole of an open surface by a cap: one triangle where three edges are open, else a fan around
 /// the mean of the rim (weighted by the lengths of its edges, so that a rim that is sampled unevenly does not
 /// pull it aside). Caps run the same way round as the triangles beside them. A point where two rims touch is
-/// taken as part of both. Vertex colours go on into the caps. A closed surface comes back as it is.
+/// taken as part of both. Vertex colours go on into the caps. A closed surface is returned unchanged.
 ///
-/// The middles lie in the convex hull of the surface, so what encloses the one encloses the other. Throws
-/// `DataError` when the triangles beside a rim do not run the same way round. Expects valid indices. O(m log
-/// m).
+/// The middles lie in the convex hull of the surface, so a hull that encloses the surface encloses the caps
+/// too. Throws `DataError` when the triangles beside a rim do not run the same way round. Expects valid
+/// indices. O(m log m).
 ClosedSurface closeHoles(const TriangleMesh& mesh);
 
 } // namespace viscera::geometry

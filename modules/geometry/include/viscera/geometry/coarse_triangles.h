@@ -4,14 +4,14 @@
 
 namespace viscera::geometry {
 
-/// Simplifies a surface to about `vertices` of its own vertices and returns the triangles between them: what
-/// is drawn in place of the surface while it moves too fast to be looked at closely. They follow every
+/// Simplifies a surface to about `vertices` of its own vertices and returns the triangles between them: they
+/// are drawn in place of the surface while it moves too fast for details to be visible. They follow every
 /// deformation without a computation of their own, because their corners are the surface's.
 ///
 /// Vertices of one cube of a grid whose normals lie in one octant become the one among them that is nearest
 /// to their mean; triangles that lose a corner so are left out (Rossignac and Borrel, "Multi-resolution 3D
-/// approximations for rendering complex scenes", 1993). Good for a picture; no surface to compute with: thin
-/// parts may lie on themselves.
+/// approximations for rendering complex scenes", 1993). For drawing only, not for computations: opposite
+/// walls of thin parts may coincide.
 ///
 /// Corners are rows of `mesh.points`. All triangles when the mesh has no more vertices than that. Throws
 /// `UsageError` for fewer than four vertices. O(n log n), 0.1 s for a million vertices. The same on any

@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 
+/// Computes convex hulls and Delaunay tetrahedra of points, by Qhull.
 namespace viscera::geometry {
 
 /// `m x 4` vertex indices of tetrahedra, row major.

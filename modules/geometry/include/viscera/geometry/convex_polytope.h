@@ -13,7 +13,7 @@ namespace viscera::geometry {
 /// thread-safe to read.
 ///
 /// One length, the tolerance, decides what counts as equal, flat or touching; it must be far above rounding
-/// and far below the size of what matters (1e-9 of the whole scene's diagonal is a good choice).
+/// and far below the smallest relevant size (1e-9 of the whole scene's diagonal is a good choice).
 class ConvexPolytope {
 public:
   /// The convex hull of `n x 3` finite points (at least one), mm. O(n log n).
@@ -35,7 +35,7 @@ public:
   /// The point of the set nearest to `point`; `point` itself inside. O(faces).
   Vec3 closestPoint(const Vec3& point) const;
 
-  /// What the two sets have in common, or nothing. Touching counts. O(edges x faces).
+  /// The intersection of both sets, or empty. Sets that touch intersect. O(edges x faces).
   std::optional<ConvexPolytope> intersection(const ConvexPolytope& other) const;
 
 private:

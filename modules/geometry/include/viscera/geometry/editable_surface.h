@@ -51,7 +51,7 @@ public:
   /// Merges b into a, placed at `place`; refused as above, whatever the length of the edges.
   bool collapseTo(const Edge& edge, const Vec3& place);
 
-  /// Turns the edge to the other diagonal when that brings the valences nearer to six; refused where the
+  /// Flips the edge to the other diagonal when that makes the valences closer to six; refused where the
   /// surface bends across the edge or would fold.
   bool flip(const Edge& edge);
 

@@ -8,13 +8,13 @@
 
 namespace viscera::geometry {
 
-/// Computes the volume of a surface in parts, on any number of threads and machines, with the same bits
-/// however it is divided. Also, along a common motion of the points, the volume as a cubic.
+/// Computes the volume of a surface in parts, on any number of threads and machines, with the same bits for
+/// any division into parts. Also, along a common motion of the points, the volume as a cubic.
 ///
-/// A surface's triangles count from an origin that all parts share, tetrahedra from their own corner; each
-/// term is rounded as it is, and the terms are summed exactly (`ExactSum`). Differs from `volume`, which sums
-/// blocks, in the last digits only. About 20 ns a triangle for the volume alone, 80 ns for the cubic. For one
-/// thread at a time.
+/// The terms of a surface's triangles refer to an origin that all parts share, those of tetrahedra to their
+/// own corner; each term is rounded, and the terms are summed exactly (`ExactSum`). Differs from `volume`,
+/// which sums blocks, in the last digits only. About 20 ns a triangle for the volume alone, 80 ns for the
+/// cubic. For one thread at a time.
 class ExactVolume {
 public:
   /// `origin` (mm) is the same for all parts.

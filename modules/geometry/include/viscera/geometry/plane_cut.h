@@ -35,11 +35,11 @@ struct PlaneCut {
   std::size_t lines() const { return closed.size(); }
 };
 
-/// Cuts every surface by every plane: result `[surface][plane]`. All planes together take one look at the
-/// triangles, so that three cost little more than one. A vertex in a plane counts as above it: no triangle is
-/// cut twice and no line ends at a vertex, but a triangle that lies in the plane gives nothing of its own.
-/// At most eight planes, else `UsageError`. O(points * planes + triangles + p log p) for p points in the
-/// result, on several threads; the result does not depend on how many.
+/// Cuts every surface by every plane: result `[surface][plane]`. The triangles are read once for all planes,
+/// so that three cost little more than one. A vertex in a plane counts as above it: no triangle is cut twice
+/// and no line ends at a vertex, but a triangle that lies in the plane adds no line. At most eight planes,
+/// else `UsageError`. O(points * planes + triangles + p log p) for p points in the result, on several
+/// threads; the result does not depend on how many.
 std::vector<std::vector<PlaneCut>> cutSurfaces(const std::vector<SurfaceView>& surfaces,
                                                const std::vector<Plane>& planes, Threads threads = {});
 

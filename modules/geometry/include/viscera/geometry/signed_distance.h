@@ -8,14 +8,13 @@
 
 namespace viscera::geometry {
 
-/// How far points are from a closed surface, and on which side: negative inside. A bounding-volume tree over
-/// the triangles finds the nearest one; the side is that of the angle-weighted pseudonormal there (Baerentzen
-/// and Aanaes, doi 10.1109/TVCG.2005.49), which is right also beside edges and corners. Immutable;
-/// thread-safe.
+/// The signed distance of points from a closed surface: negative inside. A bounding-volume tree over the
+/// triangles finds the nearest one; the side is that of the angle-weighted pseudonormal there (Baerentzen and
+/// Aanaes, doi 10.1109/TVCG.2005.49), which is right also beside edges and corners. Immutable; thread-safe.
 class SignedDistance {
 public:
-  /// Takes a valid mesh with triangles (`requireValid`), closed and outward for the sign to mean anything.
-  /// Keeps it. O(m log m). Throws `DataError` for a mesh without triangles.
+  /// Takes a valid mesh with triangles (`requireValid`), closed and outward, else the sign is meaningless.
+  /// Shares ownership of it. O(m log m). Throws `DataError` for a mesh without triangles.
   explicit SignedDistance(std::shared_ptr<const TriangleMesh> mesh);
   ~SignedDistance();
 

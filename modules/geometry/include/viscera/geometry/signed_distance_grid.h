@@ -27,8 +27,8 @@ inline constexpr int kDistanceBand = 3;
 SignedDistanceGrid signedDistanceGrid(const TriangleMesh& surface, double spacing, Progress& progress,
                                       Threads threads = {});
 
-/// Averages every value with its neighbours, weights 1 2 1 along each axis, `rounds` times: rounds off the
-/// steps that closed holes leave.
+/// Averages every value with its neighbours, weights 1 2 1 along each axis, `rounds` times: smooths the steps
+/// at closed holes.
 void smoothen(SignedDistanceGrid& grid, int rounds, Threads threads = {});
 
 } // namespace viscera::geometry

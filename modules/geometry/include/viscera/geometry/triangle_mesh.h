@@ -42,8 +42,7 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
 /// index is out of range. `where` names the mesh in the message. O(n + m).
 void requireValid(const TriangleMesh& mesh, const std::string& where);
 
-/// Scales a surface about the origin: coordinates that were in another unit or in other axes. Colours stay.
-/// O(n + m).
+/// Scales a surface about the origin, to convert coordinates from another unit. Colours stay. O(n + m).
 ///
 /// Every coordinate times `factor` (positive).
 TriangleMesh scaled(TriangleMesh mesh, double factor);

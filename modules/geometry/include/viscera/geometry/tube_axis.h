@@ -5,7 +5,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// The centreline of a surface that is about a tube: stomach, bowel, vessel.
+/// Computes the centreline of a surface that is roughly a tube: stomach, bowel, vessel.
 namespace viscera::geometry {
 
 /// The two ends of a tube as vertices.
@@ -31,9 +31,9 @@ struct TubeAxis {
 
 /// The centreline from one vertex to another: centres of the slices in which a harmonic function on the
 /// surface, 0 around one end and 1 around the other, is constant. A side branch has no end of its own, so the
-/// function is level there and slices leave it out; of several loops the one around the largest area counts.
-/// `slices` at least 8. Deterministic. Throws `DataError` when the two are one place or not on one piece of
-/// the surface. A sparse factorisation, O(n^1.5).
+/// function is constant there and slices leave it out; of several loops the one around the largest area
+/// counts. `slices` at least 8. Deterministic. Throws `DataError` when the two are one place or not on one
+/// piece of the surface. A sparse factorisation, O(n^1.5).
 TubeAxis tubeAxis(const TriangleMesh& mesh, int from, int to, int slices = 48);
 
 } // namespace viscera::geometry

@@ -15,13 +15,13 @@ namespace viscera::geometry {
 /// O(m).
 double volume(const Points& points, const Triangles& triangles, Threads threads = {});
 
-/// The sum of `volume` in pieces, for whoever measures several surfaces in one loop. `points` and `triangles`
-/// must live longer, and be what they are until all pieces are done.
+/// The sum of `volume` in pieces, for measuring several surfaces in one parallel loop. `points` and
+/// `triangles` must live longer, and must not change until all pieces are done.
 class VolumeSum {
 public:
   VolumeSum(const Points& points, const Triangles& triangles);
 
-  /// A piece for each block of triangles. This must stay where it is until they are done.
+  /// A piece for each block of triangles. This object must not be moved until they are done.
   PiecesOfWork pieces();
   /// mm^3, once all pieces are done: the bits of `volume`.
   double volume() const;

@@ -6,11 +6,11 @@
 
 namespace viscera::geometry {
 
-/// Computes the winding number, that is how often a surface winds around a point: 1 inside and 0 outside of a
-/// closed one. For an open or self-intersecting surface the number passes smoothly from one to the other
-/// across a hole, so "above one half" is a sound answer to "inside?" where no exact one exists (Jacobson et
-/// al. 2013, doi:10.1145/2461912.2461916). Far triangles are taken together as one dipole, as by Barill et
-/// al. 2018, doi:10.1145/3197517.3201337. Immutable; may be asked from several threads.
+/// Computes the winding number, the number of times that a surface winds around a point: 1 inside and 0
+/// outside of a closed one. For an open or self-intersecting surface the number passes smoothly from one to
+/// the other across a hole, so "above one half" is a sound answer to "inside?" where no exact one exists
+/// (Jacobson et al. 2013, doi:10.1145/2461912.2461916). Far triangles are taken together as one dipole, as by
+/// Barill et al. 2018, doi:10.1145/3197517.3201337. Immutable; may be asked from several threads.
 class WindingNumber {
 public:
   /// Copies what it needs of `mesh`, whose indices and coordinates are valid. O(m log m).

@@ -7,7 +7,7 @@
 /// Splines through numbers that change over a cycle, known at some instants and smooth between them.
 namespace viscera::lesson {
 
-/// A row an instant, a column a mode (or whatever else follows the cycle).
+/// One row for each instant, one column for each mode (or other quantity over the cycle).
 using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Whether a course continues with its first instant after the last one, or ends there.
@@ -24,7 +24,8 @@ struct Course {
 /// one, de Boor 2001, chapter 4). O(k modes).
 Course splineThrough(std::vector<double> instants, Table values, CourseEnd end);
 
-/// The value of a course at `fraction` of the cycle, [0, 1]: `modes` numbers. As the page does it.
+/// The value of a course at `fraction` of the cycle, [0, 1]: `modes` numbers. The page computes it in the
+/// same way.
 Eigen::VectorXd valueAt(const Course& course, double fraction);
 
 /// The fraction of the cycle at which the `sample` is of `samples` that are spread evenly.

@@ -55,11 +55,11 @@ inline constexpr Eigen::Index kCurveSamples = 96;
 inline constexpr double kStepMm = 0.01;
 inline constexpr double kWeightStep = 1.0 / 1024;
 
-/// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples meet it,
-/// finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
-/// bound; they are moved where a volume is to be kept, and posed anyhow afterwards. Some seconds. Throws
-/// `DataError` for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For
-/// the thread of the organs.
+/// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples reproduce
+/// it, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`, bound;
+/// they are moved to keep volumes, and are in an arbitrary pose afterwards. Some seconds. Throws `DataError`
+/// for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For the thread of
+/// the organs.
 Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                   Progress& progress, Threads threads = {});
 

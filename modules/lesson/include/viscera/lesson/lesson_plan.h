@@ -17,7 +17,7 @@ namespace viscera::lesson {
 
 /// The most rates that `offeredRates` proposes for a lesson, so that the lesson stays short.
 inline constexpr std::size_t kMostRates = 10;
-/// A rig of more handles is too many to grip: then others are placed.
+/// The most handles of a rig that a reader can drag; for a larger rig other handles are placed.
 inline constexpr std::size_t kMostOwnHandles = 40;
 
 /// The document, motion and view that a lesson is made from.
@@ -26,14 +26,14 @@ struct LessonSource {
   std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
   double ratePerMinute = 0;                                 ///< To begin with; 0: the sequence's own.
   std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
-  std::optional<presentation::Camera> camera = {};          ///< Where the reader's eye is to begin with.
+  std::optional<presentation::Camera> camera = {};          ///< The camera at the beginning.
   std::vector<presentation::Slide> slides = {};             ///< Views that the session keeps, in order.
 };
 
 /// A label of a lesson: a name at a place of a surface.
 struct PlannedLabel {
   std::string text;
-  Vec3 at = Vec3::Zero(); ///< mm, LPS, at rest; the nearest vertex takes it along.
+  Vec3 at = Vec3::Zero(); ///< mm, LPS, at rest; it moves with the nearest vertex.
 };
 
 /// An organ that a lesson will show, with its name and look.
@@ -44,8 +44,8 @@ struct PlannedSurface {
   bool vertexColors = false; ///< It is drawn in the mesh's own colours.
   double opacity = 1;
   bool wall = false;    ///< Others lie in it: it can be made transparent.
-  bool charted = false; ///< Closed and tracked: its volume is a line of the chart.
-  bool ejects = false;  ///< A ventricle: stroke volume and ejection fraction say something.
+  bool charted = false; ///< It is closed and tracked, so its volume is a line of the chart.
+  bool ejects = false;  ///< It is a ventricle, with stroke volume and ejection fraction.
   bool output = false;  ///< The left one: its stroke volume times the rate is the cardiac output.
   std::vector<PlannedLabel> labels;
 };
@@ -71,13 +71,13 @@ struct PlannedPhase {
   std::string title;
 };
 
-/// The plan of a lesson: its organs, labels, texts and slides without the motion's data. It is small, made at
-/// once, to be looked at and edited before the lesson itself is made. Nothing of the document comes into a
-/// lesson but by this list.
+/// The plan of a lesson: its organs, labels, texts and slides without the motion's data. It is small and made
+/// at once, so that it can be checked and edited before the lesson itself is made. A lesson contains only
+/// those parts of the document that are listed here.
 struct LessonPlan {
   std::string language; ///< Of the page's own texts, a code of `pageLanguages`; empty: the program's.
   std::string title;
-  std::string notes; ///< Where it comes from, what it is not for.
+  std::string notes; ///< Sources and disclaimers.
   std::vector<PlannedSurface> surfaces;
   std::vector<PlannedRange> ranges;
   std::vector<PlannedMeasurement> measurements;
@@ -92,9 +92,9 @@ struct LessonPlan {
 };
 
 /// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),
-/// bands of healthy people, the document's measurements, the session's slides before those of `spec`, and
-/// what `spec` says instead. Throws `UsageError` when no organ is shown, and for a language, names and phases
-/// in `spec` that there are not.
+/// bands of healthy people, the document's measurements, the session's slides before those of `spec`, and the
+/// overrides of `spec`. Throws `UsageError` when no organ is shown, and for an unknown language, name or
+/// phase in `spec`.
 ///
 ///     LessonSource source{document.state()};
 ///     LessonPlan plan = planLesson(source, {});
@@ -109,7 +109,7 @@ LessonSpec readySpecFor(const LessonSource& source);
 /// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.
 std::vector<double> offeredRates(const sequences::Sequence& sequence);
 
-/// One text that a reader of the lesson will be able to read.
+/// One text of a lesson.
 struct LessonText {
   std::string kind; ///< What it is: "Title", "Organ", "Label".
   std::string* text = nullptr;

@@ -18,7 +18,7 @@ struct Eye {
 /// A slide of a lesson: a view with its caption.
 struct PlannedSlide {
   std::string title = {};
-  std::string text = {}; ///< What there is to see; may be empty.
+  std::string text = {}; ///< Describes the view; may be empty.
   std::optional<Eye> eye = {};
   std::string side = {}; ///< "anterior", "posterior", "left", "right", "superior", "inferior"; or empty.
   std::optional<double> fraction = {};  ///< Of the cycle, [0, 1]: the slide stands still there.
@@ -27,7 +27,7 @@ struct PlannedSlide {
   std::vector<std::string> hidden = {}; ///< Names of organs that are switched off.
   std::vector<std::size_t> hiddenSurfaces = {}; ///< The same by their places among the plan's surfaces.
   std::optional<double> seeThrough = {};        ///< Opacity of the walls, [0, 1].
-  std::optional<bool> names = {};               ///< Whether names are shown; nothing: as the reader has it.
+  std::optional<bool> names = {};               ///< Whether names are shown; empty: the reader's choice.
   bool handles = false;
 };
 
@@ -60,8 +60,8 @@ struct PageLanguage {
 /// The languages that come with the program, English first.
 std::vector<PageLanguage> pageLanguages();
 
-/// Reads a lesson specification from JSON. Throws `DataError` that names `where` and the key for text that is
-/// none.
+/// Reads a lesson specification from JSON. Throws `DataError` that names `where` and the key for invalid
+/// text.
 LessonSpec readSpec(const std::string& json, const std::string& where);
 
 /// The lesson specification that the program has for a sequence on its sample organ: title, names of parts,

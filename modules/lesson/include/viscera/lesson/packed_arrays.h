@@ -7,7 +7,7 @@
 #include "viscera/core/arrays.h"
 
 /// Compresses arrays of numbers for a lesson's page: they are rounded to a step, each as the difference to an
-/// earlier one, in planes of bytes, so that deflate finds little to do (docs/lessons.md, "The file").
+/// earlier one, split into planes of bytes, which deflate compresses well (docs/lessons.md, "The file").
 namespace viscera::lesson {
 
 /// The place and encoding of an array among the packed bytes. Step 0: plain little-endian floats of width 4.

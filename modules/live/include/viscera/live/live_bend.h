@@ -18,14 +18,13 @@ namespace viscera::live {
 inline constexpr double kBendToleranceMm = 0.03;
 
 /// Keeps the inverse of the present deformation up to date, so that a scan can be deformed with the organs.
-/// While somebody wants it, the space around the handles is bound on the job queue (slot "bend") for the
-/// handles and the system there are, anew when those become others; a pose takes a few milliseconds. For the
-/// document's thread.
+/// While `setWanted` is on, the space around the handles is bound on the job queue (slot "bend"), anew when
+/// the handles or the system change; a pose takes a few milliseconds. For the document's thread.
 class LiveBend {
 public:
   struct Options {
-    /// About as long a plane may ask the system itself; of one that binds slowly only the roughest places
-    /// are.
+    /// Time that `restPlane` may spend on the system itself; with a system that binds slowly, only the
+    /// roughest places are refined.
     double refineSeconds = 0.008;
     Threads threads = {};
   };
@@ -40,25 +39,25 @@ public:
   LiveBend(const LiveBend&) = delete;
   LiveBend& operator=(const LiveBend&) = delete;
 
-  /// Whether anybody looks; nothing is bound before.
+  /// Sets whether the map is needed; nothing is bound before.
   void setWanted(bool wanted);
 
-  /// The map in the pose that organs are shown in, brought up to date by the call; null at rest, while it is
-  /// bound, and where it cannot be.
+  /// The map for the pose in which organs are shown, updated by this call; null at rest, while it is being
+  /// bound, and if it cannot be bound.
   const deformation::InverseMap* map();
   /// Where the samples of a plane are at rest, by `map`, which must not be null, and by the system itself
   /// where the map's grid is too coarse: as near as `kBendToleranceMm`, or, of systems that bind slowly, as
   /// many of the roughest places as take about a hundredth of a second.
   void restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest);
-  /// How much tissue at rest the pose turns inside out, ml; 0 without a map.
+  /// The volume of tissue at rest that the pose turns inside out, ml; 0 without a map.
   double foldedMl();
-  /// Another number whenever `map` says something else.
+  /// A number that changes whenever `map` returns another result.
   std::uint64_t revision() const;
   /// Why there is no map although one is wanted and the organs are posed; empty while there is one, or it is
   /// being bound.
   const std::string& problem() const;
 
-  /// Tells when a map has been bound, or could not be.
+  /// Calls `observer` when a map has been bound or binding has failed.
   [[nodiscard]] Subscription onChange(std::function<void()> observer);
 
 private:

@@ -18,41 +18,41 @@ namespace viscera::live {
 struct BindingStatus {
   enum class State {
     unbound, ///< Too few handles for any coordinates: the organ is at rest.
-    binding, ///< A worker is at it. The organ follows the binding before, when there is one.
+    binding, ///< A worker binds it. Meanwhile the organ follows the previous binding, if there is one.
     bound,
-    stale,  ///< Somebody cancelled: the organ follows the binding before, when there is one, else it is at
+    stale,  ///< Binding was cancelled: the organ follows the previous binding, if there is one, else it is at
             ///< rest.
-    failed, ///< These handles cannot hold the organ: it is at rest, `message` says why.
+    failed, ///< The organ cannot be bound to these handles: it is at rest, and `message` gives the reason.
   };
   State state = State::unbound;
   std::string message = {}; ///< For a user: what is wrong and what to try. Empty when bound.
-  int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` would mend it.
+  int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` is the remedy.
   coordinates::BindingReport report =
-      {}; ///< Of the binding in use; `report.seconds` is the time on the badge.
-  /// Failed: vertices that lie in no group's region; `addEnclosingGroup` would mend it.
+      {}; ///< Errors of the binding in use; `report.seconds` is the time that the window shows.
+  /// Failed: vertices that lie in no group's region; `addEnclosingGroup` is the remedy.
   std::vector<int> inNoRegion = {};
-  /// Failed: it was a given cage that could not hold the organ; `dropCage` may mend it.
+  /// Failed: the organ does not fit into the given cage; `dropCage` may be the remedy.
   bool givenCage = false;
   int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
-/// An event of one organ's binding or pose; without an organ it tells that only handles have moved.
+/// An event of one organ's binding or pose; without an organ: only handles have moved.
 struct LiveEvent {
   document::OrganId organ;
   bool moved = false;    ///< `points` has other values.
-  bool replaced = false; ///< `points` is another array: whoever looks at its memory must look again.
+  bool replaced = false; ///< `points` is another array: pointers to its memory have to be updated.
   bool status = false;   ///< `status` is new.
-  /// Other organs' events of the same change follow: all organs are as they will be, so who looks at all of
-  /// them can wait for the last event.
+  /// Events of other organs for the same change follow. All organs are in their final state already, so
+  /// observers of all organs can wait for the last event.
   bool more = false;
 };
 
 /// Keeps every organ of a document bound to its handles and in the pose that is shown. Edits of the rest
 /// handles, of the system and its parameters bind anew, at once when that takes less than a frame, else on
 /// the job queue in a slot of each organ ("bind/<id>"), with the old binding in use until the new one is
-/// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is not given
-/// up: it arrives, and the next one begins with what is wanted then, so that the organ follows however long a
-/// binding takes. It never changes the document. For the document's thread.
+/// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is completed
+/// and used, and the next one begins with the newest state, so that the organ follows however long a binding
+/// takes. It never changes the document. For the document's thread.
 ///
 ///     const double always = std::numeric_limits<double>::infinity(); // No event loop.
 ///     LiveBinding live(document, registry, jobs, {always, {}});
@@ -75,21 +75,20 @@ public:
   LiveBinding(const LiveBinding&) = delete;
   LiveBinding& operator=(const LiveBinding&) = delete;
 
-  /// Which pose the organs take: the document's (the one to begin with), rest (editing handles at rest), or
-  /// another one
-  /// (`n x 3` in the order of the rig), for playing a sequence without touching the document. A given pose is
-  /// dropped for the document's when the rig changes. Throws `DataError` for a pose of another size or not
-  /// finite.
+  /// Sets the pose that the organs take: the document's (the default), rest (editing handles at rest), or
+  /// another one (`n x 3` in the order of the rig), for playing a sequence without touching the document. A
+  /// given pose is dropped for the document's when the rig changes. Throws `DataError` for a pose of another
+  /// size or not finite.
   void showDocumentPose();
   void showRest();
   void showPose(const Points& pose) override;
-  /// Where the handles are shown, `n x 3`, in the order of the rig.
+  /// The displayed positions of the handles, `n x 3`, in the order of the rig.
   const Points& shownPose() const override;
 
-  /// What follows throws `UsageError` for an organ that the document does not have.
+  /// The members below throw `UsageError` for an organ that the document does not have.
   ///
-  /// The organ's vertices now, `n x 3`. The reference holds until everybody has heard of an event with
-  /// `replaced`, or of the organ's removal.
+  /// The organ's vertices now, `n x 3`. The reference is valid until all observers were notified of an event
+  /// with `replaced`, or of the organ's removal.
   const Points& points(document::OrganId organ) const;
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
   std::uint64_t revision(document::OrganId organ) const override;
@@ -106,7 +105,7 @@ public:
   Values weightsAt(document::OrganId organ, Eigen::Index vertex) const;
   const deformation::Deformer* bound(document::OrganId organ) const override;
 
-  /// The organs as they are now, with their bindings, for whoever poses them on another thread. O(points).
+  /// A copy of the present organs with their bindings, for posing them on another thread. O(points).
   PosedCopy copy() const;
 
   /// Tries again for organs that are stale.
@@ -114,10 +113,10 @@ public:
   /// Whether any organ waits for a worker.
   bool busy() const;
 
-  /// Tells what happened to an organ, after everything that one change did to the document and all that is
-  /// derived from it. An organ that is new to the document is told with `replaced` and `status`.
+  /// Calls `observer` with every event of an organ, after a change of the document has updated everything
+  /// that is derived from it. The event of a new organ has `replaced` and `status`.
   [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
-  /// For what is derived from the shown pose: called when it is another one, before anybody hears of it.
+  /// For objects derived from the shown pose: called when it has changed, before observers are notified.
   [[nodiscard]] Subscription onDerive(std::function<void()> bringUpToDate);
 
 private:

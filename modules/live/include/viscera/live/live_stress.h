@@ -24,8 +24,8 @@ struct StressStatus {
     sampling,  ///< A worker fills the organ with witness points.
     binding,   ///< A worker derives the coordinates at the witness points.
     ready,     ///< The map follows the pose.
-    cancelled, ///< Somebody cancelled; `retry` goes on.
-    failed,    ///< `message` says why.
+    cancelled, ///< The computation was cancelled; `retry` restarts it.
+    failed,    ///< `message` gives the reason.
   };
   State state = State::off;
   std::string message;                           ///< For a user; empty unless failed.
@@ -38,8 +38,8 @@ struct StressStatus {
 /// An event of `LiveStress`: what has changed.
 struct StressEvent {
   bool status = false;
-  bool sampled = false; ///< Another witness mesh, or none.
-  bool moved = false;   ///< Points, map and statistics have other values.
+  bool sampled = false; ///< The witness mesh has changed or was removed.
+  bool moved = false;   ///< Points, map and statistics have changed.
   bool cycle = false;   ///< The stress over a cycle was computed, could not be, or is no longer valid.
 };
 
@@ -47,10 +47,10 @@ struct StressEvent {
 /// fills the organ with witness points on the job queue (slot "stress/sample"), derives the coordinates at
 /// them (slot "stress/bind", or at once when that takes less than a frame), and evaluates the map whenever
 /// the organ moves. The organ's cavities (closed surfaces whose parent it is) are left out: blood is no
-/// tissue. Rest handles, the system or the surface that change lead to another binding or mesh; the map
-/// before stays until then, except where it would be wrong. What depends on nothing but surface, number of
-/// witnesses, handles and pose is the same to the last bit, whatever the way there. It never changes the
-/// document. For the document's thread.
+/// tissue. When handles at rest, the system or the surface change, another binding or mesh is computed; until
+/// then the previous map stays, unless it would be wrong. Results depend only on surface, number of
+/// witnesses, handles and pose, to the last bit, not on the order of changes. It never changes the document.
+/// For the document's thread.
 class LiveStress {
 public:
   struct Options {
@@ -68,8 +68,8 @@ public:
   LiveStress(const LiveStress&) = delete;
   LiveStress& operator=(const LiveStress&) = delete;
 
-  /// Follows this organ from now on; none: stops work, and keeps what it has for when the same organ is
-  /// followed again.
+  /// Sets the organ to follow; none: stops work, and keeps the results in case the same organ is followed
+  /// again.
   void follow(document::OrganId organ);
   document::OrganId organ() const;
   /// Witness points to ask for, within the limits of `WitnessOptions`. Throws `UsageError` outside.
@@ -85,7 +85,7 @@ public:
   /// first binding. Both stay where they are until an event with `sampled`.
   const Points& points() const;
   const deformation::StressMap& map() const;
-  /// Of the witness points (not of those on the surface), now.
+  /// Statistics of the witness points (without those on the surface), now.
   const deformation::StressStatistics& statistics() const;
   /// The axes of the ellipsoid that a small ball at `point` becomes. Identity before the first binding.
   deformation::PrincipalStretches stretchesAt(Eigen::Index point) const;
@@ -94,9 +94,9 @@ public:
 
   /// Computes the stress over a cycle (slot "stress/cycle"); the one before stays until then. The peak takes
   /// several times as long as the curve. Throws `UsageError` when the map is not ready. A cycle of other
-  /// handles is refused by the job.
+  /// handles makes the job fail.
   void findCycle(PosedCycle cycle, CycleParts parts);
-  /// Drops the cycle that was computed, and stops computing one: the sequence is another one.
+  /// Drops the computed cycle and cancels its computation, after the sequence has changed.
   void dropCycle();
   /// The stress over the cycle, of the mesh and binding in use; null while it is not known.
   std::shared_ptr<const CycleStress> cycle() const;
@@ -105,9 +105,9 @@ public:
   /// Why the last cycle could not be computed, for a user; empty unless that failed.
   const std::string& cycleMessage() const;
 
-  /// All of that for whoever draws it. `stretchesAt` may be asked as long as this lives.
+  /// All results for drawing. `stretchesAt` of the frame may be called as long as this object lives.
   StressFrame frame() const;
-  /// The same for poses of its own; without an organ while nothing is bound.
+  /// A copy that can be evaluated in poses of its own; without an organ while nothing is bound.
   StressCopy copy() const;
 
   [[nodiscard]] Subscription onEvent(std::function<void(const StressEvent&)> observer);

@@ -16,15 +16,15 @@ namespace viscera::live {
 /// counts from the pose at the start, so a drag that returns to its start restores that pose.
 ///
 /// How a lock acts:
-/// * A selection that moves as a whole, alone or with its mirror image, under one lock: the way is bent onto
-///   the surface of constant volume, a plane for a selection alone (the thesis's 5.1.3), and nothing else
-///   moves.
+/// * A selection that moves as a whole, alone or with its mirror image, under one lock: the motion is
+///   projected onto the surface of constant volume, a plane for a selection alone (the thesis's 5.1.3), and
+///   nothing else moves.
 /// * Anything else (rotation, scaling, several locks, or handles that the user made compensate): the handles
-/// go
-///   where they are wanted, and the others make up for the volume by the least displacement.
+///   go to their targets, and the others compensate for the volume by the least displacement.
 /// * Translations that are held to a plane (`Setup::plane`) are corrected along it only: a selection alone
 ///   then goes along the line in which it meets the plane of the lock.
-/// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` says why.
+/// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` gives the
+///   reason.
 ///
 /// A target costs one to three evaluations of the volumes when it is bent, about four evaluations and
 /// gradients when others compensate. For one thread; free of VTK and Qt.
@@ -41,17 +41,17 @@ public:
     Points start;                                        ///< `n x 3` mm; has the locked volumes.
     std::vector<int> selection;                          ///< The handles that are moved, ascending.
     std::optional<Mirror> mirror = std::nullopt;
-    std::vector<int> compensating = {}; ///< Those that may make up for the volume, ascending.
+    std::vector<int> compensating = {}; ///< The handles that may compensate for the volume, ascending.
     bool alwaysCompensate = false;      ///< They do so even where the motion could be bent instead.
     double limitMm = 0;                 ///< The farthest that one of them may go.
-    /// The unit normal of a plane that translations of the selection do not leave, whatever is wanted: that
-    /// of the slice in which the hand is.
+    /// The unit normal of a plane in which translations of the selection stay, such as that of the slice in
+    /// which the mouse drags.
     std::optional<Vec3> plane = std::nullopt;
   };
 
   explicit LockedMotion(Setup setup);
 
-  /// Each of these is wanted in place of what was wanted before, counted from the start; returns `pose()`.
+  /// Each of the functions below replaces the previous target, counts from the start, and returns `pose()`.
   ///
   /// Moves the selection by `wanted` (mm), or what of it lies in `Setup::plane`, and its partners by the
   /// mirrored vector.
@@ -60,17 +60,17 @@ public:
   const Points& rotate(const Vec3& center, const Vec3& axis, double angle);
   /// Scales the selection about `center` along x, y and z.
   const Points& scale(const Vec3& center, const Vec3& factors);
-  /// Puts the selection where it is in `wanted` (`n x 3`).
+  /// Moves the selection to its places in `wanted` (`n x 3`).
   const Points& reach(const Points& wanted);
 
-  /// The last pose that kept the volumes, `n x 3`; the start to begin with.
+  /// The last pose that kept the volumes, `n x 3`; at first the start.
   const Points& pose() const { return pose_; }
   const Points& start() const { return setup_.start; }
   const std::vector<int>& selection() const { return setup_.selection; }
   /// The unit normal of the plane in which the lock lets the selection be translated, the way in which the
   /// volume grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
   Vec3 planeNormal() const;
-  /// Why the last wish was not met as far as the volumes go; empty when it was.
+  /// Why the volumes did not allow the last target; empty if they did.
   const std::string& obstacle() const { return obstacle_; }
 
 private:
@@ -92,7 +92,7 @@ private:
   Way translations_ = Way::free;
   Vec3 gradient_ = Vec3::Zero(); ///< Of its volume, for the motion as a whole, at the start.
   Points pose_;
-  Points wanted_;                ///< The last wish that was met, before others compensated.
+  Points wanted_;                ///< The last target that was reached, before other handles compensated.
   Vec3 wantedBy_ = Vec3::Zero(); ///< The same for a translation that was bent.
   std::string obstacle_;
 };

@@ -21,8 +21,8 @@ struct OrganVolume {
 };
 
 /// The interface to the organs of a document in a pose of its handles: the open document's (`LiveBinding`),
-/// or a copy of them that a movie moves on a thread of its own (`PosedCopy`). What draws, measures or
-/// plays organs takes this. All members throw `UsageError` for an organ that is not among them.
+/// or a copy of them that a movie moves on a thread of its own (`PosedCopy`). Code that draws, measures or
+/// plays organs uses this interface. All members throw `UsageError` for an unknown organ.
 class PosedOrgans {
 public:
   virtual ~PosedOrgans() = default;
@@ -30,13 +30,13 @@ public:
   /// Poses all organs: `n x 3` mm, in the order of the rig. Throws `DataError` for a pose of another size or
   /// one that is not finite.
   virtual void showPose(const Points& pose) = 0;
-  /// Where the handles are, `n x 3` mm, in the order of the rig.
+  /// The displayed positions of the handles, `n x 3` mm, in the order of the rig.
   virtual const Points& shownPose() const = 0;
 
   /// The organ's vertices, `n x 3` mm: they follow the pose in place as long as the organ stays bound, and
-  /// whoever keeps the pointer keeps the memory.
+  /// the pointer shares ownership of the memory.
   virtual std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const = 0;
-  /// Another number whenever the organ's vertices have other values or another place in memory.
+  /// A number that changes whenever the organ's vertices have other values or another place in memory.
   virtual std::uint64_t revision(document::OrganId organ) const = 0;
   /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
   virtual OrganVolume volume(document::OrganId organ) = 0;
@@ -44,16 +44,16 @@ public:
   virtual std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) = 0;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   virtual Values influence(document::OrganId organ, document::HandleId handle) const = 0;
-  /// The organ as it hangs on the handles there are, for volumes that are to be kept; null when it follows
-  /// none. Throws `DataError` while that is not known: it is being bound, or somebody gave that up.
+  /// The organ bound to the present handles, for keeping volumes; null when it follows no handles. Throws
+  /// `DataError` while that is not known, because it is being bound or binding was cancelled.
   virtual const deformation::Deformer* bound(document::OrganId organ) const = 0;
 };
 
 struct BoundOrgans;
 
 /// A copy of the organs of a document (`LiveBinding::copy`) that has a pose of its own: the copy shares the
-/// surfaces and the bindings, so that the same pose gives the same points to the bit, and nothing that
-/// happens to the document reaches them. For one thread, which need not be the document's.
+/// surfaces and the bindings, so that the same pose gives the same points to the bit, and changes of the
+/// document do not affect the copy. For one thread, which need not be the document's.
 class PosedCopy final : public PosedOrgans {
 public:
   explicit PosedCopy(std::unique_ptr<BoundOrgans> organs);

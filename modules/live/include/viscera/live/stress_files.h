@@ -9,9 +9,9 @@
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_quantity.h"
 
-/// Writes stress maps as files for other programs: what `viscera stress` and the window write, the same to
-/// the byte. All are atomic and throw `CannotCreateError`. `posed` are the mesh's points in the pose (`n x 3`
-/// mm, LPS), `map` is at the same points.
+/// Writes stress maps as files for other programs; `viscera stress` and the window write the same bytes. All
+/// are atomic and throw `CannotCreateError`. `posed` are the mesh's points in the pose (`n x 3` mm, LPS),
+/// `map` is at the same points.
 namespace viscera::live {
 
 /// Writes all quantities at every point of the mesh as VTK's unstructured grid (.vtu):

@@ -61,10 +61,10 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
                             Progress& progress);
 
 /// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
-/// open, or evaluated by a movie. Whoever keeps a pointer keeps its memory; points and map follow the
-/// pose in place, and `revision` is another number whenever they do.
+/// open, or evaluated by a movie. The pointers share ownership of their memory; points and map are updated in
+/// place when the pose changes, and `revision` changes with them.
 struct StressFrame {
-  document::OrganId organ; ///< None: there is nothing to draw.
+  document::OrganId organ; ///< None: there is no map to draw.
   std::shared_ptr<const deformation::WitnessMesh>
       mesh; ///< The witnesses at rest; null before they are sampled.
   /// From the mesh's points to the organ's vertices; null as long as `mesh` is.
@@ -81,7 +81,7 @@ struct StressFrame {
 /// For one thread.
 class StressCopy {
 public:
-  /// Follows nothing: frames without an organ.
+  /// An empty copy, whose frames have no organ.
   StressCopy() = default;
   /// `start` with the derivatives and the coordinates at its points, `failures` being those that do not move.
   StressCopy(StressFrame start, std::shared_ptr<const deformation::WitnessGradients> gradients,

@@ -6,12 +6,12 @@
 
 #include "viscera/live/stress_reading.h"
 
-/// Probes and profiles as tables for other programs: what `viscera stress` and the window write, the same to
-/// the byte. All are atomic and throw `CannotCreateError`. Where there is no tissue the cells after the place
-/// at rest are empty.
+/// Writes probes and profiles as tables for other programs; `viscera stress` and the window write the same
+/// bytes. All are atomic and throw `CannotCreateError`. Where there is no tissue the cells after the place at
+/// rest are empty.
 namespace viscera::live {
 
-/// A reading under the name that the user knows it by.
+/// The reading of a probe with the probe's name.
 struct NamedReading {
   std::string name; ///< "1"
   StressReading reading;

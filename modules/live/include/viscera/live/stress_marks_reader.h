@@ -16,25 +16,25 @@ struct ReadProbe {
   StressReading reading;
 };
 
-/// A line of the document with what lies along it.
+/// A line of the document with the stress along it.
 struct ReadProfile {
   document::StressLine line;
   std::string name; ///< "1-2", by its probes.
   StressProfile profile;
 };
 
-/// The marks in one organ, read.
+/// The values at the probes and along the lines of one organ.
 struct ReadMarks {
   std::vector<ReadProbe> probes; ///< In the document's order; those of other organs are left out.
   std::vector<ReadProfile> profiles;
 };
 
-/// Reads the probes and profiles of one organ from its stress maps. It keeps where they lie in the mesh, so
-/// that only another mesh or other marks cost more than the reading. For one thread.
+/// Reads the probes and profiles of one organ from its stress maps. It caches the places of the marks in the
+/// mesh, which are found again only when the mesh or the marks change. For one thread.
 class StressMarksReader {
 public:
-  /// What the marks in `organ` say in a pose (see `TissuePoints::read`); nothing while `mesh` is null or the
-  /// map is of another number of points. O(marks), after another mesh or mark O(mesh).
+  /// The values of the marks in `organ` in a pose (see `TissuePoints::read`); empty while `mesh` is null or
+  /// the map has another number of points. O(marks), after another mesh or mark O(mesh).
   ReadMarks read(const document::DocumentState& state, document::OrganId organ,
                  const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
                  const deformation::StressMap& map);

@@ -34,7 +34,7 @@ const StressQuantityDescription& describe(StressQuantity quantity);
 StressQuantity stressQuantityFromId(const std::string& id);
 
 /// Fills `values` (resized) with the quantity at every point of the map, in its unit; not a number where the
-/// tissue is folded, except for the folded quantity itself: what is folded is never hidden in an angle. O(n).
+/// tissue is folded, except for the folded quantity itself, so that an angle never hides a fold. O(n).
 void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values);
 
 /// Summary statistics of a quantity; values that are not numbers are counted apart.

@@ -12,12 +12,12 @@
 /// Interpolates a stress map at any point: at probes, and along profiles.
 namespace viscera::live {
 
-/// What happens to the tissue at one material point. Numbers are not finite where there is no tissue.
+/// The values of a stress map at one material point. Numbers are not finite where there is no tissue.
 struct StressReading {
   Vec3 rest = Vec3::Zero(); ///< Where the point lies at rest, mm, LPS.
-  Vec3 now = Vec3::Zero();  ///< And in the pose.
+  Vec3 now = Vec3::Zero();  ///< Where it lies in the pose.
   bool inTissue = false;
-  bool folded = false; ///< One of the mesh's points around it is; the numbers mean little then.
+  bool folded = false; ///< One of the mesh's points around it is folded; the numbers are then unreliable.
   double stressDegrees = 0;
   double volumeRatio = 0;
   double stretchMax = 0;
@@ -39,7 +39,7 @@ public:
                Threads threads = {});
 
   const std::shared_ptr<const deformation::WitnessMesh>& mesh() const { return mesh_; }
-  /// Of one point, mm: to the tissue; 0 inside.
+  /// Distance of one point from the tissue, mm; 0 inside.
   double distance(Eigen::Index point) const { return places_.distance(point); }
 
   /// Reads a map and the mesh's points in its pose (`mesh rows x 3` mm). O(n).

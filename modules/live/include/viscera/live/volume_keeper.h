@@ -19,7 +19,8 @@ namespace viscera::live {
 inline constexpr double kMirrorTolerance = 0.06;
 /// Handles that make up for a volume go at most this far, as a part of the diagonal of all handles.
 inline constexpr double kFarthestCompensation = 0.5;
-/// A volume this near to the one at rest (relative) is meant to be the one at rest: so it does not drift.
+/// A volume that differs from the one at rest by less than this (relative) is set to the one at rest, so that
+/// it does not drift.
 inline constexpr double kSameVolume = 1e-9;
 
 /// A volume that an organ is to have in a motion, whether or not its volume is locked.
@@ -35,24 +36,24 @@ class LockPreparation;
 /// the handles (they are unbound) keep theirs anyway. For the thread of the organs.
 class VolumeKeeper {
 public:
-  /// All must live longer. `state` is the document's own, which is looked at whenever something is asked
-  /// for, or the one of which `organs` are a copy. With a job queue the volume forms (`VolumeLock`) are made
-  /// there, and a motion that begins before they are ready does without; the queue's main thread is that of
-  /// the organs. Without one the first motion that needs a form waits for it.
+  /// All must live longer. `state` is the document's own, which is read in every call, or the one of which
+  /// `organs` are a copy. With a job queue the volume forms (`VolumeLock`) are made there, and a motion that
+  /// begins before they are ready does without; the queue's main thread is that of the organs. Without one
+  /// the first motion that needs a form waits for it.
   VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads = {},
                JobQueue* jobs = nullptr);
 
-  /// Has the locks of the document made ready on the job queue, if there is one, for the next motion: to be
-  /// called when other organs are locked or have been bound. What is ready, or under way for the same
-  /// bindings, stays.
+  /// Prepares the locks of the document for the next motion on the job queue, if there is one. Call it when
+  /// other organs are locked or have been bound. Locks that are ready or under way for the same bindings are
+  /// kept.
   void prepare();
-  /// Gives up what is under way for organs that are no longer locked or bound so: quicker than `prepare`, for
-  /// while one change follows another.
+  /// Cancels the preparation for organs that are no longer locked or are bound otherwise; quicker than
+  /// `prepare`, for a series of changes.
   void dropOutdated();
 
   /// A motion of these handles from the document's pose; locked handles among them are left out. With the
   /// unit normal of a `plane` its translations stay in that plane (`LockedMotion::Setup`). Throws `DataError`
-  /// when an organ with a locked volume is still being bound: what it will be is not known yet.
+  /// when an organ with a locked volume is still being bound: its volume is not known yet.
   LockedMotion begin(const std::vector<document::HandleId>& handles,
                      const std::optional<deformation::MirrorPlane>& mirror = std::nullopt,
                      const std::optional<Vec3>& plane = std::nullopt);
@@ -63,13 +64,14 @@ public:
   /// organ follows no handles.
   Points poseOfVolume(document::OrganId organ, double targetMm3);
 
-  /// What a pose that is not a drag (a sequence's) becomes under the locks: the compensating handles, or all
-  /// that are free, move as little as the volumes need. The volumes are those in the document's pose.
-  /// One organ may be asked to have another volume than that. `restored` is false, with the reason, where
-  /// that is too far. Throws as `begin`, and as `poseOfVolume` for an organ that can have no volume.
+  /// Restores the locked volumes in a pose that is not from a drag, such as a sequence's: the compensating
+  /// handles, or all that are free, move as little as the volumes need. The volumes are those in the
+  /// document's pose. One organ may be given another volume than that. `restored` is false, with the reason,
+  /// if that needs too large a motion. Throws as `begin`, and as `poseOfVolume` for an organ that can have no
+  /// volume.
   deformation::RestoredPose keep(const Points& wanted, const std::optional<AskedVolume>& asked = {});
 
-  /// The rows of the handles that would mirror these, or -1.
+  /// The rows of the mirror partners of these handles, or -1.
   std::vector<int> partners(const std::vector<document::HandleId>& handles,
                             const deformation::MirrorPlane& mirror) const;
 
@@ -90,7 +92,8 @@ private:
   const document::DocumentState& state_;
   PosedOrgans& organs_;
   Threads threads_;
-  std::shared_ptr<deformation::VolumeLock> lock_; ///< Of the last motion: the next one is likely to need it.
+  std::shared_ptr<deformation::VolumeLock> lock_; ///< The lock of the last motion, since the next one is
+                                                  ///< likely to need it.
   std::shared_ptr<LockPreparation> preparation_;  ///< Null without a job queue.
 };
 

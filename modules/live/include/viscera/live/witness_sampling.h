@@ -20,7 +20,7 @@ struct WitnessOptions {
 
   int wanted = 20'000;            ///< Witness points, kFewest to kMost; met to `kWitnessCountTolerance`.
   double radiusEdgeRatio = 1.414; ///< Quality: the largest circumradius by shortest edge, 1.1 to 10.
-  double timeLimitSeconds = 60;   ///< Of one run of TetGen; what takes longer is given up.
+  double timeLimitSeconds = 60;   ///< For one run of TetGen, which is aborted after that.
   std::uint64_t memoryLimitBytes = std::uint64_t{2} << 30; ///< Of TetGen's process.
   std::filesystem::path worker; ///< The program that runs TetGen; empty: the one installed with this library.
   Threads threads;
@@ -30,7 +30,7 @@ struct WitnessOptions {
 enum class WitnessOrigin {
   surface,         ///< TetGen filled the surface as it is, or thinned out where it is finer than needed.
   repairedSurface, ///< TetGen filled a closed surface made from the organ's, which it had refused.
-  grid,            ///< A regular grid inside the surface: TetGen could not be used.
+  grid,            ///< A regular grid inside the surface: TetGen has failed.
 };
 
 /// The witness points of an organ, with their origin and remarks.
@@ -40,7 +40,7 @@ struct WitnessSample {
   std::vector<std::string> remarks; ///< What the user should know, a sentence each; empty when all went well.
 };
 
-/// The number of witnesses is within this part of what was wanted, unless a remark says otherwise.
+/// The relative tolerance of the number of witnesses, unless a remark gives another deviation.
 inline constexpr double kWitnessCountTolerance = 0.15;
 
 /// Fills the inside of `surface` (mm, LPS) with witness points. TetGen does it in a process of its own, which

@@ -26,8 +26,8 @@ public:
                                              const coordinates::BindOptions& options,
                                              Progress& progress) const override;
 
-  /// Regions, zones and super-regions of the groups; the offset's upper bound is that of the region that
-  /// allows most.
+  /// Regions, zones and super-regions of the groups; the offset's upper bound is the largest among the
+  /// regions.
   coordinates::SpaceLayout layout(const coordinates::HandleSet& handles,
                                   const coordinates::ParameterValues& parameters) const override;
 
@@ -37,8 +37,8 @@ private:
   std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner_;
 };
 
-/// The localised system as the program has it: with every built-in system inside that is positive,
-/// continuous, found everywhere and needs nothing but handles.
+/// The localised system of the program: its inner systems are the built-in ones that are positive,
+/// continuous, defined everywhere and need nothing but handles.
 std::shared_ptr<const LocalisedSCelestial> localisedWithBuiltIns();
 
 } // namespace viscera::localised_scc

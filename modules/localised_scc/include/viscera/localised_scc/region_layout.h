@@ -8,7 +8,8 @@
 #include "viscera/coordinates/space_layout.h"
 #include "viscera/geometry/convex_polytope.h"
 
-/// Localised Celestial coordinates (thesis 4.5): groups of handles act inside their regions only.
+/// Divides space into the regions and zones of localised Celestial coordinates (thesis 4.5), in which groups
+/// of handles act inside their regions only.
 namespace viscera::localised_scc {
 
 /// The convex hull of one group.
@@ -38,10 +39,10 @@ struct SwappingZone {
 /// Regions, zones and super-regions of grouped handles, and how a point mixes their coordinates.
 ///
 /// The thesis forms zones as seen from each region; where three regions meet that makes coordinates jump,
-/// because two neighbours may disagree on who takes part. Here a zone is a connected component over all pairs
-/// of regions, the same for everyone. Between several zones of one region the weights are `rho_k prod_{l !=
-/// k} (1 - rho_l)` and, for the region itself, `prod (1 - rho_l)`, divided by their sum. Immutable,
-/// thread-safe.
+/// because two neighbours may have different sets of handles. Here a zone is a connected component over all
+/// pairs of regions, the same from every region. Between several zones of one region the weights are `rho_k
+/// prod_{l != k} (1 - rho_l)` and, for the region itself, `prod (1 - rho_l)`, divided by their sum.
+/// Immutable, thread-safe.
 ///
 ///     const RegionLayout layout(handles, 5);
 ///     double sum = 0; // 1
@@ -49,9 +50,9 @@ struct SwappingZone {
 ///       sum += share.weight;
 class RegionLayout {
 public:
-  /// Without groups all handles form one region. `offset` (mm, > 0) is cut down to a region's bound where it
-  /// exceeds it; a note says so. Throws `DataError` that names the group when one has fewer than four handles
-  /// or is flat.
+  /// Without groups all handles form one region. `offset` (mm, > 0) is reduced to a region's bound where it
+  /// exceeds it, with a note. Throws `DataError` that names the group when one has fewer than four handles or
+  /// is flat.
   RegionLayout(const coordinates::HandleSet& handles, double offset);
 
   const std::vector<Region>& regions() const { return regions_; }
@@ -87,7 +88,7 @@ private:
   std::vector<std::string> notes_;
 };
 
-/// What a scene can draw of `layout`, which was made from `groups` groups; with the upper bound of the
+/// The parts of `layout`, which was made from `groups` groups, for drawing; with the upper bound of the
 /// parameter `offsetName`.
 coordinates::SpaceLayout spaceLayoutOf(const RegionLayout& layout, std::size_t groups,
                                        const std::string& offsetName);

@@ -12,10 +12,12 @@
 
 namespace viscera::medical_io {
 
-/// The severity of a finding: as it should be; worth knowing; to be looked at; will go wrong.
+/// The severity of a finding: `good` is as it should be, `note` is information, `doubt` should be checked by
+/// the user, `fault` makes later steps fail.
 enum class FindingSeverity { good, note, doubt, fault };
 
-/// The subject of a finding, such as axes, size or holes. `arrangement` is how organs lie to each other.
+/// The subject of a finding, such as axes, size or holes. `arrangement` is the position of organs relative to
+/// each other.
 enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement };
 
 /// A finding about a surface that is to become an organ: something doubtful or wrong, with possible repairs.
@@ -30,9 +32,10 @@ struct Finding {
 
 /// The name of a surface, and what its file says about axes and unit.
 struct SurfaceOrigin {
-  std::string name;                 ///< What it is said to be: "kidney_left".
+  std::string name;                 ///< The name of the organ in the file: "kidney_left".
   std::optional<Space> statedSpace; ///< The axes that its file states; none: LPS was assumed.
-  bool unitStated = false;          ///< Its file states the unit, as label maps do: small means small.
+  bool unitStated = false;          ///< Its file states the unit, as label maps do, so that a small size is
+                                    ///< taken as real.
 };
 
 /// The result of assessing a surface: all findings and its measures.
@@ -45,14 +48,14 @@ struct SurfaceAssessment {
       findings; ///< One for each of axes, size, holes, manifold, facing, pieces, intersections.
 
   FindingSeverity worst() const;
-  /// Something that a user should look at before the surface is accepted.
+  /// Whether a user should check the surface before it is accepted.
   bool questionable() const { return worst() >= FindingSeverity::doubt; }
 };
 
-/// Checks a surface for everything that goes wrong with patients' surfaces: axes and the side of the body,
-/// unit and size for the organ named, holes, edges that join more than two triangles, triangles that face
-/// inward, pieces, intersections with itself. Changes nothing. Expects valid indices. Throws `Cancelled`. O(m
-/// log m), about a second for a million triangles.
+/// Checks a surface for the usual defects of patients' surfaces: wrong axes or side of the body, unit or size
+/// that does not suit the named organ, holes, edges that join more than two triangles, triangles that face
+/// inward, separate pieces, self-intersections. The surface is not changed. Expects valid indices. Throws
+/// `Cancelled`. O(m log m), about a second for a million triangles.
 SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const SurfaceOrigin& origin,
                                 Progress& progress, Threads threads = {});
 
@@ -64,7 +67,7 @@ struct PlacedOrgan {
 
 /// Checks whether organs known by name are arranged as in a body: the liver to the right of the spleen, the
 /// kidneys behind the liver, the heart above it. Nothing when they do, or when too few are known; else one
-/// finding with the repair that puts all of them right (`ras-to-lps`, `mirror`).
+/// finding with the repair that corrects all of them (`ras-to-lps`, `mirror`).
 std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs);
 
 } // namespace viscera::medical_io

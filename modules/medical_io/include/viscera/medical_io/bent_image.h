@@ -7,10 +7,10 @@
 /// Deforms scans and label maps by a pose of the handles.
 namespace viscera::medical_io {
 
-/// The accuracy of deformed images, in voxels: this part of the smallest spacing.
+/// The accuracy of deformed images, as a fraction of the smallest voxel spacing.
 inline constexpr double kBendAccuracy = 0.05;
 
-/// What an `InverseMap` is made with for `kBendAccuracy` in an image with that spacing, mm.
+/// The options of an `InverseMap` that reaches `kBendAccuracy` in an image with that spacing, mm.
 deformation::InverseMapOptions bendOptions(const Vec3& spacing);
 
 /// The inverse of a deformation, on a grid and exactly by coordinates.
@@ -26,15 +26,14 @@ struct BendReport {
   double largestErrorMm = 0; ///< Of some thousand of the moved ones: `InverseMap::residualMm`.
 };
 
-/// The scan on its own grid as the pose bends it: a voxel at y gets the trilinear value of the scan at rest
-/// at x(y), rounded to the sample's type. What comes from outside of the scan is padding, or where the scan
-/// has none the lowest value of it. O(voxels); a second for ten million on two cores, and binding those
-/// between which the map's grid is too coarse. Throws what binding throws, `Cancelled`.
+/// The scan deformed by the pose, on its own grid: a voxel at y gets the trilinear value of the scan at rest
+/// at x(y), rounded to the sample's type. Voxels from outside of the scan get its padding value, or its
+/// lowest value if it has none. O(voxels); a second for ten million on two cores, and binding those between
+/// which the map's grid is too coarse. Throws what binding throws, `Cancelled`.
 Scan bentScan(const Scan& scan, const Bend& bend, BendReport& report, Progress& progress);
 
-/// The label map as the pose bends it: the label of the voxel next to x(y) in each layer; its segments'
-/// voxels are counted anew, and those that lost all of theirs are left out with a warning. Throws as
-/// `bentScan`.
+/// The label map deformed by the pose: the label of the voxel next to x(y) in each layer. The voxels of
+/// segments are counted anew, and segments without voxels are left out with a warning. Throws as `bentScan`.
 LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report, Progress& progress);
 
 } // namespace viscera::medical_io

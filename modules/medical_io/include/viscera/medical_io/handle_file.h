@@ -9,7 +9,7 @@
 
 namespace viscera::medical_io {
 
-/// A handle as it is in a file of handles.
+/// A handle as stored in a handle file.
 struct HandleRecord {
   std::string label;            ///< "H-1"; after reading no two different handles have the same.
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
@@ -30,7 +30,7 @@ struct HandleGroupRecord {
 /// The contents of a handle file of 3D Slicer: one markup list for each group of handles.
 struct HandleFile {
   std::vector<HandleGroupRecord> groups;
-  std::vector<std::string> warnings; ///< What was mended or left out, one sentence each.
+  std::vector<std::string> warnings; ///< What was repaired or left out, one sentence each.
 
   /// The number of records; a handle that several groups share counts once for each.
   Eigen::Index count() const;
@@ -54,8 +54,8 @@ struct WriteHandles {
 };
 
 /// Writes `.mrk.json` or `.fcsv` by the name's ending, mm, full double precision: reading it back gives the
-/// same bits. A `.fcsv` table is one list: groups and their colours are left out (`fcsvLoses` says so), a
-/// handle of several groups is written once, and line breaks in labels become spaces. Atomic. Throws
+/// same bits. A `.fcsv` table is one list: groups and their colours are left out (see `fcsvLoses`), a handle
+/// of several groups is written once, and line breaks in labels become spaces. Atomic. Throws
 /// `CannotCreateError` when it cannot be written or has another ending, `DataError` naming the handle for a
 /// position that is not finite.
 void writeHandles(const std::filesystem::path& file, const HandleFile& handles,

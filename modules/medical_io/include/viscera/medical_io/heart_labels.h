@@ -22,7 +22,7 @@ struct HeartLabels {
 };
 
 /// The heart by the names of labels, as TotalSegmentator ("heart_ventricle_left", "heart_myocardium") and 3D
-/// Slicer ("left ventricle of heart", "myocardium") have them. None where there is no muscle or no ventricle,
+/// Slicer ("left ventricle of heart", "myocardium") use them. None where there is no muscle or no ventricle,
 /// or where a chamber comes twice. O(names).
 std::optional<HeartLabels> heartAmong(const std::vector<std::string>& names);
 
@@ -30,8 +30,7 @@ std::optional<HeartLabels> heartAmong(const std::vector<std::string>& names);
 std::optional<HeartLabels> heartLabels(const LabelMap& map);
 
 /// Adds the segment "Heart" to the map: the voxels of its muscle and of its cavities, in a layer of their
-/// own. Returns its index. Nothing is done, and none returned, where a segment has that name already.
-/// O(voxels).
+/// own. Returns its index. Does nothing and returns none if a segment has that name already. O(voxels).
 std::optional<std::size_t> addWholeHeart(LabelMap& map, const HeartLabels& heart);
 
 } // namespace viscera::medical_io

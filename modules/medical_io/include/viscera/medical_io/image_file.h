@@ -22,12 +22,12 @@ void writeScan(const std::filesystem::path& file, const Scan& scan);
 /// label counts. Throws as `writeScan`, and `DataError` for two segments of one label in NIfTI.
 void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
 
-/// What the voxels of an image file stand for.
+/// The meaning of the voxels of an image file.
 enum class ImageContents { values, labels };
 
-/// Whether the values of a scan are rather numbers of organs than measured ones: whole, none below zero, and
-/// few (eight) or mostly equal to their neighbours'. A scan that names its modality says itself that it is
-/// none. O(voxels).
+/// Whether the values of a scan are probably labels of organs instead of measured values: whole, none below
+/// zero, and few (eight) or mostly equal to their neighbours'. False for a scan that names its modality.
+/// O(voxels).
 bool looksLikeLabels(const Scan& scan);
 
 /// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values. Reads

@@ -9,7 +9,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
 
-/// Label maps: images whose voxels say which organ they belong to.
+/// Reads label maps: images whose voxels hold the label of an organ.
 namespace viscera::medical_io {
 
 /// A segment of a label map: the label, name and colour of one organ.
@@ -18,14 +18,15 @@ struct Segment {
   int layer = 0;                 ///< The layer of the map that it is in.
   std::string name;              ///< "liver"; "label 5" when nothing names it. No two segments have the same.
   bool named = false;            ///< Whether the file, or a table beside it, names it.
-  Vec3 color = {0.8, 0.45, 0.4}; ///< Red green blue, 0 to 1; of its anatomy when the file has none.
+  Vec3 color = {0.8, 0.45, 0.4}; ///< Red green blue, 0 to 1; the usual colour of its tissue if the file has
+                                 ///< none.
   bool colored = false;          ///< Whether the file, or a table beside it, colours it.
-  std::int64_t voxels = 0;       ///< How many it has, at least one.
+  std::int64_t voxels = 0;       ///< The number of its voxels, at least one.
   std::array<int, 3> low = {};   ///< Its first voxel in i, j and k ...
   std::array<int, 3> high = {};  ///< ... and its last.
 };
 
-/// A label map as it came from a file. Only labels that some voxel has are segments.
+/// A label map read from a file. Only labels of at least one voxel are segments.
 struct LabelMap {
   /// Of voxel (i, j, k), i fastest, in one layer: 0 for none, s + 1 for `segments[s]`.
   using Layer = std::vector<std::uint16_t>;
@@ -37,7 +38,7 @@ struct LabelMap {
   std::vector<Layer> layers; ///< More than one when segments overlap.
   std::vector<Segment> segments;
   std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
-  std::vector<std::string> warnings; ///< What is odd or was assumed, one sentence each.
+  std::vector<std::string> warnings; ///< Doubts and assumptions, one sentence each.
 
   std::size_t voxelCount() const {
     return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
@@ -76,8 +77,8 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress);
 LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress);
 
 /// Indices of the segments that `names` ask for, in the order of the map: by name (upper and lower case,
-/// spaces and underscores are the same) or by label value; all for no names. Throws `UsageError` that tells
-/// what there is when one is not there. `where` names the map in it.
+/// spaces and underscores are the same) or by label value; all for no names. Throws `UsageError` that lists
+/// the available segments if one is missing. `where` names the map in it.
 std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
                                        const std::string& where);
 
@@ -86,7 +87,7 @@ const std::vector<std::string>& labelMapExtensions();
 
 /// Whether the name ends like a label map's, or it is a DICOM segmentation of any name, or a folder that
 /// holds such a file. Slices of a DICOM series are none: `isScan`. Of other formats the name does not tell a
-/// label map from a scan: `imageContents` does. Whether it is a good one, reading says.
+/// label map from a scan: `imageContents` does. Only reading checks whether the file is valid.
 bool isLabelMap(const std::filesystem::path& fileOrFolder);
 
 /// More different values than any label map has: a file with so many is an image.

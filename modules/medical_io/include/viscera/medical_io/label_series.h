@@ -12,36 +12,36 @@
 /// Reads label maps over time, as a series of phases.
 namespace viscera::medical_io {
 
-/// The times of the phases of a series, as far as its files say them.
+/// The times of the phases of a series, as far as its files state them.
 struct SeriesTimes {
-  std::vector<double> seconds; ///< One a phase, from 0 on; empty: it does not say.
-  /// Of one cycle: as many steps as there are phases; none: it does not say.
+  std::vector<double> seconds; ///< One for each phase, from 0 on; empty: not stated.
+  /// Duration of one cycle: as many steps as there are phases; none: not stated.
   std::optional<double> periodSeconds;
-  std::string doubt; ///< What had to be assumed, a sentence; empty for nothing.
+  std::string doubt; ///< An assumption that was made, as a sentence; empty for none.
 };
 
-/// How many volumes a NIfTI (.nii, .nii.gz) or NRRD (.nrrd, .seq.nrrd) file has along its fourth axis: 1 for
-/// a label map, and for every other file. Reads the whole file. Throws as `readLabelMap`.
+/// The number of volumes that a NIfTI (.nii, .nii.gz) or NRRD (.nrrd, .seq.nrrd) file has along its fourth
+/// axis: 1 for a label map, and for every other file. Reads the whole file. Throws as `readLabelMap`.
 std::size_t volumesIn(const std::filesystem::path& file);
 
 /// Reads a file of several volumes, one a phase (a 4D NIfTI with time last; 3D Slicer's .seq.nrrd, whose list
-/// axis comes first or last), and hands them to `visit` in order. Names and colours are as `readLabelMap` has
-/// them; a phase may be empty. Returns what the file says of time: of NIfTI the step and unit of the fourth
-/// axis, of NRRD `axis N index values` and its unit. Throws as `readLabelMap`.
+/// axis comes first or last), and hands them to `visit` in order. Names and colours as in `readLabelMap`; a
+/// phase may be empty. Returns the times that the file states: of NIfTI the step and unit of the fourth axis,
+/// of NRRD `axis N index values` and its unit. Throws as `readLabelMap`.
 SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
                             const std::function<void(std::size_t phase, LabelMap&& map)>& visit);
 
-/// The time in the heart's cycle that a DICOM file was made at.
+/// The time within the heart's cycle at which the image of a DICOM file was acquired.
 struct DicomPhase {
   std::optional<double> triggerMs;         ///< After the R wave (0018,1060), else (0020,9153).
   std::optional<double> nominalIntervalMs; ///< From one R wave to the next (0018,1062).
   std::optional<double> percent;           ///< Of the cycle (0020,9241).
 };
 
-/// Looks into a DICOM file and the sequences in it. Nothing for any other file. Throws nothing.
+/// Reads it from a DICOM file and the sequences in it. Empty for any other file. Does not throw.
 DicomPhase dicomPhase(const std::filesystem::path& file);
 
-/// The times of phases by what each DICOM file says; empty where not all do.
+/// The times of phases from the times of their DICOM files; empty unless all files have one.
 SeriesTimes timesOf(const std::vector<DicomPhase>& phases);
 
 } // namespace viscera::medical_io

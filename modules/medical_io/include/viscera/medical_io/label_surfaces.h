@@ -15,7 +15,7 @@ namespace viscera::medical_io {
 /// The options of the conversion: which labels, smoothing and number of triangles.
 struct LabelSurfaceOptions {
   std::vector<std::size_t> segments; ///< Indices into `LabelMap::segments`, each once; empty: all.
-  int triangles = 20'000;            ///< About as many as a surface may have at most; 0: all there are.
+  int triangles = 20'000;            ///< The approximate maximum for each surface; 0: no limit.
   double smoothing = 1;              ///< 0: the voxels' steps stay; 1: they are smoothed away; up to 2.
   bool largestPieceOnly = false;     ///< Drops the voxels that do not touch the largest piece by a face.
 };
@@ -27,17 +27,17 @@ struct LabelSurface {
   double volumeMm3 = 0;              ///< That the mesh encloses.
   double voxelVolumeMm3 = 0;         ///< Of the voxels that were kept.
   int pieces = 1;                    ///< Voxels that touch by faces; those that were kept.
-  std::vector<std::string> warnings; ///< Pieces that were left out, and what else a user should know.
+  std::vector<std::string> warnings; ///< Pieces that were left out, and other remarks for the user.
 };
 
-/// Told of every surface as soon as it is made: by the thread that made it, never by two at a time.
+/// Called with every surface as soon as it is made: on the thread that made it, never on two at a time.
 using SurfaceListener = std::function<void(const LabelSurface&)>;
 
 /// A closed surface around every label, in the order of `options.segments`: flying edges through the label's
 /// voxels with a margin, so that organs that the image cuts off are closed as well; windowed-sinc smoothing
 /// (Taubin et al. 1996, doi 10.1007/BFb0015551); `geometry::decimateClosedSurface`; then all vertices move
 /// along their normals, by a voxel at most, until the volume is the voxels' within `kVolumeTolerance`. A
-/// label that this spoils (thinner than a voxel) is smoothed less.
+/// label that would lose its shape (thinner than a voxel) is smoothed less.
 ///
 /// Throws `UsageError` for a segment that the map does not have, `Cancelled`. In parallel over labels;
 /// results do not depend on the number of threads. O(v + m log m) for a box of v voxels and m triangles.

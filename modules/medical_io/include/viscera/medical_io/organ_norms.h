@@ -22,8 +22,7 @@ struct OrganNorm {
   BodySide side = BodySide::middle;
 };
 
-/// Finds the norm of an organ by its name: "Kidney_left 2" is a left kidney, "liver tumour" nothing that is
-/// known.
+/// Finds the norm of an organ by its name: "Kidney_left 2" is a left kidney, "liver tumour" has no norm.
 std::optional<OrganNorm> organNorm(std::string_view name);
 
 /// "liver" of 239 ml: as a sentence, when its volume is less than half or more than twice what 19 of 20
@@ -37,15 +36,15 @@ struct LengthUnit {
   double mm = 1;         ///< One of it.
 };
 
-/// mm, cm, m, in, um, and others that files are found in. The first is mm.
+/// mm, cm, m, in, um, and other units that occur in files. The first is mm.
 const std::vector<LengthUnit>& lengthUnits();
 
 /// Units, mm apart, in which the surface would have a size that is usual for the organ named (by its volume;
-/// 0: it is open) or, when that says nothing or no unit does, for any organ (by its box's diagonal). Empty
+/// 0: it is open) or, if that is not conclusive or no unit fits, for any organ (by its box's diagonal). Empty
 /// when mm do, or nothing does. Best first.
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
 
-/// "the surface is 0.24 mm across, which no organ is": when so.
+/// "the surface is 0.24 mm across, which no organ is", if the size is implausible; else none.
 std::optional<std::string> doubtAboutSize(std::string_view name, double diagonalMm);
 
 } // namespace viscera::medical_io

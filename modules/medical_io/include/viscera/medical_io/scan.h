@@ -12,7 +12,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
 
-/// Scans: images whose voxels are measured values, such as a CT or an MR.
+/// Reads scans: images whose voxels are measured values, such as a CT or an MR.
 namespace viscera::medical_io {
 
 /// A level and a width of values, as a display maps them to black and white.
@@ -28,8 +28,8 @@ struct ScanFinding {
   std::string sentence; ///< What, where, and what was done about it.
 };
 
-/// A scan as it came from its files: the stored samples, one block of memory, and what they mean. It never
-/// changes after reading; several threads may read it.
+/// A scan read from its files: the stored samples, in one block of memory, and their meaning. It does not
+/// change after reading; several threads may read it.
 ///
 ///     Progress progress;
 ///     const Scan scan = readScan("ct.nii.gz", {}, progress);
@@ -47,7 +47,7 @@ struct Scan {
   Samples samples;
   double slope = 1;                  ///< Value = slope * sample + intercept.
   double intercept = 0;              ///< See `slope`.
-  std::optional<double> padding;     ///< The sample that means "nothing was measured here".
+  std::optional<double> padding;     ///< The sample that marks voxels without a measurement.
   std::string modality;              ///< "CT", "MR", "PT", ...; empty when the file does not say.
   std::string unit;                  ///< "HU" for a CT; else empty.
   std::string description;           ///< Of the series; empty when the file does not say.
@@ -56,7 +56,7 @@ struct Scan {
   std::vector<double> phaseTimesMs;  ///< Times of all phases of the series; empty for one.
   int phase = 0;                     ///< Which of them this is.
   std::optional<ValueWindow> window; ///< What the file proposes.
-  std::vector<ScanFinding> findings; ///< What is odd, one sentence each.
+  std::vector<ScanFinding> findings; ///< Doubts about the files, one sentence each.
 
   std::size_t voxelCount() const {
     return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
@@ -75,20 +75,20 @@ struct Scan {
   std::optional<double> at(const Vec3& lps) const;
   /// Least and largest value, padding left out. O(voxels), on all threads.
   std::array<double, 2> range() const;
-  /// What to show at first: what the file proposes; soft tissue (40 / 400) for a CT; else the 1st and the
-  /// 99th percentile. O(voxels).
+  /// The initial level and width: those that the file proposes; soft tissue (40 / 400) for a CT; else the 1st
+  /// and the 99th percentile. O(voxels).
   ValueWindow firstWindow() const;
 };
 
 /// One of several series (or phases, or echoes) in a folder, for the user to choose from.
 struct ScanSeries {
-  std::string id;                                           ///< What `ScanOptions::series` takes.
+  std::string id;                                           ///< Value for `ScanOptions::series`.
   std::string description;                                  ///< "Abdomen 5.0 B30f".
   std::string modality;                                     ///< "CT".
   std::array<int, 3> size = {};                             ///< Voxels.
   Vec3 spacing = Vec3::Zero();                              ///< mm.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity(); ///< As `Scan::indexToLps`.
-  int phases = 1;                                           ///< How many volumes in time it has.
+  int phases = 1;                                           ///< The number of volumes over time.
   std::vector<std::filesystem::path> files;
 };
 
@@ -103,12 +103,13 @@ struct ScanOptions {
 std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 /// Reads NIfTI, NRRD, MetaImage or a DICOM series (a folder, or any file of it; classic or enhanced). Nothing
-/// is resampled; what is odd is in `findings`. Throws `NoInputError`, `DataError` (what, which file, what to
-/// try), `UsageError` for a series or phase that is not there, `Cancelled`. Takes memory for what is in the
-/// files, not for what a header promises. O(voxels).
+/// is resampled; doubts are listed in `findings`. Throws `NoInputError`, `DataError` (what, which file, what
+/// to try), `UsageError` for a series or phase that is not there, `Cancelled`. Takes memory for what is in
+/// the files, not for what a header promises. O(voxels).
 Scan readScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options, Progress& progress);
 
-/// Whether the place may hold a scan, by names and first bytes; whether it is a good one, reading says.
+/// Whether the place may hold a scan, by names and first bytes; only reading checks whether the files are
+/// valid.
 bool isScan(const std::filesystem::path& fileOrFolder);
 
 } // namespace viscera::medical_io

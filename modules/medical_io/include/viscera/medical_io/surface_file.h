@@ -9,8 +9,8 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/space.h"
 
-/// Reads and writes surface files. Everything inside Viscera is LPS millimetres; what a file says otherwise
-/// is converted here.
+/// Reads and writes surface files. Everything inside Viscera is LPS millimetres; files in other axes or units
+/// are converted here.
 namespace viscera::medical_io {
 
 /// A surface that was read from a file, with its axes and warnings.
@@ -19,13 +19,13 @@ struct SurfaceFile {
   std::string name;                  ///< From the file's contents or its name.
   Space space = Space::lps;          ///< What the file was written in.
   bool spaceStated = false;          ///< False: the file does not say, LPS assumed.
-  std::vector<std::string> warnings; ///< What was mended or looks odd, one sentence each.
+  std::vector<std::string> warnings; ///< Repairs and doubts, one sentence each.
 };
 
 /// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Equal points are
 /// merged, polygons cut into triangles, triangles with a repeated corner and points without a triangle
-/// dropped; the warnings say so, and what else is odd: open, inside out, a size or volume that no such organ
-/// has. Never scales and never turns a surface around. How axes are stated: docs/file_formats.md.
+/// dropped; warnings list this and other doubts: open, inside out, a size or volume that no such organ has.
+/// Never scales and never turns a surface around. How axes are stated: docs/file_formats.md.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
 /// is empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are
@@ -42,22 +42,22 @@ struct SurfacePart {
 };
 
 /// Reads all organs of a file that holds several: those of a GLB that `writeSurfaces` has written, in its
-/// order, with names, colours and cavities; of any other file the one surface that `readSurface` gives, for
-/// nobody can know what the meshes of another program's scene are. Throws what `readSurface` throws. O(n + m
-/// log m).
+/// order, with names, colours and cavities; of any other file the one surface that `readSurface` gives,
+/// because the meaning of the meshes in another program's scene is unknown. Throws what `readSurface` throws.
+/// O(n + m log m).
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file);
 
 /// Options of `writeSurface`.
 struct WriteSurface {
   Space space = Space::lps;
-  std::string name; ///< On one line; cut where the format's place for it is short.
+  std::string name; ///< On one line; truncated if the format has little room for it.
 };
 
 /// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB): first to a temporary name beside it, then
-/// renamed, so that nothing half-written is left. Colours go along where the format has them (all but STL).
-/// STL and GLB are in single precision, the others bring every bit back. Throws `CannotCreateError` when the
-/// file cannot be written or has another ending, `DataError` for a mesh without triangles, with coordinates
-/// that are not finite or with indices out of range. O(n + m).
+/// renamed, so that nothing half-written is left. Colours are written if the format has them (all but STL).
+/// STL and GLB are in single precision, the others keep every bit. Throws `CannotCreateError` when the file
+/// cannot be written or has another ending, `DataError` for a mesh without triangles, with coordinates that
+/// are not finite or with indices out of range. O(n + m).
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options = {});
 
@@ -70,9 +70,9 @@ struct NamedSurface {
   int cavityOf = -1;            ///< The place in the list of the surface whose cavity this is; -1: of none.
 };
 
-/// Writes several surfaces into one GLB, each a node with its name and colour, LPS mm as `writeSurface` has
-/// it; `readSurfaces` brings them back. Atomic. Throws `CannotCreateError` when the file cannot be written or
-/// does not end in .glb, `DataError` for no surface, or one that is not valid.
+/// Writes several surfaces into one GLB, each a node with its name and colour, in LPS mm as by
+/// `writeSurface`; `readSurfaces` reads them again. Atomic. Throws `CannotCreateError` when the file cannot
+/// be written or does not end in .glb, `DataError` for no surface, or one that is not valid.
 void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces);
 
 /// Lower-case extensions with the dot that `readSurface` takes.

@@ -11,7 +11,7 @@
 
 namespace viscera::medical_io {
 
-/// A repair of a defective surface that the user can choose. Nothing is repaired unasked.
+/// A repair of a defective surface that the user can choose. No repair is applied without the user's choice.
 struct SurfaceRepair {
   std::string id;   ///< As in `viscera convert`: "fill-holes", "unit-m".
   std::string does; ///< What it does, as a sentence: "fills every hole with a cap".
@@ -19,14 +19,14 @@ struct SurfaceRepair {
   /// function; bitwise independent of the number of threads.
   std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
   bool remakes =
-      false; ///< The triangles are new ones, so `surfaceChange` says how far they lie from the old.
+      false; ///< The repair makes new triangles; `surfaceChange` measures their distance from the old ones.
 };
 
 /// All repairs: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
 /// `unit-ID` for every unit of `lengthUnits` but mm.
 const std::vector<SurfaceRepair>& surfaceRepairs();
 
-/// The one of that id. Throws `UsageError` that names those there are.
+/// The repair with that id. Throws `UsageError` that lists the existing ones.
 const SurfaceRepair& surfaceRepair(std::string_view id);
 
 /// The options of `repairSurface`: fineness and number of triangles.
@@ -43,13 +43,12 @@ struct RepairOptions {
 geometry::TriangleMesh repairSurface(const geometry::TriangleMesh& mesh, const RepairOptions& options,
                                      Progress& progress, Threads threads = {});
 
-/// How a surface that was made anew differs from the one before.
+/// The distances between a remeshed surface and the one before.
 struct SurfaceChange {
   Eigen::Index trianglesBefore = 0;
   Eigen::Index trianglesAfter = 0;
-  double meanMm = 0; ///< From the old surface's vertices to the new surface.
-  double maximumMm =
-      0; ///< The same: what the new surface has lost, such as a thin vessel, is as far as this.
+  double meanMm = 0;    ///< From the old surface's vertices to the new surface.
+  double maximumMm = 0; ///< The same; large where the new surface has lost a detail such as a thin vessel.
 };
 
 /// Measures the distances from every vertex of `before` that a triangle has to the surface `after`, which has

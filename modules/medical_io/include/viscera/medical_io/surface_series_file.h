@@ -15,12 +15,12 @@ struct SurfaceSeriesFile {
   std::vector<Points> phases;
   /// Of the first file: polygons are cut there and the same way in all.
   Triangles triangles;
-  /// Whether all files have as many points, and polygons of the same numbers, as the first. Where not,
-  /// `phases` holds the first alone.
+  /// Whether all files have the same number of points and the same polygons as the first. If not, `phases`
+  /// holds the first only.
   bool correspond = true;
   std::size_t differs = 0;       ///< The first file that does not correspond.
-  std::vector<Space> spaces;     ///< One a file: what it was written in.
-  std::vector<bool> spaceStated; ///< One a file: whether it says so, or LPS is assumed.
+  std::vector<Space> spaces;     ///< For each file: the axes in which it was written.
+  std::vector<bool> spaceStated; ///< For each file: whether it states its axes, or LPS is assumed.
 };
 
 /// Reads surfaces (any format of `readSurface`) of which point i is to be the same place in all: nothing is

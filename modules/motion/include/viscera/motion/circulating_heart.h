@@ -14,11 +14,10 @@
 namespace viscera::motion {
 
 /// One beat of a circulation as a course that the sample heart can follow: the ventricles' volumes are the
-/// circulation's, and so are the atria's between 24 and 140 ml, beyond which they cannot be drawn and stop
-/// there; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10 degrees
-/// at 0.58). Time 0 is the beginning of the ventricles' contraction. The left ventricle has `leftMuscle`
-/// times the muscle of the sample heart.
-/// O(samples).
+/// circulation's, and so are the atria's between 24 and 140 ml, outside of which they cannot be drawn and are
+/// clamped. The descent of the base and the twist of the apex follow from the ejection fraction (15 mm and 10
+/// degrees at 0.58). Time 0 is the beginning of the ventricles' contraction. The left ventricle has
+/// `leftMuscle` times the muscle of the sample heart. O(samples).
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
                                    const circulation::Beat& beat, const circulation::Indices& indices,
                                    double leftMuscle = 1);
@@ -39,7 +38,7 @@ public:
   /// volumes, `Cancelled`.
   std::shared_ptr<const sequences::CourseHeartbeat> follow(sequences::HeartCourse course,
                                                            Progress& progress) const;
-  /// The same with all that it moves.
+  /// The same with organ, handles and coordinates.
   SequenceSetup setup(sequences::HeartCourse course, Progress& progress) const;
 
 private:
@@ -48,16 +47,16 @@ private:
 };
 
 /// The sample heart with the heartbeat of a circulation, and the muscle of the scenario of that name
-/// (`circulation::leftMuscleOf`). Throws `DataError` when no beat repeats itself, or
-/// when the heart cannot take such volumes. As `CirculatingHeart`.
+/// (`circulation::leftMuscleOf`). Throws `DataError` when there is no periodic beat, or when the heart cannot
+/// take such volumes. As `CirculatingHeart`.
 SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress,
                                Threads threads = {});
 
 /// The valves at a place of the cycle, [0, 1], of the motion that a recipe makes and a circulation may drive,
-/// without making the motion; nothing unless it is the sample heart's, and for a circulation without a beat
-/// that repeats itself. Some 20 ms where a circulation drives. Throws `Cancelled`.
+/// without making the motion; empty unless it is the sample heart's, and for a circulation without a periodic
+/// beat. Some 20 ms if a circulation drives. Throws `Cancelled`.
 std::optional<sequences::ValveInstants> heartValves(const std::string& recipe,
                                                     const document::CirculationChoice& choice,
                                                     double fraction, double ratePerMinute,

@@ -24,20 +24,20 @@ CardiacIndices cardiacIndices(const std::vector<double>& volumesMl, double rateP
 
 /// A normal range with its name and source, to be drawn behind a curve or written beside a number.
 struct NormalRange {
-  /// What is measured.
+  /// The measured quantity.
   enum class Quantity {
     endDiastolicMl,  ///< The largest volume of a ventricle over a beat.
     endSystolicMl,   ///< The smallest.
     ejectionPercent, ///< The part of the largest volume that leaves with a beat.
-    volumeMl,        ///< A volume that the cycle leaves as it is.
+    volumeMl,        ///< A volume that is constant over the cycle.
   };
   Quantity quantity = Quantity::volumeMl;
   std::string norm; ///< Its row in the table of `norms`: "lv.edv".
   std::string name; ///< "end-diastolic volume"
   double low = 0;   ///< In ml or per cent, as the quantity says.
   double high = 0;
-  std::string meaning; ///< How it comes about: "women, mean +- 2 standard deviations".
-  std::string people;  ///< Who was measured: "800 healthy people of 45 to 74 years, ...".
+  std::string meaning; ///< How the range is defined: "women, mean +- 2 standard deviations".
+  std::string people;  ///< The people that were measured: "800 healthy people of 45 to 74 years, ...".
   std::string source;  ///< "Petersen 2017, doi ..."
 };
 

@@ -28,7 +28,7 @@ struct CycleCurves {
 
 /// Poses the runner's organs at 96 evenly spaced instants of a cycle and where its phases begin, so that the
 /// corners of the curves are met, and measures them: the same numbers as `MotionRunner::show` returns there.
-/// Throws `UsageError` when the runner has nothing that it could move, what `show` throws, and `Cancelled`.
+/// Throws `UsageError` when the runner cannot move the handles, what `show` throws, and `Cancelled`.
 /// O(instants) frames.
 CycleCurves measureCycle(MotionRunner& runner, Progress& progress);
 

@@ -11,10 +11,10 @@ namespace viscera::motion {
 /// ("lv", "rv") and the surface around them. For the runner's thread.
 class HeartWalls {
 public:
-  /// Looks for them; `runner` must live longer.
+  /// Finds the walls; `runner` must live longer.
   explicit HeartWalls(const MotionRunner& runner);
 
-  /// Where the walls are in the pose shown last; nothing where no sample heart beats, and of surfaces too
+  /// Where the walls are in the pose shown last; empty if no sample heart beats, and if the surfaces are too
   /// coarse to be measured. O(vertices).
   std::optional<sequences::WallPlaces> now() const;
 

@@ -9,10 +9,10 @@
 
 namespace viscera::motion {
 
-/// The numbers of a tracked motion that a session keeps: measured volumes and how well every phase fits. What
-/// was measured itself (voxels, surfaces) and the sequence, which the document has, are not in it.
+/// The numbers of a tracked motion that a session keeps: measured volumes and how well every phase fits. It
+/// holds neither the measured voxels and surfaces nor the sequence, which the document has.
 struct MeasuredRecord {
-  std::vector<document::OrganId> organs; ///< That are moved, one a surface.
+  std::vector<document::OrganId> organs; ///< The organs that are moved, one for each surface.
   MotionSeries series;                   ///< Names, times and volumes only.
   PatientMotion motion;                  ///< Without its sequence.
 };
@@ -21,7 +21,7 @@ struct MeasuredRecord {
 std::string toJson(const MeasuredRecord& record);
 
 /// Reads what `toJson` wrote; verdicts, ejection fractions and tissue are computed again. Throws `DataError`
-/// for text that is no such record.
+/// for invalid text.
 MeasuredRecord measuredRecordFrom(const std::string& text);
 
 } // namespace viscera::motion

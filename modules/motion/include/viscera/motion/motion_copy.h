@@ -12,10 +12,10 @@
 
 namespace viscera::motion {
 
-/// The inputs that determine the poses of one cycle of a document's organs. What was computed from one is
-/// valid as long as it is equal to `causeOf` of the same runner.
+/// The inputs that determine the poses of one cycle of a document's organs. A result is valid as long as its
+/// cause equals `causeOf` of the same runner.
 struct MotionCause {
-  std::uint64_t revision = 0; ///< Of the runner: sequence, rate and prescribed volume.
+  std::uint64_t revision = 0; ///< Revision of the runner: sequence, rate and prescribed volume.
   std::shared_ptr<const document::Rig> rig;
   std::shared_ptr<const document::SystemChoice> system;
   /// For each organ its identity, its surface, and whether its volume is locked.
@@ -27,9 +27,9 @@ struct MotionCause {
 /// O(organs).
 MotionCause causeOf(const MotionRunner& runner);
 
-/// A copy of what a runner plays, with organs of its own, so that a worker can go through a cycle while the
-/// document goes on: surfaces and bindings are shared, volumes are kept or met as in the original. For one
-/// thread, which need not be the document's.
+/// A copy of a runner with organs of its own, so that a worker can go through a cycle while the document
+/// changes: surfaces and bindings are shared, volumes are kept or met as in the original. For one thread,
+/// which need not be the document's.
 ///
 ///     auto copy = std::make_shared<MotionCopy>(player.runner(), live.copy());
 ///     jobs.submit<CycleCurves>("Volumes", "cycle",
@@ -48,9 +48,9 @@ private:
   MotionRunner runner_;
 };
 
-/// The cycle that a runner plays, for whoever computes something over it on another thread. Where volumes
-/// cannot be kept the handles stay in the last pose in which they could, as they do while it plays. Throws
-/// `UsageError` when the runner has nothing that it could move.
+/// The cycle that a runner plays, for computations over it on another thread. If volumes cannot be kept, the
+/// handles stay in the last pose in which they could, as in playback. Throws `UsageError` when the runner
+/// cannot move the handles.
 live::PosedCycle posedCycle(const MotionRunner& original, live::PosedCopy organs);
 
 } // namespace viscera::motion

@@ -18,11 +18,11 @@ std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution 
 /// The recipe of a shipped sequence fitted to another organ, with the landmarks that the user gave.
 std::string fittedRecipe(const std::string& sequence, const Landmarks& given);
 
-/// The resolution of the sample heart that the recipe lets beat; nothing for a recipe of anything else.
+/// The resolution of the sample heart in a recipe of its beat; empty for any other recipe.
 std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe);
 
-/// Makes the motion of a recipe; a fitted one for `organ`. Throws `DataError` for a recipe that is none, and
-/// what `setUpSequence` and `retargetSequence` throw. For any thread.
+/// Makes the motion of a recipe; a fitted one for `organ`. Throws `DataError` for an invalid recipe, and what
+/// `setUpSequence` and `retargetSequence` throw. For any thread.
 std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const document::Organ& organ,
                                                       const sample_organs::SampleLibrary& library,
                                                       Progress& progress);

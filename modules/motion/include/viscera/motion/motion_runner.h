@@ -16,26 +16,25 @@
 
 namespace viscera::motion {
 
-/// The volume that an organ is to have at every instant of a cycle, whatever its motion would make of it.
+/// The prescribed volume of an organ over a cycle, which replaces the volume that its motion would give.
 struct PrescribedVolume {
   document::OrganId organ;
   sequences::Curve milliliters; ///< Over the fraction of the cycle, with period 1.
-  std::string file = {};        ///< The name of the one that it came from, for texts.
+  std::string file = {};        ///< The name of the file from which it was read, for texts.
 };
 
-/// Poses organs as they are at an instant of a sequence, and measures them: what the window, a movie and
-/// `viscera play` do for a frame. Locked volumes stay, and a prescribed one is met, each exactly: the
-/// compensating handles move by the least that this takes (`VolumeKeeper`). For the thread of the organs; it
-/// changes no document.
+/// Poses organs at an instant of a sequence and measures their volumes. The window, movies and `viscera play`
+/// use it for every frame. Locked volumes and a prescribed one are met exactly: the compensating handles move
+/// as little as possible (`VolumeKeeper`). For the thread of the organs; it does not change a document.
 class MotionRunner {
 public:
   /// How many instants of a cycle `requireReachable` tries.
   static constexpr int kTriedInstants = 64;
 
   /// Both must live longer. `state` is the document's own, or the one of which `organs` are a copy.
-  /// With a job queue, whose main thread is that of the organs, what makes locks quick is prepared there and
-  /// no frame waits for it: until it is there a frame takes longer, its volumes are as exact and its pose is
-  /// the same but for rounding. Without one the first frame that needs it waits.
+  /// With a job queue, whose main thread is that of the organs, the volume forms of locks are prepared there,
+  /// and no frame waits for them: until they are ready frames take longer, with volumes as exact and the same
+  /// pose up to rounding. Without a queue the first frame that needs them waits.
   MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads = {},
                JobQueue* jobs = nullptr);
 
@@ -52,13 +51,14 @@ public:
 
   /// Whether the handles are the sequence's, so that it can move them. O(handles).
   bool movable() const;
-  /// Throws `UsageError` where it is not.
+  /// Throws `UsageError` unless `movable`.
   void requireMovable() const;
 
   /// Prescribes a volume, or none.
   void prescribe(std::optional<PrescribedVolume> volume);
   const std::optional<PrescribedVolume>& prescribed() const { return prescribed_; }
-  /// Another number whenever sequence, rate or prescribed volume were set: the cycle may be another one.
+  /// A number that changes whenever sequence, rate or prescribed volume are set, so that the cycle may be
+  /// different.
   std::uint64_t revision() const { return revision_; }
   /// Throws `DataError` that names the first instant at which the volumes cannot be kept or met.
   /// O(`kTriedInstants`) restorations.
@@ -88,7 +88,7 @@ private:
   std::optional<PrescribedVolume> prescribed_;
   std::uint64_t revision_ = 0;
   std::string obstacle_;
-  Points pose_; ///< That the sequence asked for last.
+  Points pose_; ///< The last pose of the sequence.
 };
 
 } // namespace viscera::motion

@@ -30,8 +30,8 @@ struct SeriesRequest {
   /// Of label maps; empty: their only label, or those of a heart. Of files of surfaces: those to use, without
   /// labels; empty: all.
   std::vector<LabelledSurface> surfaces;
-  std::optional<double> periodSeconds; ///< Of one cycle; goes before what the files say.
-  std::vector<double> seconds;         ///< One a phase; goes before what the files say.
+  std::optional<double> periodSeconds; ///< Duration of one cycle; overrides the files.
+  std::vector<double> seconds;         ///< One for each phase; overrides the files.
   std::vector<std::size_t> leftOut;    ///< Phases, counted from 0, that are not used.
   bool loop = true;                    ///< Whether the last phase leads back to the first.
 };
@@ -39,7 +39,7 @@ struct SeriesRequest {
 /// The surfaces of one organ in all phases of a series. Volumes and grids are checked.
 struct MotionSeries {
   std::vector<std::string> names; ///< Of the surfaces, the outer one first.
-  std::size_t outer = 0;          ///< The one that holds the others.
+  std::size_t outer = 0;          ///< Index of the surface that contains the others.
   tracking::PhaseTimes times;
   /// With the same triangles in all phases, one a surface; else empty.
   std::vector<tracking::SurfaceSeries> corresponding;
@@ -48,7 +48,7 @@ struct MotionSeries {
   /// Voxels of label maps, `[phase][surface]`; else empty.
   std::vector<std::vector<tracking::Mask>> masks;
   std::vector<std::vector<double>> volumesMl; ///< Measured, `[phase][surface]`.
-  std::vector<std::string> warnings;          ///< What was mended or assumed, a sentence each.
+  std::vector<std::string> warnings;          ///< Repairs and assumptions, a sentence each.
 
   std::size_t phases() const { return times.count(); }
   /// Distance of the slices of label maps, mm; 0 for surfaces.
@@ -60,16 +60,16 @@ struct MotionSeries {
 /// phases without times are spread evenly over the period. A last phase that equals the first (0.1 mm, and a
 /// fifth of the step before) is dropped, with a warning.
 ///
-/// Throws `NoInputError` and `DataError` of the files, and `DataError` that says what to do for: fewer than
-/// four phases; a surface or label missing in a phase; grids that differ or are sheared; a label that touches
-/// the image's edge in some phases only; times that do not ascend; a cavity that is not inside the outer
-/// surface; a volume that jumps by more than half of the largest between neighbours; axes that differ between
-/// files; a series that does not lead back to its first phase. `UsageError` where the period, or the labels
-/// of surfaces, are not said. `Cancelled`.
+/// Throws `NoInputError` and `DataError` of the files, and `DataError`, whose text names a remedy, for: fewer
+/// than four phases; a surface or label missing in a phase; grids that differ or are sheared; a label that
+/// touches the image's edge in some phases only; times that do not ascend; a cavity that is not inside the
+/// outer surface; a volume that jumps by more than half of the largest between neighbours; axes that differ
+/// between files; a series that does not lead back to its first phase. `UsageError` if the period, or the
+/// labels of surfaces, are not given. `Cancelled`.
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress);
 
 /// Reads one image of an organ, or one set of surfaces, as a series of one phase, the outer surface first:
-/// for what needs no time of its own. Throws what `readMotionSeries` throws of files, labels and cavities.
+/// for computations that need no time. Throws what `readMotionSeries` throws of files, labels and cavities.
 MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress);
 
 /// The name without its last number, and that number: ("LV", 3) for "LV_003.obj", ("scan", none) for

@@ -17,14 +17,14 @@
 #include "viscera/tracking/motion_rig.h"
 #include "viscera/tracking/surface_distance.h"
 
-/// Finds a patient's own motion from a series: handles and their poses in time that bring one organ through
-/// its series.
+/// Finds a patient's own motion from a series: handles and their poses over time that move one organ through
+/// the phases of the series.
 namespace viscera::motion {
 
-/// The options of tracking a motion. docs/patient_motion.md says where the standards come from.
+/// The options of tracking a motion. docs/patient_motion.md explains the default values.
 struct TrackOptions {
   tracking::RigOptions rig;
-  std::optional<medical_io::HandleFile> handles; ///< A given rig in the place of one that is made.
+  std::optional<medical_io::HandleFile> handles; ///< A given rig; none: one is generated.
   std::optional<double> smoothing;               ///< In time; 1e-5 for surfaces that correspond, else 1e-4.
   bool keepVolumes = true;
   double robustMm = 0;  ///< Beyond it distances count less (Huber); 0: all alike.
@@ -42,9 +42,9 @@ struct TrackedPhase {
 /// A tracked motion: handles, poses, and the quality of the fit.
 struct PatientMotion {
   /// A key for every phase, the handles in groups by surface, the coordinates, and the organ's surfaces at
-  /// rest: by itself enough to play it. Its volumes at the keys are the measured ones.
+  /// rest: everything that is needed to play it. Its volumes at the keys are the measured ones.
   SequenceFile sequence;
-  std::size_t outer = 0; ///< Among `sequence.organs`: the surface that holds the others.
+  std::size_t outer = 0; ///< Index in `sequence.organs` of the surface that contains the others.
   std::vector<TrackedPhase> phases;
   /// Of every cavity, or of the only surface, by its name.
   std::map<std::string, CardiacIndices> indices;
@@ -53,7 +53,8 @@ struct PatientMotion {
   std::vector<double> tissueMl;
   bool corresponding = false;        ///< Whether points were known from phase to phase.
   double sliceMm = 0;                ///< Of label maps.
-  std::vector<std::size_t> outliers; ///< Phases that fit much worse than both neighbours: to be left out.
+  std::vector<std::size_t> outliers; ///< Phases that fit much worse than both neighbours and should be left
+                                     ///< out.
   std::vector<std::string> warnings;
 
   tracking::FitLight worst() const;
@@ -61,14 +62,14 @@ struct PatientMotion {
 
 /// The motion of a series: a rig on the surfaces of the first phase, their poses in all phases (least squares
 /// where points correspond, else by signed distances), volumes kept exactly, and how well it all fits. For
-/// any thread; progress is said phase by phase. Deterministic, whatever the number of threads. Throws
+/// any thread; reports progress phase by phase. Deterministic, whatever the number of threads. Throws
 /// `DataError` for surfaces that a rig cannot be made for or that lie outside a given one, what reading of
 /// labels throws, `Cancelled`. O(phases x vertices x handles) where points correspond; some seconds a phase
 /// else.
 PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& options, Progress& progress,
                           Threads threads = {});
 
-/// One phase of a series as it was measured, to be looked at beside the motion. Immutable.
+/// The measured surfaces of one phase of a series, for display beside the motion. Immutable.
 struct MeasuredPhase {
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces; ///< mm LPS, one a surface; never null.
   /// From the same surfaces or voxels; empty where points correspond.

@@ -9,14 +9,13 @@
 
 namespace viscera::motion {
 
-/// Plays a sequence in one view of a `Transport`: it knows which sequence moves its organs, at which rate,
-/// and where in the cycle they are. It shows poses without touching the document, so playing leaves no undo
-/// steps. The position is kept in cycles: another rate goes on from the same place of the cycle. For the
-/// document's thread.
+/// Plays a sequence in one view of a `Transport`: it holds the sequence of the organs, its rate, and the
+/// position in the cycle. It shows poses without touching the document, so playing leaves no undo steps. The
+/// position is kept in cycles: another rate goes on from the same place of the cycle. For the document's
+/// thread.
 class Player {
 public:
-  /// Joins the views of `transport`, as the one that leads when it is the first. All must live longer;
-  /// `state` is the document's own.
+  /// Adds the view to `transport`; the first view leads. All must live longer; `state` is the document's own.
   /// `jobs` as for `MotionRunner`.
   Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live,
          JobQueue* jobs = nullptr);
@@ -24,11 +23,11 @@ public:
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  /// Takes another sequence (or none) at its standard rate, for an organ; `Transport::match` shows it. In the
-  /// first view the motion is stopped, at its beginning; another view is at the first one's instant.
+  /// Sets the sequence of an organ (or none), at its standard rate; `Transport::match` shows it. In the first
+  /// view the motion is stopped at its beginning; other views go to the first one's instant.
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ);
-  /// Takes another sequence of the same handles in place of the present one, at its standard rate: the place
-  /// in the cycle stays, whether it plays, and what volume is prescribed. `Transport::match` shows it.
+  /// Replaces the sequence by another one of the same handles, at its standard rate. The position in the
+  /// cycle, playing, and the prescribed volume stay. `Transport::match` shows it.
   void exchangeSequence(std::shared_ptr<const sequences::Sequence> sequence);
   /// Null while there is none, and while its organ is not in the document.
   const sequences::Sequence* sequence() const;
@@ -40,7 +39,7 @@ public:
   /// Cycles a minute. Throws `UsageError` outside what the sequence allows.
   void setRatePerMinute(double rate);
   /// Prescribes the volume of an organ, or none, and shows it. Throws `DataError` that names the instant at
-  /// which it is out of reach; all is as before then.
+  /// which it cannot be reached, and then changes nothing.
   void prescribe(const std::optional<PrescribedVolume>& volume);
   const MotionRunner& runner() const { return runner_; }
 

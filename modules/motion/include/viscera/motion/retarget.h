@@ -46,8 +46,8 @@ struct LandmarkRole {
 const std::vector<LandmarkRole>& landmarkRoles(const std::string& sequence);
 
 /// The landmarks in a handle file, by the labels of its points: case, a number behind the label ("Apex-1")
-/// and the spelling "centerline" do not matter. Throws `DataError`, which names the labels there can be, for
-/// a point with any other label and for one that comes twice but may not.
+/// and the spelling "centerline" do not matter. Throws `DataError`, which lists the possible labels, for a
+/// point with any other label and for one that comes twice but may not.
 Landmarks landmarksFrom(const medical_io::HandleFile& file, const std::string& sequence,
                         const std::string& where);
 
@@ -56,8 +56,8 @@ medical_io::HandleFile landmarkFile(const Landmarks& landmarks, const std::strin
 
 /// Checks the given landmarks and finds all others that the sequence needs by the shape of the organ.
 /// heartbeat needs apex and base both or none, `right` may be given alone with them; peristalsis needs fundus
-/// and pylorus both or none. Throws `DataError` that says what to do for an organ that is open, inside out,
-/// in pieces; for landmarks too few, far outside the organ, at one place or on one line. Some 100 ms at
+/// and pylorus both or none. Throws `DataError`, whose text names a remedy, for an organ that is open, inside
+/// out, in pieces; for landmarks too few, far outside the organ, at one place or on one line. Some 100 ms at
 /// 30,000 triangles.
 Landmarks completeLandmarks(const std::string& sequence, const document::Organ& organ, const Landmarks& given,
                             Progress& progress);
@@ -67,19 +67,18 @@ struct RetargetedSequence {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
   document::NewRig rig;              ///< Its rest handles, in its order, with labels and groups.
   document::SystemChoice system;     ///< The coordinates for which it was made, softness in the organ's size.
-  Landmarks landmarks;               ///< All that were used.
+  Landmarks landmarks;               ///< All landmarks that were used.
   double scale = 1;                  ///< The organ's size as a multiple of the sample organ's.
   double restVolumeMl = 0;           ///< Of the organ.
-  std::vector<std::string> warnings; ///< What a user should look at: a size that no organ has.
+  std::vector<std::string> warnings; ///< Warnings for the user, such as an implausible size.
 };
 
-/// Makes the sequence `id` for `organ`: finds what landmarks are missing, puts the handles around this organ
-/// and ties the same curves to them. heartbeat: the surface loses 8.2 % of its volume in systole;
-/// peristalsis: its volume stays, to rounding, in every pose, and waves are made shallower where folds of the
-/// surface would cross (a warning says so); breathing: its volume stays. Every vertex lies inside the
-/// handles' hull. A second or a few at 30,000 triangles. Throws what `completeLandmarks` throws, `DataError`
-/// where the organ is not of the shape that the landmarks say, `UsageError` for an unknown sequence,
-/// `Cancelled`. For any thread.
+/// Makes the sequence `id` for `organ`: finds missing landmarks, places handles around this organ and applies
+/// the same curves to them. heartbeat: the surface loses 8.2 % of its volume in systole; peristalsis: its
+/// volume stays, to rounding, in every pose, and waves are made shallower where folds of the surface would
+/// cross (with a warning); breathing: its volume stays. Every vertex lies inside the handles' hull. A second
+/// or a few at 30,000 triangles. Throws what `completeLandmarks` throws, `DataError` if the shape of the
+/// organ does not match the landmarks, `UsageError` for an unknown sequence, `Cancelled`. For any thread.
 RetargetedSequence retargetSequence(const std::string& id, const document::Organ& organ,
                                     const Landmarks& given, Progress& progress, Threads threads = {});
 

@@ -23,8 +23,9 @@ struct SequenceOrgan {
 struct SequenceFile {
   sequences::KeyframedSequence::Track track;    ///< Handles at rest in the order of `labels`; groups; keys.
   std::vector<std::string> labels;              ///< One a handle, unique.
-  std::optional<document::SystemChoice> system; ///< The coordinates it was recorded with, when the file says.
-  std::vector<SequenceOrgan> organs;            ///< What it moves, when the file holds it.
+  std::optional<document::SystemChoice> system; ///< The coordinates it was recorded with, if the file states
+                                                ///< them.
+  std::vector<SequenceOrgan> organs;            ///< The organs that it moves, if the file contains them.
 };
 
 /// Whether the name ends like a sequence file (.sequence.json).
@@ -33,10 +34,10 @@ bool isSequenceFile(const std::filesystem::path& file);
 /// Reads a sequence file. Throws `NoInputError` when it cannot be read and `DataError` that names file, key
 /// and field for one that is cut off or no such file, of a later version, with another unit or axes, with
 /// numbers that are not finite, handles that share a label, keys that share a time or lie outside the period,
-/// a pose for an unknown handle, fewer than four handles, or an easing that there is not.
+/// a pose for an unknown handle, fewer than four handles, or an unknown easing.
 SequenceFile readSequence(const std::filesystem::path& file);
 
-/// What `writeSequence` writes: every number with the digits that bring back its bits.
+/// The text that `writeSequence` writes, with enough digits to restore every bit of a number.
 std::string textOf(const SequenceFile& sequence);
 
 /// Writes a sequence file; reading it back gives the same bits. Atomic. Throws `CannotCreateError`.
@@ -49,9 +50,9 @@ SequenceFile sequenceFile(const document::DocumentState& state);
 /// The rig of a sequence file, in its order.
 document::NewRig rigOf(const SequenceFile& sequence);
 
-/// Takes a sequence file into the document in one undo step: when the rig has all its handles by label (at
-/// their rest places to 1e-6 of the size), only the key sequence; else the file's handles and, when it says
-/// which, its coordinates too.
+/// The command that opens a sequence file in the document, one undo step: when the rig has all its handles by
+/// label (at their rest places to 1e-6 of the size), only the key sequence; else also the file's handles and,
+/// if stated, its coordinates.
 document::Command openSequence(SequenceFile sequence);
 
 } // namespace viscera::motion

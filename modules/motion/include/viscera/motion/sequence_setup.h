@@ -33,15 +33,15 @@ const std::vector<SampleSequence>& sampleSequences();
 /// Whether an organ is of the kind that a sequence moves.
 enum class SequenceMatch { yes, unknown, no };
 
-/// Judges by its name whether an organ suits a sequence: "liver_2" breathes, "spleen" has no heartbeat, and
-/// of "mesh 1" nothing is known.
+/// Judges by its name whether an organ suits a sequence: yes for "liver_2" and breathing, no for "spleen" and
+/// a heartbeat, unknown for "mesh 1".
 SequenceMatch matchesOrgan(const SampleSequence& sequence, const std::string& organName);
 
 /// Makes the sample organ of a sequence, its handles and the sequence itself, calibrated on that organ at
-/// that resolution: at any time and rate the heart's left ventricle holds what its curve says within 0.5 ml,
-/// the right one within 1 ml. What takes long is kept in the library's cache. Throws `UsageError` for an
-/// unknown sequence (it names those there are), what `sample_organs::sampleOrgan` throws, `Cancelled`. For
-/// any thread.
+/// that resolution: at any time and rate the volume of the heart's left ventricle follows its curve within
+/// 0.5 ml, the right one within 1 ml. Slow results are stored in the library's cache. Throws `UsageError` for
+/// an unknown sequence (it lists the existing ones), what `sample_organs::sampleOrgan` throws, `Cancelled`.
+/// For any thread.
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,
                             sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
 

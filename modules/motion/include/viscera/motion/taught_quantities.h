@@ -16,7 +16,8 @@ struct TaughtQuantity {
   const norms::Norm* norm = nullptr; ///< Never null.
   std::string where;                 ///< "heartbeat, 75 a minute"
   double here = 0;                   ///< In the norm's unit.
-  std::string remark;                ///< What is compared, or why it is not within the range; may be empty.
+  std::string remark;                ///< Remark on the comparison, or why the value is not within the range;
+                                     ///< may be empty.
 };
 
 /// Measures everything that sample organs, sequences and the circulation at rest teach, on the surfaces at

@@ -16,10 +16,10 @@ enum class WantedPose {
   sequence, ///< The sequence's once it was started, else the document's.
 };
 
-/// Keeps the time of playing sequences, for any number of views (`Player`), each with its own document,
-/// sequence and rate: all are at the same seconds. The first view leads: its cycle is the one that is sought,
-/// and ends where it does not loop. Whatever this is told, the views show it before the call returns; a
-/// position is never moved without the pose. For one thread.
+/// Keeps the common time of sequences played in any number of views (`Player`), each with its own document,
+/// sequence and rate. The first view leads: seeking refers to its cycle, and without looping playback stops
+/// at the end of its cycle. Every call updates the poses of the views before it returns, so position and pose
+/// always agree. For one thread.
 class Transport {
 public:
   /// A clock in seconds that never goes back.
@@ -32,28 +32,28 @@ public:
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
-  /// What follows calls `LiveBinding::showPose` of every view, and throws what one of them throws after all
-  /// were asked.
+  /// The functions below call `LiveBinding::showPose` of every view; if one throws, the others are still
+  /// called before the exception is rethrown.
   ///
-  /// Starts; from the beginning when it had come to the end. Nothing happens while the first view has no
-  /// sequence for its handles, or no sequence's pose is wanted.
+  /// Starts playing, from the beginning if it had come to the end. Nothing happens while the first view has
+  /// no sequence for its handles, or while the wanted pose is not the sequence's.
   void play();
-  /// Stays at the instant that is shown.
+  /// Pauses at the displayed instant.
   void pause();
-  /// The views go back to their documents' pose; the instant stays.
+  /// Shows the documents' poses again; the instant stays.
   void stop();
-  /// Brings the views to where the clock is; true when they moved.
+  /// Poses the views at the time of the clock; returns whether they moved.
   bool advance();
-  /// Looks at a place of the first view's cycle, [0, 1]; playing goes on from there. Throws `UsageError`
-  /// outside. Nothing happens where `play` would do nothing.
+  /// Goes to a place of the first view's cycle, [0, 1]; playing goes on from there. Throws `UsageError`
+  /// outside. Nothing happens if `play` would do nothing.
   void seek(double fraction);
-  /// Pauses, and goes on by some seconds of the sequence, or back.
+  /// Pauses, and moves by some seconds of the sequence, forward or back.
   void step(double seconds);
   void setPose(WantedPose pose);
   WantedPose pose() const { return pose_; }
 
   bool playing() const { return playing_; }
-  /// Whether a motion was started and not stopped since, be its pose wanted now or not.
+  /// Whether a motion was started and not stopped since, whether its pose is shown or not.
   bool started() const { return started_; }
   /// Whether views with a sequence show its pose.
   bool showing() const { return started_ && pose_ == WantedPose::sequence; }
@@ -69,16 +69,16 @@ public:
   /// Seconds of the sequence that have been played since it was set or sought: the chart's axis.
   double playedSeconds() const { return played_; }
 
-  /// To be called after a document or a view's sequence has changed, once all who keep something of the
-  /// document know of it. Where the first view's handles are no longer the sequence's, the motion is stopped
-  /// at its beginning; else every view shows its instant again.
+  /// Call it after a document or a view's sequence has changed and all objects derived from the document are
+  /// up to date. If the first view's handles are no longer the sequence's, the motion is stopped at its
+  /// beginning; else every view shows its instant again.
   void match();
 
-  /// Tells that the views show another instant.
+  /// Calls `observer` when the views show another instant.
   [[nodiscard]] Subscription onShown(std::function<void()> observer) {
     return shown_.connect(std::move(observer));
   }
-  /// Tells that it plays or not, of another sequence, rate, speed or loop, and of `match`.
+  /// Calls `observer` when playing, sequence, rate, speed or loop have changed, and after `match`.
   [[nodiscard]] Subscription onState(std::function<void()> observer) {
     return state_.connect(std::move(observer));
   }

@@ -11,11 +11,11 @@ namespace viscera::motion {
 /// thread.
 class VolumeRecord {
 public:
-  /// Keeps the last `capacity` rows at least, twice as many at most; 0 keeps all.
+  /// Keeps at least the last `capacity` rows and at most twice as many; 0 keeps all.
   explicit VolumeRecord(std::vector<std::string> names = {}, std::size_t capacity = 0);
 
   /// Adds a row; `milliliters` has one number for each name. A time that is not later than the last one
-  /// (somebody went back) begins a new record.
+  /// (after going back) begins a new record.
   void add(double seconds, const std::vector<double>& milliliters);
   void clear();
 

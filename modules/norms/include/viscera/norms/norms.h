@@ -57,16 +57,16 @@ struct Norm {
   std::string unit;     ///< "ml"
   Kind kind = Kind::spread;
   std::string
-      people; ///< Who was measured, and how: "800 healthy people of 45 to 74 years, by magnetic resonance".
+      people; ///< The people and the method: "800 healthy people of 45 to 74 years, by magnetic resonance".
   std::string source; ///< "Petersen 2017, doi 10.1186/s12968-017-0327-9"
   std::optional<Measured> women = {};
   std::optional<Measured> men = {};
-  std::optional<Measured> everybody = {};  ///< Where the source does not tell the sexes apart.
+  std::optional<Measured> everybody = {};  ///< If the source does not distinguish the sexes.
   std::optional<Measured> womenPerM2 = {}; ///< A square metre of body surface.
   std::optional<Measured> menPerM2 = {};
   std::optional<Range> limits = {}; ///< Of `Kind::limits`.
 
-  /// Whether the row knows women from men, or small people from large ones.
+  /// Whether the row distinguishes women and men, or small and large people.
   bool knowsSex() const { return women.has_value(); }
   bool knowsSize() const { return womenPerM2.has_value(); }
 };
@@ -77,19 +77,20 @@ const std::vector<Norm>& table();
 /// The row of that id. Throws `UsageError` when there is none.
 const Norm& norm(std::string_view id);
 
-/// Computes the normal range for a person. What the row does not know of, it leaves aside.
+/// Computes the normal range for a person. Properties of the person that the row does not distinguish are
+/// ignored.
 ///
 ///     const Norm& volume = norm("lv.edv");
 ///     const Range range = rangeOf(volume, {Sex::women, 1.8});
 ///     const bool usual = range.holds(120);
 Range rangeOf(const Norm& norm, const Person& person = {});
 
-/// How `rangeOf` comes about: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".
+/// Describes how `rangeOf` is computed: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".
 std::string meaningOf(const Norm& norm, const Person& person = {});
 
 /// "women and men", "women", "men".
 std::string_view nameOf(Sex sex);
-/// What `nameOf` calls "either", "women" or "men" in files; anything else is either.
+/// Parses "either", "women" or "men" from files; anything else is either.
 Sex sexFromId(std::string_view id);
 std::string_view idOf(Sex sex);
 

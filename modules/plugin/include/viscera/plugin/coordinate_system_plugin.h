@@ -13,7 +13,7 @@
 
 namespace viscera::plugin {
 
-/// What a plugin with coordinate systems implements, in a QObject with
+/// The interface of plugins with coordinate systems, to be implemented in a QObject with
 /// `Q_PLUGIN_METADATA(IID VISCERA_COORDINATE_SYSTEM_PLUGIN_IID FILE "manifest.json")` and
 /// `Q_INTERFACES(viscera::plugin::CoordinateSystemPlugin)`. The manifest names `id`, `name`, `version` and
 /// `summary`, so that a program can list a plugin without loading it. See docs/coordinate_plugin.md.
@@ -21,7 +21,8 @@ class CoordinateSystemPlugin {
 public:
   virtual ~CoordinateSystemPlugin() = default;
 
-  /// The systems it brings; called once. The library is never unloaded, so they live as long as the program.
+  /// The systems of the plugin; called once. The library is never unloaded, so they live as long as the
+  /// program.
   virtual std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> systems() const = 0;
 };
 

@@ -31,9 +31,9 @@ std::vector<std::filesystem::path> pluginSearchPath(const std::vector<std::files
                                                     const std::filesystem::path& installed);
 
 /// Loads every plugin of the search path (a folder: its shared libraries, by name) and adds its systems to
-/// `registry` with the file as their source. Never throws: each file fails alone, with its reason, and the
-/// others go on. A file that was named itself is reported when it is missing; a folder that does not exist is
-/// reported once.
+/// `registry` with the file as their source. Never throws: a file that fails is reported with its reason, and
+/// the others are loaded. A file that is named explicitly is reported when it is missing; a folder that does
+/// not exist is reported once.
 ///
 ///     Registry registry = builtInRegistry();
 ///     const auto reports = loadPlugins(pluginSearchPath({"plugins"}, {}), registry);

@@ -8,11 +8,11 @@
 
 namespace viscera::plugin {
 
-/// The coordinate systems that a program offers, each with where it comes from. Ids are unique. Reading from
-/// several threads is safe while nobody adds.
+/// The coordinate systems that a program offers, each with its source. Ids are unique. Reading from several
+/// threads is safe while no thread adds a system.
 class Registry {
 public:
-  /// A system and its source: `kBuiltIn` or the file of the plugin that brought it.
+  /// A system and its source: `kBuiltIn` or the file of the plugin that contains it.
   struct Entry {
     std::shared_ptr<const coordinates::CoordinateSystem> system;
     std::string source;
@@ -20,10 +20,10 @@ public:
 
   static constexpr const char* kBuiltIn = "built-in";
 
-  /// Adds a system behind those there are. Throws `UsageError` that says why it is refused, and leaves the
-  /// registry as it was: no system, an id that could not be typed on a command line (small letters, digits
-  /// and single dashes), an id that is taken (by whom), or parameters whose names repeat or whose standard
-  /// value is out of range.
+  /// Adds a system after the existing ones. Throws `UsageError` with the reason, and leaves the registry
+  /// unchanged, for: no system, an id that could not be typed on a command line (small letters, digits and
+  /// single dashes), an id that is taken (with its source), or parameters whose names repeat or whose
+  /// standard value is out of range.
   void add(std::shared_ptr<const coordinates::CoordinateSystem> system, const std::string& source);
 
   /// The system with that id. Throws `UsageError` that lists the ids there are.

@@ -30,7 +30,7 @@ std::vector<scene::CurvePanel> loopPanels(const ShownCirculation& shown, const S
 
 /// The panels of both figures, arranged for a low and wide window of that many pixels, as under a view: the
 /// strips of Wiggers's diagram, then the loops of the left and of the right ventricle, the last two panels.
-/// Without titles and legends: `circulationLegend` says what is drawn in which colour.
+/// Without titles and legends; `circulationLegend` returns the meaning of the colours.
 std::vector<scene::CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
                                                 int width, int height);
 

@@ -15,7 +15,7 @@ namespace viscera::presentation {
 struct Part {
   document::OrganId organ;
   std::size_t place = 0;    ///< In `Organ::places`.
-  Eigen::Index vertex = -1; ///< Of the organ's surface: the nearest to the place.
+  Eigen::Index vertex = -1; ///< The vertex of the organ's surface nearest to the place.
 
   friend bool operator==(const Part&, const Part&) = default;
 };
@@ -42,22 +42,22 @@ public:
   PartQuiz() = default;
   PartQuiz(std::vector<Part> parts, unsigned seed);
 
-  /// The part that is to be found; null when all were.
+  /// The part to find next; null when all were found.
   const Part* asked() const { return open_.empty() ? nullptr : &open_.front(); }
-  /// Whether that is it. Then, and after two wrong answers, the next one is asked.
+  /// Returns whether the answer is right. After a right or two wrong answers, asks for the next part.
   bool answer(const Part& chosen);
 
   const std::vector<Part>& all() const { return all_; }
-  /// Those that were found, in that order.
+  /// The parts found so far, in order.
   const std::vector<Part>& found() const { return found_; }
   int mistakes() const { return mistakes_; }
 
 private:
   std::vector<Part> all_;
-  std::vector<Part> open_; ///< The one that is asked first.
+  std::vector<Part> open_; ///< Remaining parts; the first one is asked for.
   std::vector<Part> found_;
   int mistakes_ = 0;
-  int tries_ = 0; ///< For the one that is asked.
+  int tries_ = 0; ///< Number of answers to the present question.
 };
 
 } // namespace viscera::presentation

@@ -39,18 +39,18 @@ struct SurfaceMap {
   scene::ValueRange range;
   std::string title; ///< Of the legend.
   std::string unit;  ///< Or empty.
-  std::string mark;  ///< What has the map's `missing` colour ("folded"); empty: nothing has.
+  std::string mark;  ///< Label of the map's `missing` colour ("folded"); empty: that colour is not used.
 };
 
 /// A measurement that the user has begun and that is not part of the document yet.
 struct PendingMeasurement {
   std::vector<document::MeasurementId> highlighted; ///< Chosen, or under the mouse.
-  /// What its one to three points become, complete or not: no measurement yet. None while there are no
-  /// points.
+  /// The measurement with its one to three points so far, possibly incomplete. Without points: none has
+  /// begun.
   document::Measurement pending;
 };
 
-/// A surface that is shown although no document has it, such as an organ that is being imported.
+/// A surface that is shown without being part of the document, such as an organ that is being imported.
 struct TransientSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< Never null.
   Vec3 color = Vec3::Ones();
@@ -65,27 +65,29 @@ struct Scene {
   const ViewState& view;
   const plugin::Registry& systems;
   const live::StressFrame* stress = nullptr; ///< Null: there is no stress map.
-  const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
+  const SurfaceMap* map = nullptr;           ///< Null: only maps chosen in `view`.
   const PendingMeasurement* measuring = nullptr;
   const std::vector<TransientSurface>* transient = nullptr; ///< Shown beside the organs; null: none.
-  /// The parts whose names are written instead of those that `view` asks for; null: as it says.
+  /// The parts whose names are shown instead of those chosen in `view`; null: those of `view`.
   const std::vector<Part>* parts = nullptr;
-  const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
-  /// The valves of a heart that is shown beating, at this instant; nothing: none are known.
+  const Bending* bending = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
+  /// The valves of the beating heart at this instant; empty: none are known.
   std::optional<sequences::ValveInstants> valves = std::nullopt;
-  /// Of the stress map's colours, that another picture has, too; nothing: its own.
+  /// Range of the stress map's colours, shared with another picture; empty: a range of its own.
   std::optional<scene::ValueRange> stressRange = std::nullopt;
-  bool stressLegend = true;            ///< False: the other picture says it for both.
-  document::OrganId pointedOrgan = {}; ///< Under the mouse: its handles stand out; none: all are alike.
+  bool stressLegend = true;            ///< False: the other picture shows the legend for both.
+  document::OrganId pointedOrgan = {}; ///< The organ under the mouse, whose handles are highlighted; none:
+                                       ///< all handles look alike.
 };
 
-/// Draws a document in a 3D view: the one place where organs, handles, ghosts, regions, cages, influence and
-/// stress maps, labels, measurements and the legend become actors. The window, its second view, movies
-/// and the command line each have one on a view of their own. It owns its actors and the memory that they
-/// show, has no user interface and changes nothing: what handles the mouse is given the presenter.
+/// Draws a document in a 3D view: creates the actors of organs, handles, ghosts, regions, cages, influence
+/// and stress maps, labels, measurements and the legend. The window, its second view, movies and the command
+/// line each have a presenter with a view of its own. It owns its actors and the memory that they show. It
+/// has no user interface and does not change the document; classes that handle the mouse hold a reference to
+/// the presenter.
 ///
-/// `update` compares with what it drew last and touches only what is different, so that it may be called
-/// after any change, in any order, and as often as anybody likes. For the thread that renders the view.
+/// `update` compares the scene with the last one and updates only what differs, so that it may be called
+/// after any change, in any order and at any rate. For the thread that renders the view.
 ///
 ///     scene::OrganView view;
 ///     presentation::Presenter presenter(view);
@@ -93,7 +95,7 @@ struct Scene {
 ///     window->Render();
 class Presenter {
 public:
-  /// Says what stands in a picture in the language of its reader.
+  /// Translates a text of the picture into the language of the user.
   using Translate = std::function<std::string(const char* text)>;
 
   /// The view has to live longer.
@@ -102,8 +104,8 @@ public:
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  /// Brings the view to what the scene says, but for the camera. O(organs), and what has changed. Throws
-  /// what the organs throw; the picture is then partly the one before.
+  /// Updates everything in the view but the camera to the scene. O(organs), and what has changed. Throws what
+  /// the organs throw; the picture is then only partly updated.
   void update(const Scene& scene);
 
   scene::OrganView& view() const { return view_; }
@@ -113,19 +115,19 @@ public:
 
   const scene::OrganLabels& labels() const;
   const scene::MeasurementGlyphs& measurements() const;
-  /// What the stress map shows; not ready while there is none.
+  /// The numbers of the stress map; not `ready` while there is none.
   const StressValues& stressValues() const;
-  /// The inside of the organ under stress, null while it is not drawn; and what belongs to it.
+  /// The actor of the inside of the organ with the stress map, null while it is not drawn; the functions
+  /// below return other parts of that map.
   scene::TissueActor* tissue() const;
   const scene::StretchGlyphs& glyphs() const;
   const scene::ProbeMarker& probe() const;
-  /// The pinned probes and lines of the organ under stress as they are drawn, and what they say in the map
-  /// that is shown.
+  /// The glyphs of the organ's pinned probes and lines, and their values in the displayed map.
   const scene::MeasurementGlyphs& stressMarks() const;
   const live::ReadMarks& readMarks() const;
-  /// The plane that cuts it open, for a widget to take hold of.
+  /// The plane that cuts the organ open, for the widget that moves it.
   vtkVisceraCutPlaneRepresentation* cutPlane() const;
-  /// The middle of the organ under stress at rest, and the radius of the ball around it, mm.
+  /// The middle of the organ with the stress map at rest, and the radius of the ball around it, mm.
   Vec3 stressMiddle() const;
   double stressRadius() const;
 
@@ -138,20 +140,20 @@ private:
 /// Returns the camera of a view.
 Camera cameraOf(const scene::OrganView& view);
 
-/// Sets the camera of a view. A camera that looks nowhere (position and focus are one place) changes nothing.
+/// Sets the camera of a view. Nothing happens if position and focus of the camera coincide.
 void lookFrom(const Camera& camera, scene::OrganView& view);
 /// The same where the camera was kept together with this state of the view: a legend that comes with it later
 /// does not move it.
 void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& view);
 
-/// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name; either as the
-/// reader's language says it.
+/// The text of an organ's label: "LV cavity" for the sample heart's organ LV, else its name; either
+/// translated.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label
-/// maps have pure red and green, on which light and shade cannot be told apart. A colour is brought towards
-/// the grey of its own lightness where it is more vivid than blood; all others stay as they are. The document
-/// and what is exported keep the file's own. `color` and the result are red green blue, 0 to 1.
+/// maps have pure red and green, on which light and shade cannot be told apart. A colour more vivid than that
+/// of blood is moved towards the grey of its own lightness; all others stay as they are. The document and
+/// exported files keep the original colour. `color` and the result are red green blue, 0 to 1.
 Vec3 shownColor(const Vec3& color);
 
 /// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is
@@ -159,8 +161,8 @@ Vec3 shownColor(const Vec3& color);
 std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {},
                            char decimalMark = '.');
 
-/// How the values of a rectangle or a sphere spread: deviation, least and largest value, size and number of
-/// voxels; empty for the other kinds, and where there are no values. UTF-8.
+/// The statistics of the values in a rectangle or a sphere as text: deviation, least and largest value, size
+/// and number of voxels; empty for the other kinds, and where there are no values. UTF-8.
 std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
                            const std::string& unit, const Presenter::Translate& translate = {},
                            char decimalMark = '.');

@@ -19,8 +19,8 @@ struct SliceFraming {
 
 /// How the scan is shown: window and level, places of the slices, thickness and others.
 struct ScanLook {
-  /// What the middle of the window shows: "3d" alone, "four" views at once, or one slice alone by the id of
-  /// its direction (`slices::sliceDirections`).
+  /// The layout of the window's middle: "3d" alone, "four" views at once, or one slice alone by the id of its
+  /// direction (`slices::sliceDirections`).
   std::string layout = "3d";
   std::optional<Vec3> focus; ///< Where the three slices meet, mm LPS; none: in the middle of the scan.
   double level = 0;          ///< The value that is middle grey; only with `width`.
@@ -29,9 +29,9 @@ struct ScanLook {
   bool maximum = false;      ///< Thick slices show the largest value instead of the mean.
   bool smooth = true;        ///< Between voxels trilinear, else the nearest voxel.
   bool contours = true;      ///< The organs' outlines.
-  bool rest = true;          ///< And beside those of a posed organ, thin, where it was at rest.
+  bool rest = true;          ///< Thin contours of posed organs at rest, too.
   bool standing = false;     ///< The slices also stand in the 3D view.
-  bool bent = false;         ///< The scan as the pose bends it.
+  bool bent = false;         ///< The scan is deformed by the pose.
   std::array<SliceFraming, 3> framings; ///< Of the directions in their order.
 
   bool operator==(const ScanLook&) const = default;

@@ -25,11 +25,11 @@ namespace viscera::presentation {
 struct Bending {
   /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
   std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
-  std::uint64_t revision = 0; ///< Another number whenever `rest` gives something else.
+  std::uint64_t revision = 0; ///< A number that changes whenever `rest` returns other places.
 };
 
-/// The bending that keeps up with the open document, in the pose that is shown now; none at rest and while it
-/// is being bound. Good until the pose is another one; `bend` has to live as long.
+/// The inverse deformation of the open document in the displayed pose; none at rest and while it is being
+/// bound. Valid until the pose changes; `bend` has to live as long.
 std::optional<Bending> bendingOf(live::LiveBend& bend);
 struct PendingMeasurement;
 
@@ -45,15 +45,16 @@ struct SliceScene {
   const document::DocumentState& state;
   const live::PosedOrgans& organs;
   const ViewState& view;
-  const Bending* bending = nullptr; ///< Used when the view wants the scan bent; null: it cannot be.
-  const PendingMeasurement* measuring = nullptr; ///< What somebody is measuring at the moment (presenter.h).
-  int activeHandle = -1;                         ///< The row of the handle under the mouse or in the hand.
+  const Bending* bending = nullptr; ///< Used if the view deforms the scan by the pose; null: that is not
+                                    ///< possible.
+  const PendingMeasurement* measuring = nullptr; ///< The measurement under way (presenter.h).
+  int activeHandle = -1;                         ///< The row of the handle under the mouse or being dragged.
 };
 
 /// The scan's value and the organ at a place of a slice.
 struct SliceReading {
   Vec3 position = Vec3::Zero(); ///< mm LPS.
-  std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
+  std::optional<double> value;  ///< Value of the scan as displayed; none outside of the scan.
   bool folded = false;          ///< The pose folds the tissue here: the value is an estimate.
   document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
 };
@@ -67,9 +68,9 @@ struct ContourFigure {
 };
 
 /// Draws slices of a document: the scan's grey levels, the contours of its organs as they are posed and at
-/// rest, handles near it, what is measured in it, crosshair and letters. Window and command line each have
-/// one. As `Presenter`, it compares with what it made last and makes anew what is different, and changes
-/// nothing. For one thread.
+/// rest, handles near it, what is measured in it, crosshair and letters. The window and the command line each
+/// have one. Like `Presenter`, it compares with the last scene, updates only what differs, and does not
+/// change the document. For one thread.
 ///
 ///     SlicePresenter slices;
 ///     slices.update({document.state(), live, viewState}, {{0, width, height}});
@@ -82,25 +83,25 @@ public:
   ~SlicePresenter();
   SlicePresenter(const SlicePresenter&) = delete;
   SlicePresenter& operator=(const SlicePresenter&) = delete;
-  /// What numbers have before their decimals, a point at first: ',' in German. Before `update`.
+  /// Sets the decimal mark of numbers, a point by default: ',' in German. Call it before `update`.
   void setDecimalMark(char mark);
 
-  /// Brings the pictures of these panes up to date; of each direction one pane at most.
+  /// Updates the pictures of these panes; at most one pane for each direction.
   void update(const SliceScene& scene, const std::vector<SlicePane>& panes);
 
-  /// All that follows is of a direction that was among the panes.
+  /// The functions below require a direction that was among the panes.
   const scene::SlicePicture& picture(int direction) const;
   const slices::SliceFrame& frame(int direction) const;
-  /// What lies at a pixel (whole numbers are centres, from the lower left).
+  /// The scan's value and the organ at a pixel (whole numbers are centres, from the lower left).
   SliceReading read(int direction, const Eigen::Vector2d& pixel) const;
-  /// The row of the handle that a mouse could take hold of there, not farther than `reach` pixels; or -1.
+  /// The row of the nearest handle within `reach` pixels; or -1.
   int handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const;
-  /// The same of a point that is measured and on no organ; items are in the document's order.
+  /// The same for points of measurements that lie on no organ; items are in the document's order.
   std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel,
                                                            double reach) const;
   /// The contours of the organs that the slice meets.
   std::vector<ContourFigure> contours(int direction) const;
-  /// The organ's cut, for somebody to measure; null when the organ is not seen.
+  /// The organ's cut, for measurements; null when the organ is not visible.
   const geometry::PlaneCut* cut(int direction, document::OrganId organ) const;
 
 private:
@@ -112,7 +113,7 @@ private:
 /// mm without either.
 Bounds boxOfSlices(const document::DocumentState& state);
 
-/// The point in which the three slices meet: as the view says, else in the middle of the box.
+/// The point in which the three slices meet: the view's, else the middle of the box.
 Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
 
 /// How far the voxels of the scan are apart along an axis of the patient (x, y, z as 0, 1, 2), or slices

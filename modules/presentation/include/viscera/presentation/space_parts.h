@@ -14,8 +14,8 @@
 /// Computes the shapes that the 3D view draws beside organs and handles: regions, cages and mirror planes.
 namespace viscera::presentation {
 
-/// The current organ, to which commands and pictures refer: the selected one, else the first that is nobody's
-/// cavity; null without organs. O(organs).
+/// The current organ, to which commands and pictures refer: the selected one, else the first that is not a
+/// cavity of another organ; null without organs. O(organs).
 std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentState& state,
                                                     document::OrganId selected);
 
@@ -23,11 +23,11 @@ std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentStat
 coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems);
 
 /// How the coordinates of a document divide the space around its handles at rest; empty when they treat all
-/// space alike, are not there, or cannot use these handles or groups. About a millisecond.
+/// space alike, are not available, or cannot use these handles or groups. About a millisecond.
 coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems);
 
-/// What is drawn of a layout over handles at rest, in the colours of the groups, and with the regions also
-/// the cage of coordinates that need one.
+/// The hulls that are drawn for a layout over handles at rest, in the colours of the groups; with the regions
+/// also the cage, for coordinates that need one.
 std::vector<scene::RegionHull> regionHulls(const document::DocumentState& state,
                                            const scene::LayoutParts& shown, const plugin::Registry& systems);
 

@@ -15,17 +15,17 @@ namespace viscera::presentation {
 class Stage {
 public:
   /// `width x height` device pixels, `pixelRatio` of them a logical one: type and lines grow with it. Throws
-  /// `Error` when there is nothing to draw with.
+  /// `Error` when no OpenGL context can be created.
   Stage(int width, int height, const scene::Theme& theme, Threads threads = {},
         Presenter::Translate translate = {}, double pixelRatio = 1);
   ~Stage();
 
   Presenter& presenter() { return presenter_; }
   scene::OrganView& view() { return view_; }
-  /// Looks from a side at everything that is shown, with `room` around as a part of its size. Handles that
-  /// lie far off (the corners of an enclosing box) may be outside: the organs are what it is about.
+  /// Moves the camera to a standard view of everything that is shown, with `room` around it as a fraction of
+  /// its size. Frames the organs: handles that lie far off (the corners of an enclosing box) may be outside.
   void compose(scene::StandardView side, double room = 0);
-  /// Draws what the presenter shows.
+  /// Renders the presenter's scene.
   vtkSmartPointer<vtkImageData> picture();
 
 private:

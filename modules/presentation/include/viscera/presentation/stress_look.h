@@ -18,18 +18,19 @@ struct StressLook {
   live::StressQuantity quantity = live::StressQuantity::rotationalStress;
   bool onSurface = true; ///< The map on the organ's own surface instead of on the outer tetrahedra.
   bool pinned = false;   ///< The legend's range stays as it is.
-  /// Of the legend, in the quantity's unit; empty (high <= low) before there was a map. Kept even when it is
-  /// not pinned: the steps of the range depend on the range before.
+  /// Range of the legend, in the quantity's unit; empty (high <= low) before there was a map. Kept even when
+  /// it is not pinned: the steps of the range depend on the range before.
   scene::ValueRange range = {0, 0};
-  bool logarithmic = false; ///< The range goes by factors; what is 0 or 1 (folded tissue) has none.
+  bool logarithmic = false; ///< The range is logarithmic; not for quantities that are 0 or 1 (folded tissue).
   std::string amountColors =
       "viridis"; ///< The colour map of angles and of what is folded (`scene::colorMaps`).
   std::string ratioColors = "diverging"; ///< That of ratios, which lie around 1.
-  bool peak = false;                     ///< The worst of one cycle of the sequence instead of this instant.
+  bool peak = false;                     ///< The peak over one cycle of the sequence instead of this instant.
   bool cut = false;
   scene::CutStyle style = scene::CutStyle::smooth;
-  Vec3 normal = Vec3::UnitY(); ///< Of the cut, towards what stays. Unit.
-  double offset = 0;           ///< Of the cut from the organ's middle along `normal`, in its radius, -1 to 1.
+  Vec3 normal = Vec3::UnitY(); ///< Unit normal of the cut, towards the part that stays.
+  double offset = 0;           ///< Distance of the cut from the organ's middle along `normal`, in units of
+                               ///< the organ's radius, -1 to 1.
   bool threshold = false;
   double limit = 0;   ///< In the quantity's unit.
   bool below = false; ///< Shows what is below the limit instead of what is above.
@@ -38,16 +39,16 @@ struct StressLook {
   bool others = false; ///< The other organs stay in the picture.
   int witnesses = live::WitnessOptions().wanted;
   bool sameRange = true; ///< Beside another view with a stress map: one range for both.
-  int probe = -1;        ///< The point of the mesh that is looked at; -1: none.
+  int probe = -1;        ///< The point of the mesh whose values are shown; -1: none.
 
   bool operator==(const StressLook&) const = default;
 };
 
-/// What of a look is the user's habit and outlives the document: not its range, limit, probe and peak, and
-/// no glyphs, which stand in the place of the tissue.
+/// The part of a look that is saved in the user's settings: without range, limit, probe and peak, and without
+/// glyphs, which replace the tissue.
 StressLook habitOf(StressLook look);
 
-/// The look as JSON text, for settings; text that is none gives the look to begin with.
+/// The look as JSON text, for settings; invalid text gives the default look.
 std::string toJson(const StressLook& look);
 StressLook stressLookFromJson(const std::string& text);
 

@@ -15,23 +15,23 @@ namespace viscera::presentation {
 /// cycle. For one thread.
 class StressValues {
 public:
-  /// Takes the numbers of a frame as `look` wants them. `shared` is a range to be shown instead of their own,
-  /// unless the look keeps one. O(points).
+  /// Computes the numbers of a frame for a look. `shared` is a range to use instead of their own, unless the
+  /// look has a pinned range. O(points).
   void update(const live::StressFrame& frame, const StressLook& look,
               std::optional<scene::ValueRange> shared = std::nullopt);
 
   /// Whether there are numbers to show.
   bool ready() const { return values_->size() > 0; }
-  /// One a point of the mesh, in the quantity's unit. They keep their place in memory.
+  /// One number for each point of the mesh, in the quantity's unit. They keep their place in memory.
   std::shared_ptr<const Values> values() const { return values_; }
-  /// Of the witnesses among them.
+  /// Statistics of the numbers at witness points.
   const live::QuantitySummary& summary() const { return summary_; }
-  /// Witnesses that are folded in what is shown.
+  /// The number of folded witness points in the displayed map.
   int folded() const { return folded_; }
   /// Whether the numbers are those of the peak.
   bool peak() const { return peak_; }
   live::StressQuantity quantity() const { return quantity_; }
-  /// `missing` of the colours is for what is folded.
+  /// The colours; `missing` marks folded tissue.
   const scene::ColorMap& colors() const { return colors_; }
   scene::ValueRange range() const { return shared_.value_or(range_); }
   /// The range that these numbers alone would have.
@@ -43,32 +43,32 @@ private:
   int folded_ = 0;
   bool peak_ = false;
   live::StressQuantity quantity_ = live::StressQuantity::rotationalStress;
-  std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< That the range belongs to.
+  std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< The mesh to which the range belongs.
   scene::ColorMap colors_;
   scene::ValueRange range_{0, 0};
   std::optional<scene::ValueRange> shared_;
 };
 
-/// Where a look has the name of the colour map for a quantity.
+/// The member of a look that names the colour map for a quantity.
 std::string StressLook::*colorsOf(live::StressQuantity quantity);
 
-/// The colour map of that name (`scene::colorMapByName`), with what is folded in magenta: it is in none of
-/// the maps.
+/// The colour map of that name (`scene::colorMapByName`), with folded tissue in magenta, a colour that none
+/// of the maps contains.
 scene::ColorMap stressColors(const std::string& name);
 
 /// The range of a legend for a quantity of which nine tenths lie in `bulk`: from a list of round steps, so
-/// that it does not creep while something moves, and half as wide again as the bulk: a few extreme places do
-/// not take the colours from all others. Ratios lie around 1. It grows at once; it shrinks only when what
-/// would do fills less than `kLeastFilled` of `before`. `before.logarithmic` asks for a logarithmic range:
-/// of an angle it ends below where the bulk begins, within three decades; of a ratio it goes by one factor up
-/// and down from 1.
+/// that it does not change continuously while something moves, and half as wide again as the bulk: a few
+/// extreme places do not take the colours from all others. Ratios lie around 1. It grows at once; it shrinks
+/// only when what would do fills less than `kLeastFilled` of `before`. `before.logarithmic` asks for a
+/// logarithmic range: of an angle it ends below where the bulk begins, within three decades; of a ratio it
+/// goes by one factor up and down from 1.
 scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange bulk,
                                scene::ValueRange before);
 
 /// The range that holds both.
 scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b);
 
-/// The same ends on a linear or a logarithmic scale; the lower end is brought above 0 where that needs it.
+/// The same ends on a linear or a logarithmic scale; the lower end is moved above 0 for a logarithmic scale.
 /// Folded tissue, which is or is not, stays linear.
 scene::ValueRange onScale(live::StressQuantity quantity, scene::ValueRange range, bool logarithmic);
 

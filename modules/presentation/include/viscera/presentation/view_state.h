@@ -13,9 +13,9 @@
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
 
-/// The view of a document as one value (camera, colours, cuts, playing sequence): what a session keeps beside
-/// the document, and all that a `Presenter` has to know to draw the same picture again. The theme is not in
-/// it: it is the user's, not the document's.
+/// The view of a document as one value (camera, colours, cuts, playing sequence): a session saves it beside
+/// the document, and a `Presenter` draws the same picture again from both. The theme is not part of it,
+/// because it is a setting of the user.
 namespace viscera::presentation {
 
 /// Position, focus and opening angle of a camera.
@@ -30,15 +30,15 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The items that a mode shows, such as handles or regions. A picture depends on this and not on the mode, so
-/// that a new mode needs no line in what draws.
+/// The items that a mode shows, such as handles or regions. Drawing depends on this and not on the mode, so
+/// that a new mode needs no change of the drawing code.
 struct Shown {
   bool rest = false;         ///< Organs and handles at rest instead of in their pose.
-  bool handles = false;      ///< The handles, also where the user has not asked for them.
+  bool handles = false;      ///< The handles, even if the user has not switched them on.
   bool movable = false;      ///< They can be grabbed.
-  bool compensating = false; ///< Those that make up for a locked volume are tinted.
-  bool tools = false;        ///< The gizmo and the mirror plane, where they are wanted.
-  bool regions = false;      ///< What the coordinates divide the space into, and the cage.
+  bool compensating = false; ///< Handles that compensate for a locked volume are tinted.
+  bool tools = false;        ///< The gizmo and the mirror plane, if they are on.
+  bool regions = false;      ///< The regions into which the coordinates divide the space, and the cage.
   bool stress = false;       ///< The stress map in place of the organ's own colours.
 
   bool operator==(const Shown&) const = default;
@@ -59,7 +59,7 @@ struct MotionChoice {
 struct Prescribed {
   document::OrganId organ;
   std::string file; ///< The name of the file that it came from, for texts; UTF-8.
-  /// Fraction of the cycle and volume, ml. As they were read: who plays them judges them.
+  /// Fraction of the cycle and volume, ml. As read from the file; they are checked when they are played.
   std::vector<std::array<double, 2>> curve;
 
   bool operator==(const Prescribed&) const = default;
@@ -67,7 +67,7 @@ struct Prescribed {
 
 /// The playing sequence, its rate and its present instant.
 struct Playing {
-  int motion = -1;     ///< Among the motions; -1: the sequence that the document holds.
+  int motion = -1;     ///< Index in the motions; -1: the sequence that the document holds.
   double fraction = 0; ///< Of the cycle, 0 to 1.
   double ratePerMinute = 0;
   double speed = 1;
@@ -78,7 +78,7 @@ struct Playing {
   bool operator==(const Playing&) const = default;
 };
 
-/// What a second view shows beside the organs. Files that it shows are in no session.
+/// The contents of a second view for comparison. A session does not save a comparison with files.
 struct Compared {
   enum class What {
     rate,        ///< The same organs at a rate of their own.
@@ -97,13 +97,14 @@ struct Compared {
 /// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
 struct OrganCut {
   bool on = false;
-  Vec3 normal = Vec3::UnitY(); ///< Unit, to what stays; at first what is in front of it goes.
+  Vec3 normal = Vec3::UnitY(); ///< Unit, towards the part that stays; by default the anterior part is cut
+                               ///< away.
   double offset = 0;           ///< -1 to 1, of the radius of the ball around the visible organs at rest.
 
   bool operator==(const OrganCut&) const = default;
 };
 
-/// How an organ is seen in place of what its look in the document says.
+/// Visibility and opacity of an organ that replace those of its look in the document.
 struct OrganSeen {
   bool visible = true;
   double opacity = 1; ///< 0 to 1.
@@ -111,15 +112,16 @@ struct OrganSeen {
   bool operator==(const OrganSeen&) const = default;
 };
 
-/// Organs that are seen otherwise than the document says. Those that a document does not have mean nothing.
+/// The organs whose visibility or opacity differs from the document. Ids that are not in the document are
+/// ignored.
 using OrgansSeen = std::map<document::OrganId, OrganSeen>;
 
-/// What a slide shows of the organs: which of them, cut or whole, with or without names.
+/// The look of the organs on a slide: which of them, cut or whole, with or without names.
 struct SlideLook {
   OrganCut cut;
   bool labels = false;
   bool partNames = false;
-  OrgansSeen organs; ///< All that there were; others are seen as the document says.
+  OrgansSeen organs; ///< All organs of that time; others are shown with their look in the document.
 
   bool operator==(const SlideLook&) const = default;
 };
@@ -129,7 +131,7 @@ struct Slide {
   std::string caption; ///< Under the picture; UTF-8.
   Camera camera;
   std::optional<double>
-      fraction; ///< Where in its cycle the sequence stands, [0, 1]; none: it goes on as it is.
+      fraction; ///< Fraction of the cycle at which the sequence stands, [0, 1]; none: the sequence goes on.
   /// None, as in older sessions: organs, cut and names stay as they are.
   std::optional<SlideLook> look = std::nullopt;
 
@@ -148,14 +150,14 @@ struct SelectionState {
 /// The whole view of a document, as a session saves it.
 struct ViewState {
   std::string mode = "explore"; ///< The id of a mode of the window.
-  Shown shown;                  ///< As that mode asks for.
+  Shown shown;                  ///< The items that this mode shows.
   std::optional<Camera> camera; ///< None: from the front, everything in the picture.
 
   bool handles = false; ///< The handles are shown in every mode.
   bool influence = false;
   bool ghost = false;
   bool labels = false;
-  bool partNames = false; ///< Of the parts of organs that have named places.
+  bool partNames = false; ///< Names of the organs' parts.
   bool measurements = true;
   bool orientationCube = true;
   bool scaleBar = true;
@@ -163,21 +165,22 @@ struct ViewState {
   Mirror mirror = Mirror::off;
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
-  bool circulationChart = true; ///< Where a circulation moves the heart: its curves in place of the volumes.
-  bool valves = true;           ///< Of a heart that beats: its valves, and what flows through them.
+  bool circulationChart = true; ///< While a circulation moves the heart: shows its curves instead of the
+                                ///< volumes.
+  bool valves = true;           ///< Valves of a beating heart, and the flow through them.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
   StressLook stress;
   ScanLook scan;
   OrganCut cut;
-  OrgansSeen organsSeen; ///< While a slide is shown: the document does not change for it.
+  OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
   norms::Person person;  ///< Whose normal ranges are shown.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
   std::optional<Playing> playing;
-  std::optional<Compared> compared; ///< None: one view.
+  std::optional<Compared> compared; ///< None: there is no second view.
   std::vector<Slide> slides;        ///< In the order in which they are shown.
-  /// Where the handles were seen when it is not the document's pose, `n x 3` mm; empty otherwise.
+  /// The displayed positions of the handles if they differ from the document's pose, `n x 3` mm; else empty.
   Points shownPose;
 
   bool operator==(const ViewState& other) const;
@@ -186,8 +189,8 @@ struct ViewState {
 /// The view as JSON text, for a session (docs/session_format.md, "view").
 std::string toJson(const ViewState& view);
 
-/// Reads what `toJson` wrote, and the views of sessions of format 1. What is missing or out of range is as at
-/// first. Throws `DataError` for text that is no view.
+/// Reads what `toJson` wrote, and the views of sessions of format 1. Values that are missing or out of range
+/// get their defaults. Throws `DataError` for text that is not a view.
 ViewState viewFromJson(const std::string& text);
 
 } // namespace viscera::presentation

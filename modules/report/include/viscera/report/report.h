@@ -22,12 +22,12 @@ namespace viscera::report {
 struct ReportSource {
   document::DocumentState state = {};
   presentation::ViewState view = {};
-  /// In a pose that the organs already have. It poses them over a cycle, and then as they were. Lives longer.
+  /// The organs in their present pose. The report poses them over a cycle, and then restores that pose. Lives
+  /// longer.
   live::PosedOrgans* organs = nullptr;
   const plugin::Registry* systems = nullptr; ///< Never null; lives longer.
 
-  live::StressCopy* stress =
-      nullptr; ///< Of the organ whose stress is told; null: there is no map. Lives longer.
+  live::StressCopy* stress = nullptr; ///< The stress map to report; null: there is none. Lives longer.
   live::StressStatus stressStatus = {};
 
   std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
@@ -35,8 +35,9 @@ struct ReportSource {
   std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
 
   std::string title = {}; ///< Empty: the first organ's name.
-  std::string file = {}; ///< Of the session or organs; only its name is told, never its folder. May be empty.
-  std::vector<std::string> notes = {}; ///< What was said when the files were opened, a sentence each.
+  std::string file = {};  ///< Of the session or organs; the report shows its name, never its folder. May be
+                          ///< empty.
+  std::vector<std::string> notes = {}; ///< Warnings from opening the files, a sentence each.
   std::string date = {};               ///< As it is to be read; empty: today's.
 };
 
@@ -82,11 +83,11 @@ struct Report {
   int pictures() const;
 };
 
-/// Makes a report: measures and draws all its contents: pictures from six sides and as the view has it,
-/// volumes, measurements, stress, the sequence over a whole cycle with curves, what was done to the files.
-/// Nothing that says where files lie comes into it. Needs no display. Throws `UsageError` when there are no
-/// organs, `Error` when there is nothing to draw with, what posing throws, and `Cancelled`. About a second
-/// for the pictures of 100,000 vertices. For the thread of the organs, which may be any.
+/// Makes a report: measures and draws all its contents: pictures from six sides and of the view, volumes,
+/// measurements, stress, the sequence over a whole cycle with curves, and the repairs of files. Folders of
+/// files are not included. Needs no display. Throws `UsageError` when there are no organs, `Error` when no
+/// OpenGL context can be created, what posing throws, and `Cancelled`. About a second for the pictures of
+/// 100,000 vertices. For the thread of the organs, which may be any.
 ///
 ///     const ReportSource source{document.state(), viewState, &live, &registry};
 ///     const Report report = makeReport(source, {}, progress);

@@ -16,8 +16,8 @@ std::string htmlOf(const Report& report);
 
 /// Writes `.pdf` (A4, with the title at the head and the number at the foot of each page) or `.html` by the
 /// name's ending and returns the number of pages; an HTML file is one. Atomic. Where no `QGuiApplication`
-/// runs, one without a display is made for as long as it takes: call it from the main thread then. Throws
-/// `UsageError` for another ending, `CannotCreateError`, and `Error` when there is no font to write with.
+/// runs, it creates one without a display for the time of the call: call it from the main thread then. Throws
+/// `UsageError` for another extension, `CannotCreateError`, and `Error` when no font is found.
 int writeReport(const std::filesystem::path& file, const Report& report);
 
 } // namespace viscera::report

@@ -13,8 +13,8 @@ namespace viscera::report {
 struct ScriptSource {
   document::DocumentState state;
   presentation::ViewState view;
-  /// Where the session is saved as it is; empty: nowhere, so that surfaces that only it holds cannot be
-  /// named.
+  /// The file in which the session is saved unchanged; empty: none, so surfaces that only the session holds
+  /// cannot be named.
   std::filesystem::path session = {};
 };
 
@@ -27,9 +27,9 @@ struct SessionScript {
 };
 
 /// The session as a script of `viscera` commands that makes the same shapes and numbers in the folder where
-/// it runs: every organ in the pose that is shown (to rounding), the stress map and the motion that the
-/// session looks at, its picture. Organs are named by their files or samples where these are still what was
-/// read, else by the session ("session.viscera/Liver"). No text of the session is ever taken for a command.
+/// it runs: every organ in the displayed pose (to rounding), the displayed stress map and motion, and the
+/// picture of the view. Organs are named by their files or samples if these are unchanged, else by the
+/// session ("session.viscera/Liver"). Texts of the session are quoted, so that none is executed as a command.
 /// Reads the organs' files. For any thread.
 SessionScript sessionScript(const ScriptSource& source);
 

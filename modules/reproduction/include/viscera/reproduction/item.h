@@ -20,7 +20,7 @@ struct Bench {
   Threads threads = {};
 };
 
-/// One figure or table that can be done again.
+/// One figure or table of the thesis that can be reproduced.
 struct Item {
   std::string id;     ///< "3.14"
   bool table = false; ///< A table, not a figure.
@@ -36,8 +36,8 @@ struct Item {
 /// for a name that there is not.
 std::vector<Item> chosenItems(const std::vector<std::string>& names);
 
-/// Reproduces all items, one after the other; milliseconds to half a minute each. What goes wrong with one is
-/// its `Result::problem` and stops no other one. Throws `Cancelled`.
+/// Reproduces all items, one after the other; milliseconds to half a minute each. The error of an item is
+/// stored in its `Result::problem`, and the other items are still reproduced. Throws `Cancelled`.
 ///
 ///     const plugin::Registry systems = plugin::builtInRegistry();
 ///     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();

@@ -16,7 +16,7 @@ struct Finding {
 enum class Judgement { holds, differs, doesNotHold, notMeasured };
 
 /// The verdict on a claim of the thesis: it holds where all of its findings are met, differs where some are,
-/// else it does not hold. Nobody writes it down.
+/// else it does not hold. It is computed from the findings.
 struct Verdict {
   Judgement judgement = Judgement::notMeasured;
   std::string because; ///< The findings that are not met, with their numbers.
@@ -44,13 +44,13 @@ struct Table {
   std::string csv() const;
 };
 
-/// A figure or table of the thesis, done again.
+/// A reproduced figure or table of the thesis.
 struct Result {
   std::string id;     ///< "3.14"
   bool table = false; ///< A table, not a figure.
   std::string title;
-  std::string claim; ///< What the thesis says with it, in our words.
-  std::string setup; ///< What ours shows, and how it was made.
+  std::string claim; ///< The claim of the thesis, in our words.
+  std::string setup; ///< What our figure shows, and how it was made.
   std::vector<Finding> findings;
   std::string problem; ///< Why it was not measured; else empty.
   std::vector<Picture> pictures;

@@ -11,7 +11,7 @@
 #include "viscera/geometry/named_place.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Organs that the program makes itself, from the compact definitions in `sample_organs/`.
+/// Generates sample organs from the compact definitions in `sample_organs/`.
 namespace viscera::sample_organs {
 
 enum class Resolution { low, medium, high };
@@ -40,7 +40,7 @@ struct SampleOrgan {
 /// The folder of definitions and the folder in which generated surfaces are cached.
 struct SampleLibrary {
   std::filesystem::path definitions; ///< The folder `sample_organs`.
-  std::filesystem::path cache;       ///< Written to when possible; may be lost at any time.
+  std::filesystem::path cache;       ///< Written if possible; may be deleted at any time.
 };
 
 /// The library of this build or installation: `VISCERA_SAMPLE_ORGANS` when set, else the installed folder
@@ -51,10 +51,10 @@ SampleLibrary standardLibrary();
 std::vector<std::string> sampleNames(const SampleLibrary& library);
 
 /// Loads an organ from the cache or makes it (seconds), then caches it under the hash of its definition and
-/// of the generator's version; a damaged cache is mended silently. Throws `UsageError` for an unknown organ
-/// (it names those there are), `NoInputError` for a definition that cannot be read, `DataError` for a faulty
-/// one (it names file, node and field), `Cancelled`. The same definition gives the same surface, whatever the
-/// number of threads.
+/// of the generator's version; a damaged cache is rebuilt silently. Throws `UsageError` for an unknown organ
+/// (it lists the existing ones), `NoInputError` for a definition that cannot be read, `DataError` for a
+/// faulty one (it names file, node and field), `Cancelled`. The same definition gives the same surface,
+/// whatever the number of threads.
 ///
 ///     const SampleLibrary library = standardLibrary();
 ///     const SampleOrgan liver = sampleOrgan(library, "liver", Resolution::low, progress);

@@ -19,7 +19,7 @@ struct ColorMap {
   std::string name;  ///< "viridis"
   std::string title; ///< For users: "Viridis".
   Colors colors;     ///< `k x 3`, from the lowest value to the highest, k >= 2.
-  std::array<std::uint8_t, 3> missing = {128, 128, 128}; ///< For what is not a number.
+  std::array<std::uint8_t, 3> missing = {128, 128, 128}; ///< Colour of NaN.
 };
 
 /// The smallest and the largest value that a colour map shows.
@@ -30,8 +30,8 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
-/// Where a number lies between the two ends: 0 at `low`, 1 at `high`, beyond them further. On a logarithmic
-/// range what is not above 0 lies at minus infinity.
+/// The position of a number in the range: 0 at `low`, 1 at `high`, less or more beyond them. On a logarithmic
+/// range numbers that are not above 0 lie at minus infinity.
 double partOf(ValueRange range, double value);
 /// The number at a part of the way from `low` to `high`: the inverse of `partOf`.
 double valueAt(ValueRange range, double part);
@@ -44,8 +44,8 @@ ColorMap viridis();
 /// "Diverging Color Maps for Scientific Visualization", 2009, DOI 10.1007/978-3-642-10520-3_9.
 ColorMap diverging();
 
-/// Every map that there is, in the order of a list: viridis, cividis, inferno, grey, diverging. Cividis is
-/// made to look the same with and without red-green blindness (Nunez, Anderton and Renslow 2018, DOI
+/// All colour maps, in the order of a list: viridis, cividis, inferno, grey, diverging. Cividis is made to
+/// look the same with and without red-green blindness (Nunez, Anderton and Renslow 2018, DOI
 /// 10.1371/journal.pone.0199239); inferno (Smith and van der Walt, CC0) runs from black to light yellow; grey
 /// is even in CIE lightness.
 const std::vector<ColorMap>& colorMaps();
@@ -57,7 +57,7 @@ const ColorMap& colorMapByName(const std::string& name);
 ValueRange rangeOf(const Values& values);
 
 /// A lookup table with those colours; values beyond the range take the end colours, values that are not
-/// numbers the map's `missing`. Colours go by the logarithm where the range does.
+/// numbers the map's `missing`. The scale is logarithmic if the range is.
 vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range);
 
 } // namespace viscera::scene

@@ -30,19 +30,19 @@ struct CurvePanel {
   std::vector<PanelCurve> curves;
   /// Where its axes cross and where they end, as parts of the window from its lower left; labels lie outside.
   double left = 0.1, bottom = 0.1, right = 0.95, top = 0.95;
-  std::optional<ValueRange> xRange; ///< Else that of the curves.
-  std::optional<ValueRange> yRange; ///< Else that of the curves with some room.
+  std::optional<ValueRange> xRange; ///< None: the range of the curves.
+  std::optional<ValueRange> yRange; ///< None: the range of the curves with some room.
   bool xLabels = true;              ///< False: another panel below has them.
   bool yLabels = true;
   int mostXTicks = 6; ///< Of a small panel fewer, so that labels do not run into each other.
   int mostYTicks = 6;
   bool legend = false;
-  bool cursor = false; ///< Whether its x is the time on which the present instant is marked over it.
+  bool cursor = false; ///< Whether x is the time, on which a cursor marks the present instant.
 };
 
-/// Draws several charts in one window, for curves that are known as a whole: those of one cycle over time,
-/// loops of two quantities. Draws into any vtkRenderWindow, which it has for itself; nothing is drawn until
-/// the window is rendered. Belongs to the thread that renders.
+/// Draws several charts of complete curves in one window: curves over one cycle, loops of two quantities. It
+/// draws into any vtkRenderWindow, which it uses alone; nothing is drawn until the window is rendered.
+/// Belongs to the thread that renders.
 class CurvePanels {
 public:
   CurvePanels();
@@ -50,15 +50,15 @@ public:
   CurvePanels(const CurvePanels&) = delete;
   CurvePanels& operator=(const CurvePanels&) = delete;
 
-  /// Draws in `window`. Null leaves the present one.
+  /// Draws in `window`; null: detaches from the present one.
   void setWindow(vtkRenderWindow* window);
   void setTheme(const Theme& theme);
-  /// What numbers have before their decimals, a point at first: ',' in German. Before `setPanels`.
+  /// Sets the decimal mark of numbers, a point by default: ',' in German. Call it before `setPanels`.
   void setDecimalMark(char mark);
   /// Replaces all panels. Throws `UsageError` when a curve has not as many x as y. O(points); some ms.
   void setPanels(std::vector<CurvePanel> panels);
 
-  /// Fits the panels into the window as large as it is now; called by the caller before it renders.
+  /// Fits the panels to the present size of the window. Call it before rendering.
   void update();
 
 private:

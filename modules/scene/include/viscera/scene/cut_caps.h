@@ -26,7 +26,7 @@ public:
     Vec3 color = Vec3::Ones();
   };
 
-  /// Draws in `renderer` from now on; null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
   /// Draws these faces, all in one plane, and no others. Open lines bound nothing and are left out. `towards`
   /// is the unit normal that faces the reader. O(p log p) for p points of lines.

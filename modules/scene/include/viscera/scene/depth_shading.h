@@ -8,21 +8,22 @@ namespace viscera::scene {
 class OrganView;
 
 /// Shades the folds of organs (ambient occlusion) and softens lights (tone mapping), by VTK's passes over the
-/// finished picture. Only where nothing is translucent and no colours mean numbers: then layers are peeled,
-/// or colours are read off a legend, and the picture is drawn as without. Text stays as clear as it is.
+/// finished picture. Only applied if nothing is translucent and no colours stand for numbers, since
+/// translucent layers are peeled, and shading would change colours of a legend. Text is not shaded.
 class DepthShading {
 public:
-  /// Of a view that has its window already. It may go first.
+  /// For a view that has its window already. The view may be destroyed first.
   explicit DepthShading(OrganView& view);
   ~DepthShading();
   DepthShading(const DepthShading&) = delete;
   DepthShading& operator=(const DepthShading&) = delete;
 
-  /// None: where the driver is no software renderer, which needs two or three times as long for a frame.
+  /// Switches shading on or off. None: on unless the driver is a software renderer, which would need two or
+  /// three times as long for a frame.
   void setWanted(std::optional<bool> wanted);
-  /// Whether it is wanted, as far as it is known: what the driver is shows with the first frame.
+  /// Whether shading is on. The kind of driver is known only after the first frame.
   bool wanted() const;
-  /// Whether the last frame was drawn so.
+  /// Whether the last frame was drawn with shading.
   bool drawn() const;
 
 private:

@@ -11,21 +11,21 @@ namespace viscera::scene {
 
 struct ViewGeometry;
 
-/// The base of small markers that a view draws over its organs while the user works with them. Hidden to
-/// begin with; what an organ hides of it is drawn fainter. Belongs to the thread that renders.
+/// The base class of small markers that a view draws over its organs while the user works with them. They are
+/// hidden at first; parts behind an organ are drawn fainter. Belongs to the thread that renders.
 class HelperGlyph {
 public:
   virtual ~HelperGlyph();
   HelperGlyph(const HelperGlyph&) = delete;
   HelperGlyph& operator=(const HelperGlyph&) = delete;
 
-  /// Draws in `renderer` from now on. Null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
   virtual void setTheme(const Theme& theme) = 0;
   void hide();
   bool visible() const;
   /// Has to be called after organs were added to the renderer: the glyph is blended over them. `OrganView`
-  /// does it for its own.
+  /// does it for its own glyphs.
   void drawAfterOrgans();
 
 protected:
@@ -33,7 +33,7 @@ protected:
 
   HelperGlyph();
   void setVisible(bool visible);
-  /// Before every frame while it is visible: for what keeps its size on the screen.
+  /// Called before every frame while the glyph is visible, to keep its size on the screen.
   virtual void follow(const ViewGeometry& view);
 
   std::unique_ptr<Parts> parts_;

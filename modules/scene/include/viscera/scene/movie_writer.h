@@ -31,13 +31,13 @@ bool ffmpegInstalled();
 class MovieWriter {
 public:
   /// Throws `UsageError` for another extension or a rate that is not positive, `CannotCreateError` when the
-  /// place cannot be written or ffmpeg is needed and missing (says so, and proposes .ogv).
+  /// place cannot be written or ffmpeg is needed and missing (the message proposes .ogv).
   explicit MovieWriter(const std::filesystem::path& file, const MovieOptions& options = {});
   ~MovieWriter();
   MovieWriter(const MovieWriter&) = delete;
   MovieWriter& operator=(const MovieWriter&) = delete;
 
-  /// Hands over a frame (as `grabPicture` gives it; the writer keeps it, do not change it). Waits when the
+  /// Adds a frame (as returned by `grabPicture`; the writer keeps it, so do not change it). Waits when the
   /// queue is full. Throws what the worker has thrown, and `UsageError` for a frame of another size than the
   /// first.
   void add(vtkSmartPointer<vtkImageData> frame);

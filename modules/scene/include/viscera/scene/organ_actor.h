@@ -53,8 +53,8 @@ public:
   void pointsChanged();
 
   /// The normals of the whole surface, `n x 3`, for the points as they were at the last `pointsChanged`:
-  /// those that are drawn, unless the surface is coarse. O(n + m) for who asks first after that while it is
-  /// coarse.
+  /// those that are drawn, unless the surface is coarse. While it is coarse, the first call after
+  /// `pointsChanged` takes O(n + m).
   const geometry::Normals& normals() const;
   /// The box of the points that are drawn. O(n).
   Bounds bounds() const;
@@ -79,7 +79,7 @@ public:
   void setClipPlane(const Vec3& origin, const Vec3& normal);
   void clearClipPlane();
   bool isCut() const;
-  /// Whether the plane has cut a place away. O(1).
+  /// Whether the clip plane cuts away a place. O(1).
   bool cutsAway(const Vec3& place) const;
 
   /// Colours the surface by one number a vertex (an influence, a stress), without a copy. Throws `UsageError`
@@ -90,12 +90,12 @@ public:
   void hideScalars();
   bool scalarsShown() const;
 
-  /// Leaves out the inside of a closed, opaque, unclipped surface when the eye is outside its box: a third of
-  /// the time of a frame in software. `OrganView` calls it before every frame.
+  /// Does not draw the inside of a closed, opaque, unclipped surface when the eye is outside its box, which
+  /// saves a third of the time of a frame in software. `OrganView` calls it before every frame.
   void cullBackFaces(const Vec3& eye);
   /// Draws a translucent surface as its far walls and the nearest one over them, in the order of the
-  /// renderer's props, and without peeling: a fifth of the time of a frame in software. `OrganView` calls it
-  /// while something moves.
+  /// renderer's props, and without depth peeling, which takes a fifth of the time of a frame in software.
+  /// `OrganView` calls it while something moves.
   void setDrawnWithoutPeeling(bool unpeeled);
 
   /// Draws the surface with fewer triangles, between one in `part` of its vertices

@@ -50,8 +50,8 @@ public:
   OrganView& operator=(const OrganView&) = delete;
 
   /// Draws in `window` and adds the renderers to it. Edges are smoothed by four samples a pixel; see
-  /// `setMoving` for software renderers. Null leaves the present window; the window has to outlive the view
-  /// or be left first.
+  /// `setMoving` for software renderers. Null detaches from the present window; the window has to outlive the
+  /// view or be detached first.
   void setWindow(vtkRenderWindow* window);
   vtkRenderWindow* window() const;
   /// Gives the interactor our mouse (left rotates, middle or Shift+left pans, right drag or wheel zooms; no
@@ -71,14 +71,14 @@ public:
 
   /// Box of the visible organs, and of what else is framed; of all handles when there is none. O(vertices).
   Bounds bounds() const;
-  /// Something drawn in place of organs that belongs into the picture too: its box, when it is there. Null:
-  /// nothing.
+  /// Sets a function that returns the box of something else to frame, which is drawn in place of organs, if
+  /// it exists. Null: nothing.
   void setAlsoFramed(std::function<std::optional<Bounds>()> box);
 
-  /// Puts the camera to look at the middle of what is shown, and frames it.
+  /// Moves the camera to a standard view of everything that is shown, and frames it.
   void lookFrom(StandardView view);
   void lookFrom(StandardView view, const Bounds& bounds);
-  /// Keeps the direction of sight and brings the box into the picture with a small margin.
+  /// Frames the box with a small margin, and keeps the direction of sight.
   void frame(const Bounds& bounds);
   void frame();
   /// The camera stands where somebody has kept it for a picture with a legend: one that is drawn later, as
@@ -87,7 +87,7 @@ public:
 
   vtkVisceraHandleSetRepresentation* handles() const;
   vtkVisceraHandleSetWidget* handleWidget() const;
-  /// Turns and scales; hidden to begin with.
+  /// The gizmo that rotates and scales; hidden at first.
   vtkVisceraGizmoRepresentation* gizmo() const;
   vtkVisceraGizmoWidget* gizmoWidget() const;
   ConstraintGlyph& constraint();
@@ -99,24 +99,24 @@ public:
   /// The side of the body whose face or letter of the orientation cube is at a display position (device
   /// pixels from the lower left corner) in the last frame; none beside the cube, and while it is hidden.
   std::optional<StandardView> orientationSideAt(double x, double y) const;
-  /// Highlights a side of the cube from the next frame on, or none; says whether that changes the picture.
+  /// Highlights a side of the cube from the next frame on, or none; returns whether that changes the picture.
   bool highlightOrientationSide(std::optional<StandardView> side);
   void setScaleBarShown(bool shown);
-  /// What numbers in the view have before their decimals, a point at first: ',' in German. Before the legend
-  /// and measurements are shown.
+  /// Sets the decimal mark of numbers in the view, a point by default: ',' in German. Call it before the
+  /// legend and measurements are shown.
   void setDecimalMark(char mark);
   char decimalMark() const;
 
-  /// While something moves, a software renderer does not smooth edges, which takes as long as all the rest,
-  /// blends translucent organs in order of their distance in place of peeling them, which takes four times as
-  /// long, and draws one in two, four, ... vertices of the organs where they have more than 50,000 together.
-  /// The view notices the mouse by itself; whoever plays a sequence says so here, and renders once more at
-  /// the end.
+  /// Sets whether something moves. Meanwhile a software renderer does not smooth edges, which takes as long
+  /// as all the rest, blends translucent organs in order of their distance instead of peeling them, which
+  /// takes four times as long, and draws one in two, four, ... vertices of the organs if they have more than
+  /// 50,000 together. The view detects motion by the mouse itself; code that plays a sequence calls this, and
+  /// renders once more at the end.
   void setMoving(bool moving);
   bool moving() const;
-  /// The frames that follow are drawn as quickly as those of a motion: whoever answers an event says so where
-  /// `isSlow`, takes it back after the frame, and renders once more when nothing else happens. Labels are
-  /// laid out anew all the same.
+  /// Draws the following frames as quickly as those of a motion. If `isSlow`, code that responds to an event
+  /// calls it with true, renders, calls it with false, and renders once more when no other event follows.
+  /// Labels are still laid out anew.
   void setFastDrawing(bool quick);
   /// Which shortcuts are taken then; all of them to begin with. From the next frame on.
   void setShortcuts(const Shortcuts& shortcuts);
@@ -130,9 +130,8 @@ public:
 
   /// What is under a display position (device pixels from the lower left corner).
   std::optional<SurfacePick> pick(double x, double y) const;
-  /// The opaque organ behind or inside of which one of the view's organs is hidden as the camera stands; null
-  /// while a part of it can be seen, and for one that is not shown. Looks at two dozen of its vertices, each
-  /// as dear as a pick.
+  /// The opaque organ that hides one of the view's organs from the present camera; null if a part of it is
+  /// visible, or if it is not shown. Tests two dozen of its vertices, each of which costs as much as a pick.
   const OrganActor* coverOf(const OrganActor& organ) const;
 
 private:

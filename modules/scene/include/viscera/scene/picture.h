@@ -31,10 +31,9 @@ void savePicture(vtkRenderWindow* window, const std::filesystem::path& file);
 /// Reads a PNG as `grabPicture` would have given it. Throws `NoInputError` or `DataError`.
 vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file);
 
-/// Pictures of one size side by side and below each other, row by row from the upper left; places that are
-/// left over in the last row have the colour of the last picture's first pixel. `columns` at least 1, at most
-/// as many as there are pictures are used. Throws `UsageError` without pictures or for pictures of different
-/// sizes.
+/// Pictures of one size side by side and below each other, row by row from the upper left; remaining places
+/// in the last row have the colour of the last picture's first pixel. `columns` at least 1, at most as many
+/// as there are pictures are used. Throws `UsageError` without pictures or for pictures of different sizes.
 vtkSmartPointer<vtkImageData> contactSheet(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                                            int columns);
 

@@ -35,12 +35,13 @@ struct LayoutParts {
 std::vector<RegionHull> layoutHulls(const coordinates::SpaceLayout& layout,
                                     const std::vector<Vec3>& groupColors, const LayoutParts& shown);
 
-/// A cage as it is drawn, by its triangles over the handles (`n x 3` mm), in the grey of what has no group.
+/// The hull of a cage, from its triangles over the handles (`n x 3` mm), in the grey of handles without a
+/// group.
 RegionHull cageHull(const Points& handles, const Triangles& cage);
 
 /// Draws translucent hulls around the organs: regions, zones and super-regions of grouped handles. They hide
-/// nothing, can be looked through from any side, and what an organ hides of their edges is drawn fainter.
-/// Belongs to the thread that renders.
+/// nothing, are translucent from any side, and edges behind an organ are drawn fainter. Belongs to the thread
+/// that renders.
 class RegionHulls {
 public:
   RegionHulls();
@@ -48,10 +49,10 @@ public:
   RegionHulls(const RegionHulls&) = delete;
   RegionHulls& operator=(const RegionHulls&) = delete;
 
-  /// Draws in `renderer` from now on. Null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
 
-  /// Shows these in the place of those before; none hides all. O(faces), quick enough for every move of a
+  /// Replaces the hulls that are shown; an empty list hides all. O(faces), quick enough for every move of a
   /// drag.
   void setHulls(std::vector<RegionHull> hulls);
   const std::vector<RegionHull>& hulls() const;

@@ -40,12 +40,13 @@ struct SliceText {
   Eigen::Vector2d place; ///< In pixels of the picture.
   std::string words;     ///< UTF-8; may have several lines.
   Vec3 color = Vec3::Ones();
-  /// In pixels of the picture: what is measured, and is not covered where there is room beside it. Empty:
-  /// nothing but `place`.
+  /// In pixels of the picture: the measured area, which the text does not cover if there is room beside it.
+  /// Empty: only `place` is kept free.
   Eigen::AlignedBox2d around = {};
 };
 
-/// The contents of a slice to be drawn: grey levels for each pixel of the window, and what lies over them.
+/// The contents of a slice to be drawn: grey levels for each pixel of the window, and lines, marks and texts
+/// over them.
 struct SlicePicture {
   int width = 0;                  ///< Device pixels.
   int height = 0;                 ///< Device pixels.
@@ -54,15 +55,16 @@ struct SlicePicture {
   std::vector<SliceMark> marks;         ///< Over the lines.
   std::vector<SliceText> texts;         ///< Over the marks.
   std::optional<Eigen::Vector2d> cross; ///< Where the other slices cut this one, in pixels.
-  std::array<std::string, 4> edges;     ///< What lies to the left, right, below and above: "R".
+  std::array<std::string, 4> edges;     ///< The letters of the sides at the left, right, lower and upper
+                                        ///< edge: "R".
   std::string title;                    ///< At the upper left: "Axial 120.0 mm".
   std::string note;                     ///< At the lower left: "L 40 W 400".
   double mmPerPixel = 0;                ///< For the scale bar; 0: there is none.
 };
 
 /// Draws one slice of a scan in a window: grey levels pixel by pixel, contours, crosshair, letters at the
-/// edges, scale bar. Draws into any vtkRenderWindow, as `OrganView` does. The ground is black in every theme,
-/// as radiologists have it. Belongs to the thread that renders.
+/// edges, scale bar. Draws into any vtkRenderWindow, as `OrganView` does. The background is black in every
+/// theme, as usual in radiology. Belongs to the thread that renders.
 class SliceView {
 public:
   SliceView();
@@ -70,17 +72,17 @@ public:
   SliceView(const SliceView&) = delete;
   SliceView& operator=(const SliceView&) = delete;
 
-  /// Draws in `window`; null leaves the present one, which has to be done before it is gone.
+  /// Draws in `window`; null detaches from the present one. Detach before the window is destroyed.
   void setWindow(vtkRenderWindow* window);
   vtkRenderWindow* window() const;
   vtkRenderer* renderer() const;
-  /// For crosshair and letters.
+  /// Sets the theme of crosshair and letters.
   void setTheme(const Theme& theme);
-  /// What the number of the scale bar has before its decimals, a point at first. Before `show`.
+  /// Sets the decimal mark of the scale bar, a point by default. Call it before `show`.
   void setDecimalMark(char mark);
 
-  /// Shows this from the next frame on. A picture of another size than the window lies at its lower left.
-  /// O(pixels + points).
+  /// Shows the picture from the next frame on. A picture of another size than the window lies at its lower
+  /// left. O(pixels + points).
   void show(const SlicePicture& picture);
   /// Device pixels in a logical one, by the window.
   double pixelRatio() const;

@@ -29,9 +29,9 @@ public:
   StandingSlices(const StandingSlices&) = delete;
   StandingSlices& operator=(const StandingSlices&) = delete;
 
-  /// Shows these and no others; none hides all. O(pixels).
+  /// Replaces the slices that are shown; an empty list hides all. O(pixels).
   void show(const std::vector<Slice>& slices);
-  /// How many are shown.
+  /// The number of slices that are shown.
   std::size_t count() const;
 
 private:

@@ -32,10 +32,10 @@ public:
   StretchGlyphs(const StretchGlyphs&) = delete;
   StretchGlyphs& operator=(const StretchGlyphs&) = delete;
 
-  /// Draws in `renderer` from now on. Null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
 
-  /// O(glyphs).
+  /// Replaces the glyphs. O(glyphs).
   void set(const std::vector<StretchGlyph>& glyphs);
   int count() const;
   void setShape(Shape shape);

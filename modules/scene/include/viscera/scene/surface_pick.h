@@ -10,7 +10,7 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// A straight line from the eye.
+/// A ray from the eye through a point of the picture.
 struct Ray {
   Vec3 origin = Vec3::Zero();     ///< mm.
   Vec3 direction = Vec3::UnitX(); ///< Unit.

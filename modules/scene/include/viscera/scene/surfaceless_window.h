@@ -12,14 +12,14 @@ namespace viscera::scene {
 class SurfacelessWindow {
 public:
   /// `width x height` device pixels; `pixelRatio` device pixels a logical one (sets the DPI). Throws `Error`
-  /// (exit code 69, a service that is not there) that says what EGL lacks and which packages help.
+  /// (exit code 69, service unavailable) that names what EGL lacks and which packages help.
   SurfacelessWindow(int width, int height, double pixelRatio = 1);
   ~SurfacelessWindow();
   SurfacelessWindow(const SurfacelessWindow&) = delete;
   SurfacelessWindow& operator=(const SurfacelessWindow&) = delete;
 
   vtkRenderWindow* window() const;
-  /// An interactor that takes simulated events: made when first asked for.
+  /// An interactor for simulated events, created on the first call.
   vtkRenderWindowInteractor* interactor();
 
 private:

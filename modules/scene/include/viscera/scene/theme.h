@@ -15,8 +15,7 @@ struct Theme {
   Vec3 accent;           ///< Selection, cursor, allowed plane.
   Vec3 rim;              ///< The rim of a selected handle: far from the background.
   bool dark = true;
-  /// How much larger than usual the type of views is, and what goes with it: legend, scale bar, orientation
-  /// cube.
+  /// A factor for the size of text in views, and of legend, scale bar and orientation cube with it.
   double typeScale = 1;
 };
 
@@ -24,7 +23,7 @@ struct Theme {
 Theme darkTheme();
 Theme lightTheme();
 
-/// How much larger than usual the type of views is in a lecture: it is read from the last row.
+/// The factor of text size in a lecture, so that text can be read from the last row.
 inline constexpr double kLectureTypeScale = 1.8;
 
 /// A theme for a lecture, with the strongest contrast that there is and large type: white on black, or black

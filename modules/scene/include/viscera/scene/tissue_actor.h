@@ -11,13 +11,14 @@
 class vtkActor;
 class vtkRenderer;
 
+/// Draws the inside of an organ as coloured tetrahedra that a plane can cut open.
 namespace viscera::scene {
 
 /// `t x 4` corner indices of tetrahedra, row major; the first three corners are counter-clockwise seen from
 /// the fourth or clockwise, whichever.
 using Tetrahedra = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// A plane that cuts; what lies on the side of `normal` stays.
+/// A plane that cuts tissue open; the side to which `normal` points stays.
 struct CutPlane {
   Vec3 origin = Vec3::Zero();  ///< mm.
   Vec3 normal = Vec3::UnitX(); ///< Unit.
@@ -39,10 +40,9 @@ struct TissuePick {
   double distance = 0;             ///< From the ray's origin, mm.
 };
 
-/// Draws the inside of an organ: tetrahedra coloured by one number a point, cut open by a plane, and only
-/// those in a range of values if wanted. Which tetrahedra touch is found once; a new pose moves the points,
-/// which VTK looks at where they are, and makes anew no more than the cut. Belongs to the thread that
-/// renders.
+/// Draws the inside of an organ: tetrahedra coloured by one number a point, cut open by a plane, optionally
+/// only those in a range of values. The neighbours of tetrahedra are found once; for a new pose, VTK reads
+/// the moved points without a copy, and only the cut is computed anew. Belongs to the thread that renders.
 class TissueActor {
 public:
   /// `points` (`n x 3`, mm) as they are now. O(t log t) once. Throws `UsageError` for a corner that is no
@@ -55,19 +55,19 @@ public:
   const Tetrahedra& tetrahedra() const;
   const Points& points() const;
 
-  /// Draws in `renderer` from now on. Null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
 
-  /// Other points, or the same with other contents: without a copy. O(1), O(t) while something is cut or left
-  /// out.
+  /// Sets the points, or the same array with other contents, without a copy. O(1); O(t) while a cut or a
+  /// range is set.
   void setPoints(std::shared_ptr<const Points> points);
 
-  /// One number a point; not a number marks what has a colour of its own (`ColorMap::missing`) and is never
-  /// left out. Without a copy, O(1) unless a shown range is set. Throws `UsageError` when their count is not
-  /// that of the points.
+  /// Sets one number for each point; NaN marks points with a colour of their own (`ColorMap::missing`), which
+  /// are never left out. Without a copy, O(1) unless a shown range is set. Throws `UsageError` when their
+  /// count is not that of the points.
   void setValues(std::shared_ptr<const Values> values);
   void setColors(const ColorMap& map, ValueRange range);
-  /// A plain pale colour in place of the numbers, seen through: for glyphs inside.
+  /// Draws the tissue in a pale translucent colour instead of the numbers, so that glyphs inside are visible.
   void setGhost(bool ghost);
 
   void setCut(const CutPlane& plane, CutStyle style);
@@ -82,7 +82,7 @@ public:
   void setVisible(bool visible);
   bool visible() const;
 
-  /// Brings what is drawn up to date now instead of before the next frame.
+  /// Updates the drawn geometry now instead of before the next frame.
   void update();
   /// Tetrahedra that are drawn, cut ones included; up to date after `update`.
   int shownTetrahedra() const;
@@ -92,7 +92,7 @@ public:
   /// The tissue as drawn at the next frame under a line of sight. O(triangles).
   std::optional<TissuePick> pick(const Ray& ray);
 
-  /// What is drawn: the faces of tetrahedra, and the smooth cut.
+  /// The actors: the faces of tetrahedra, and the smooth cut.
   vtkActor* faces() const;
   vtkActor* cut() const;
 

@@ -25,8 +25,8 @@ struct FlowArrow {
   Vec3 color = Vec3::Ones();
 };
 
-/// Draws the leaflets of heart valves, their rings, and arrows for the blood that flows through them. Nothing
-/// of it can be picked. Belongs to the thread that renders.
+/// Draws the leaflets of heart valves, their rings, and arrows for the blood that flows through them. None of
+/// these can be picked. Belongs to the thread that renders.
 class ValveGlyphs {
 public:
   ValveGlyphs();
@@ -34,12 +34,13 @@ public:
   ValveGlyphs(const ValveGlyphs&) = delete;
   ValveGlyphs& operator=(const ValveGlyphs&) = delete;
 
-  /// Draws in `renderer` from now on. Null: nowhere.
+  /// Sets the renderer to draw in; null: none.
   void setRenderer(vtkRenderer* renderer);
 
-  /// Draws these alone; none: nothing. O(points). An arrow without a length is left out.
+  /// Replaces the glyphs that are drawn; empty lists draw nothing. O(points). An arrow without a length is
+  /// left out.
   void set(const std::vector<ValveGlyph>& valves, const std::vector<FlowArrow>& arrows);
-  /// How many are drawn.
+  /// The number of valves that are drawn.
   int valves() const;
   int arrows() const;
 

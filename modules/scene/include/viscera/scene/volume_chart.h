@@ -30,9 +30,10 @@ struct ChartLine {
 };
 
 /// Draws a chart of curves over time that grow while a sequence plays: volumes in ml, usually. Names stand at
-/// the right ends of the curves, in their colours, and never over each other. Draws into any vtkRenderWindow,
-/// which it has for itself. Nothing is drawn until the window is rendered: the caller decides how often (some
-/// 10 Hz is enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
+/// the right ends of the curves, in their colours, and never over each other. It draws into any
+/// vtkRenderWindow, which it uses alone. Nothing is drawn until the window is rendered: the caller decides
+/// how often (some 10 Hz is enough; a frame costs about 30 ms in software). Belongs to the thread that
+/// renders.
 class VolumeChart {
 public:
   VolumeChart();
@@ -40,10 +41,10 @@ public:
   VolumeChart(const VolumeChart&) = delete;
   VolumeChart& operator=(const VolumeChart&) = delete;
 
-  /// Draws in `window`. Null leaves the present one.
+  /// Draws in `window`; null: detaches from the present one.
   void setWindow(vtkRenderWindow* window);
   void setTheme(const Theme& theme);
-  /// What numbers have before their decimals, a point at first: ',' in German.
+  /// Sets the decimal mark of numbers, a point by default: ',' in German.
   void setDecimalMark(char mark);
   /// "Time", "s", "Volume", "ml".
   void setAxes(const std::string& xTitle, const std::string& xUnit, const std::string& yTitle,
@@ -51,7 +52,7 @@ public:
 
   /// Starts over with these curves, all empty.
   void setLines(const std::vector<ChartLine>& lines);
-  /// Other stripes for a curve; its points stay.
+  /// Replaces the bands of a curve; its points stay.
   void setBands(int line, std::vector<ChartBand> bands);
   int lineCount() const;
 
@@ -59,8 +60,8 @@ public:
   /// drop what came after them: a sequence that starts again. Amortised O(lines).
   void append(double seconds, const Values& values);
   void clear();
-  /// Gives one curve points of its own in place of those that were added: `values[i]` at `times[i]`,
-  /// ascending. `clear` takes them away again. Throws `UsageError` when there are not as many of both.
+  /// Replaces the points of one curve: `values[i]` at `times[i]`, ascending. `clear` removes them again.
+  /// Throws `UsageError` when there are not as many of both.
   void setCurve(int line, std::vector<double> times, std::vector<double> values);
   int pointCount() const;
 
@@ -79,12 +80,12 @@ public:
     double low = 0;
     double high = 1;
   };
-  /// Where `setCursor` would draw a line, in the window as it was rendered last: for who draws the cursor
-  /// over the picture, for every frame of a sequence, in place of rendering the chart. Nothing before the
+  /// Where `setCursor` would draw a line, in the window as it was rendered last: for code that draws the
+  /// cursor over the picture in every frame of a sequence instead of rendering the chart. Empty before the
   /// first picture, and for a time beyond the axis. O(1).
   std::optional<Upright> placeOf(double seconds) const;
 
-  /// Brings the axes up to date with the points; called by the caller before it renders. O(points).
+  /// Updates the axes to the points. Call it before rendering. O(points).
   void update();
 
 private:

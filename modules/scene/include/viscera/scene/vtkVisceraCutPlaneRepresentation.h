@@ -19,7 +19,7 @@ public:
   static vtkVisceraCutPlaneRepresentation* New();
   vtkTypeMacro(vtkVisceraCutPlaneRepresentation, vtkWidgetRepresentation)
 
-      /// Interaction states: what is under the cursor or in the hand.
+      /// Interaction states: the part under the cursor or being dragged.
       enum {
         Outside = 0,
         OnArrow = 1,

@@ -6,10 +6,10 @@ class vtkVisceraCutPlaneRepresentation;
 
 /**
  * Moves a cut plane with the mouse: left drag on its arrow pushes it, left drag on its rim tilts it; Escape
- * puts it back. Everywhere else the events go on to the camera. Handles in front of it go before it.
+ * cancels the drag. Everywhere else the events go on to the camera. Handles in front of it take precedence.
  *
- * VTK's StartInteractionEvent, InteractionEvent (for every move) and EndInteractionEvent tell of a drag;
- * HoverEvent (vtkCommand::WidgetModifiedEvent) of another look. The widget renders nothing itself.
+ * VTK's StartInteractionEvent, InteractionEvent (for every move) and EndInteractionEvent report a drag;
+ * HoverEvent (vtkCommand::WidgetModifiedEvent) a change of the highlighted part. The widget does not render.
  */
 class vtkVisceraCutPlaneWidget : public vtkVisceraDragWidget {
 public:
@@ -20,7 +20,7 @@ public:
   vtkVisceraCutPlaneRepresentation* GetPlaneRepresentation();
   void CreateDefaultRepresentation() override;
 
-  /// Whether the plane is under the cursor or in the hand.
+  /// Whether the plane is under the cursor or being dragged.
   bool IsUnderCursor();
 
 protected:

@@ -3,11 +3,11 @@
 #include <vtkAbstractWidget.h>
 
 /**
- * The base of our widgets, which drag parts of their representation: a left press grabs a part, moves drag
- * it, the release lets it go. Where no part of it is under the cursor the events go on to widgets of a
- * lower priority and to the camera; while the camera is being moved nothing is under the cursor.
+ * The base class of our widgets, which drag parts of their representation: a left press grabs a part, moves
+ * drag it, the release ends the drag. Where no part of it is under the cursor the events go on to widgets of
+ * a lower priority and to the camera; while the camera is being moved, no part counts as under the cursor.
  *
- * VTK's StartInteractionEvent, InteractionEvent and EndInteractionEvent tell of a drag.
+ * VTK's StartInteractionEvent, InteractionEvent and EndInteractionEvent report a drag.
  */
 class vtkVisceraDragWidget : public vtkAbstractWidget {
 public:
@@ -17,24 +17,24 @@ public:
       void SetEnabled(int enabled) override;
 
   bool IsDragging() const { return Dragging; }
-  /// As Escape. Nothing happens when nothing is dragged.
+  /// Cancels the drag, like the Escape key. Nothing happens when nothing is dragged.
   void CancelDrag();
 
 protected:
-  /// With `escape` the widget takes the keyboard during a drag, and Escape puts everything back.
+  /// With `escape` the widget handles the keyboard during a drag, and Escape cancels the drag.
   explicit vtkVisceraDragWidget(bool escape);
 
   /// Marks what is at a display position as under the cursor.
   virtual void Hover(int x, int y) = 0;
   /// The cursor has left the window.
   virtual void Leave() {}
-  /// Whether something is under the cursor, as `Hover` found.
+  /// Whether the last `Hover` found a part under the cursor.
   virtual bool IsOverPart() = 0;
-  /// A press on it: begins a drag unless somebody wants it otherwise.
+  /// Called for a press on a part. Begins a drag unless a subclass overrides it.
   virtual void Press(int x, int y) { BeginDrag(x, y); }
   virtual void Drag(int x, int y);
   virtual void EndDrag(bool cancelled);
-  /// It is in the hand, and nobody has been told yet.
+  /// Called when a drag has begun, before its first event is sent.
   virtual void DragBegan() {}
 
   void BeginDrag(int x, int y);

@@ -33,21 +33,21 @@ public:
         Middle
       };
 
-  /// Where it stands, mm.
+  /// The centre of the gizmo, mm.
   void SetCenter(const viscera::Vec3& center);
   const viscera::Vec3& GetCenter() const;
 
   void SetTheme(const viscera::scene::Theme& theme);
 
-  /// The part under a display position. Cubes go before rings.
+  /// The part under a display position. Cubes take precedence over rings.
   int Pick(double x, double y) const;
-  /// The part that is drawn as under the cursor or in the hand.
+  /// Sets the part that is highlighted, under the cursor or being dragged.
   void SetActivePart(int part);
   int GetActivePart() const;
-  /// Where a part is grabbed best: the nearest point to the eye of a ring, the middle of a cube, mm.
+  /// The best point to grab a part: the point of a ring nearest to the eye, or the middle of a cube, mm.
   viscera::Vec3 GetGrabPoint(int part) const;
 
-  /// What the drag has done since `StartWidgetInteraction`.
+  /// The rotation or scaling since `StartWidgetInteraction`.
   const viscera::scene::GizmoEvent& GetMotion() const;
 
   // vtkWidgetRepresentation and vtkProp

@@ -52,8 +52,8 @@ public:
   bool GetHandleShown(int handle) const;
   void SetHandleLocked(int handle, bool locked);
   bool GetHandleLocked(int handle) const;
-  /// In the background a handle is drawn as small and pale as a far one, unless it is selected or under the
-  /// cursor; it can be picked as before.
+  /// A handle in the background is drawn as small and pale as a far one, unless it is selected or under the
+  /// cursor; it can still be picked.
   void SetHandleInBackground(int handle, bool background);
   bool GetHandleInBackground(int handle) const;
   ///@}
@@ -66,7 +66,7 @@ public:
   ///@}
 
   ///@{
-  /// The handle under the cursor or in the hand, drawn a little larger; -1: none.
+  /// The handle under the cursor or being dragged, drawn a little larger; -1: none.
   void SetActiveHandle(int handle);
   int GetActiveHandle() const;
   ///@}
@@ -110,17 +110,17 @@ public:
 
   ///@{
   /// For the widget. A drag moves the active handle, and with it the selection when it belongs to it.
-  /// `SolveDrag` answers where the active handle belongs for a cursor position: false when the cursor's ray
-  /// misses the plane or comes from behind the camera.
+  /// `SolveDrag` computes the place of the active handle for a cursor position; it returns false when the
+  /// cursor's ray misses the plane or comes from behind the camera.
   void StartWidgetInteraction(double eventPosition[2]) override;
   void WidgetInteraction(double eventPosition[2]) override;
   bool SolveDrag(const double eventPosition[2], viscera::Vec3& position);
-  /// Brings the active handle of the drag to a place, and the others by the same way.
+  /// Moves the active handle of the drag to a place, and the others by the same vector.
   void DragTo(const viscera::Vec3& position);
   /// The handles of the present drag, ascending, and where they were when it began (as many rows).
   const std::vector<int>& GetDraggedHandles() const;
   const viscera::Points& GetDragStart() const;
-  /// Puts every handle of the drag back.
+  /// Moves every handle of the drag back to its start.
   void RestoreDrag();
   ///@}
 

@@ -13,11 +13,11 @@ namespace viscera::scene {
 
 /// The data of a handle widget's events (the events' call data points to one of these).
 struct HandleEvent {
-  int handle = -1;              ///< The handle under the cursor or in the hand; -1: none.
+  int handle = -1;              ///< The handle under the cursor or being dragged; -1: none.
   Vec3 position = Vec3::Zero(); ///< Where that handle is now, mm.
   Vec3 start = Vec3::Zero();    ///< Where it was when it was grabbed, mm.
   std::vector<int> moving; ///< During a drag every handle that moves with it, ascending; else the selection.
-  /// The unit normal of the plane that the hand keeps to, a slice's; none in a 3D view.
+  /// The unit normal of the plane in which the mouse moves, that of a slice; none in a 3D view.
   std::optional<Vec3> plane = std::nullopt;
   Vec3 delta() const { return position - start; } ///< The same for every handle of `moving`.
 };

@@ -8,7 +8,7 @@
 
 namespace viscera::sequences {
 
-/// How the liver moves in one quiet breath.
+/// Parameters of the liver's motion in a quiet breath.
 struct LiverExcursion {
   double downMm = 15;      ///< The middle of the organ towards the feet (10 to 25 mm: doi 10.1118/1.2349696).
   double forwardMm = 4;    ///< Towards the front.
@@ -18,8 +18,8 @@ struct LiverExcursion {
 };
 
 /// The motion of the liver in quiet breathing: the diaphragm pushes it down and forward, the dome more than
-/// the lower edge and the right lobe more than the left, and it widens by as much as keeps its volume. Time
-/// course `sin^4` (Lujan and others, doi 10.1118/1.598577, n = 2): rest is the end of expiration, in the
+/// the lower edge and the right lobe more than the left, and it widens so that its volume stays the same.
+/// Time course `sin^4` (Lujan and others, doi 10.1118/1.598577, n = 2): rest is the end of expiration, in the
 /// middle of the pause, at which a breath begins. Inspiration takes 0.38 of a breath, expiration and pause
 /// 0.62 (1 : 1.6; awake adults at rest differ much, but each keeps a pattern of his own: doi
 /// 10.1016/S0034-5687(00)00154-7). The motion is affine, so that any coordinates with linear precision follow
@@ -43,9 +43,9 @@ public:
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   std::vector<Phase> phases(double ratePerMinute) const override;
 
-  /// How far the breath is drawn in, 0 to 1.
+  /// The depth of inspiration at an instant, 0 to 1.
   double inspiration(double seconds, double ratePerMinute) const;
-  /// Where a point of the liver is when the breath is drawn in by that much.
+  /// The place of a point of the liver at that depth of inspiration.
   Vec3 moved(const Vec3& point, double inspiration) const;
 
 private:

@@ -17,8 +17,8 @@ struct CavityVolumes {
 /// The state of the cardiac cycle at one instant: volumes, emptying, twist and contraction of the atria.
 struct CardiacInstant {
   CavityVolumes volumes;
-  /// How much of the stroke at rest has left each ventricle: 0 at the end of diastole at rest, 1 at the end
-  /// of systole. In hearts too fast to fill it never gets back to 0.
+  /// The part of the stroke volume at rest that has left each ventricle: 0 at the end of diastole at rest, 1
+  /// at the end of systole. At rates too fast for filling it does not return to 0.
   double leftEmptying = 0;
   double rightEmptying = 0;
   double twist = 0;             ///< Part of the largest one; slightly negative when it starts.
@@ -59,7 +59,7 @@ private:
 /// Standard volumes at rest: left ventricle 130.5 ml at the end of diastole, 55 ml at the end of systole
 /// (ejection fraction 0.58, the mean of healthy men: UK Biobank, doi 10.1186/s12968-017-0327-9); right
 /// ventricle 138 and 62.5 ml: it ejects as much as the left one. A beat empties the ventricles to the same
-/// volumes at every rate; how full they get depends on the time there is (`strokePart`). Immutable;
+/// volumes at every rate; how full they get depends on the time for filling (`strokePart`). Immutable;
 /// thread-safe.
 class CardiacCycle {
 public:
@@ -69,8 +69,8 @@ public:
   static constexpr CavityVolumes kEndDiastole{130.5, 138.0};
   static constexpr CavityVolumes kEndSystole{55.0, 62.5};
 
-  /// A heart that at rest holds `endDiastole` at most and `endSystole` at least. Throws `DataError` unless
-  /// all four are positive and each ventricle's end-systolic volume is the smaller one.
+  /// A heart whose largest volumes at rest are `endDiastole` and whose smallest are `endSystole`. Throws
+  /// `DataError` unless all four are positive and each ventricle's end-systolic volume is the smaller one.
   explicit CardiacCycle(const CavityVolumes& endDiastole = kEndDiastole,
                         const CavityVolumes& endSystole = kEndSystole);
 

@@ -4,8 +4,9 @@
 
 namespace viscera::sequences {
 
-/// Between these rates (beats a minute) the regressions below were measured: Weissler's men at rest from 50,
-/// Lance and Spodick's men on a bicycle up to 171. Beyond them the same lines go on.
+/// The lowest and the highest rate, in beats a minute, at which the regressions below were measured:
+/// Weissler's men at rest from 50, Lance and Spodick's men on a bicycle up to 171. Beyond them the lines are
+/// extrapolated.
 inline constexpr double kLowestMeasuredBpm = 50;
 inline constexpr double kHighestMeasuredBpm = 171;
 
@@ -26,7 +27,7 @@ struct CardiacTimes {
   double filling() const { return diastole() - isovolumicRelaxation; }
   /// Between the two waves, when little flows; 0 where they overlap.
   double diastasis() const { return std::max(0.0, filling() - earlyFilling - atrialSystole); }
-  /// How long both waves flow at once.
+  /// The time in which both waves overlap.
   double overlap() const { return std::max(0.0, earlyFilling + atrialSystole - filling()); }
 };
 
@@ -42,8 +43,8 @@ struct CardiacTimes {
 ///   54 % when the rate has risen by 85 %, as in supine exercise (30 young people, echo-polygraphy, 1985);
 ///   between 110 and 25 ms.
 /// * E wave 200 ms and A wave 110 ms at 75, shorter by 18 and 16 % whenever the rate doubles (Chung and
-///   others 2004, doi 10.1152/ajpheart.00404.2004). Diastasis, which is what they leave, vanishes at 93;
-///   above that the waves overlap. E lasts no longer than the valve is open, A 0.8 of that.
+///   others 2004, doi 10.1152/ajpheart.00404.2004). Diastasis, the remaining time, vanishes at 93; above that
+///   the waves overlap. E lasts no longer than the valve is open, A 0.8 of that.
 CardiacTimes cardiacTimes(double rateBpm);
 
 /// The part of the stroke volume at rest that a heart with these times still fills with: 1 until diastole is
@@ -53,7 +54,7 @@ double strokePart(const CardiacTimes& times, double strokeMl);
 /// The mean flow into a ventricle over diastole, ml/s, at the peak of stress: 219 +- 92 ml/s for each m2 of
 /// the body in 161 people sent for a stress echocardiogram (Bombardini and others 2008,
 /// doi 10.1186/1476-7120-6-15), here 1.75 m2, which is a choice. A bound, not a measured fall:
-/// docs/sequences.md says who disagrees.
+/// docs/sequences.md lists sources that disagree.
 inline constexpr double kFastestFilling = 219 * 1.75;
 
 /// The times at which the valves of one ventricle open and close, s after the beginning of a beat.

@@ -9,17 +9,18 @@
 #include "viscera/sequences/heart_motion.h"
 #include "viscera/sequences/pose_compensation.h"
 
+/// Poses the handles of a heart so that its cavities have given volumes.
 namespace viscera::sequences {
 
-/// What the cavities of a heart hold when its handles are at `pose` (`n x 3`). May be asked from several
-/// threads.
+/// Measures the volumes of a heart's cavities when its handles are at `pose` (`n x 3`). May be called from
+/// several threads.
 using MeasureCavities = std::function<CavityVolumes(const Points& pose)>;
 
 /// The wanted state of a heart at one instant of its beat: its motion and the volumes of its cavities.
 struct HeartInstant {
   HeartState state;      ///< Without corrections.
-  CavityVolumes volumes; ///< What its ventricles are to hold.
-  /// What its atria are to hold, where that is known; `state.atria` is then too.
+  CavityVolumes volumes; ///< The wanted volumes of the ventricles.
+  /// The wanted volumes of the atria, if they are known; `state.atria` is then set too.
   std::optional<CavityVolumes> atria;
 };
 
@@ -39,11 +40,11 @@ HeartInstant heartInstant(const CardiacCycle& cycle, const CardiacInstant& now);
 /// (two or four equations by Broyden's method). Immutable; as thread-safe as `measure` and `measureAtria`.
 class CavityFit {
 public:
-  /// How near the cavities come to what they are to hold, ml.
+  /// The largest difference of the cavities' volumes from the wanted ones, ml.
   static constexpr double kToleranceMl = 1e-5;
 
-  /// Without `measureAtria` atria move as the state says and hold what comes of it. Throws `DataError` when
-  /// the compensation is for another number of handles.
+  /// Without `measureAtria` the atria move by the state, and their volumes are not controlled. Throws
+  /// `DataError` when the compensation is for another number of handles.
   CavityFit(HeartMotion motion, PoseCompensation compensation, MeasureCavities measure,
             MeasureCavities measureAtria = {});
 
@@ -53,8 +54,8 @@ public:
   /// Fills `pose`, and returns the state with the corrections that were found. Throws `DataError` when the
   /// volumes cannot be reached, or are not finite. O(n^2) with a compensation, and eight measurements.
   ///
-  /// The search begins with what `found` holds, if anything, and leaves there what it came to: near it, two
-  /// measurements are enough.
+  /// The search begins with the solution in `found`, if any, and stores its own there: from a near solution,
+  /// two measurements are enough.
   HeartState pose(const HeartInstant& instant, Points& pose, FoundCavities* found = nullptr) const;
 
 private:

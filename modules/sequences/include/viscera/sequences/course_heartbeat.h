@@ -17,11 +17,11 @@ struct HeartCourse {
   double period = 0;                   ///< s
   std::vector<HeartInstant> instants;  ///< At 0, 1/n, 2/n ... of the beat.
   std::vector<Phase> phases;           ///< Covering [0, 1].
-  std::vector<ValveInstants> valves{}; ///< As many as `instants`, or none: nothing is known of them.
+  std::vector<ValveInstants> valves{}; ///< As many as `instants`, or none if they are not known.
 
   /// Between two instants: linear. O(1).
   HeartInstant at(double phase) const;
-  /// The valves then; nothing where nothing is known of them. Linear in between. O(1).
+  /// The valves at that instant; empty if they are not known. Linear in between. O(1).
   std::optional<ValveInstants> valvesAt(double phase) const;
 };
 
@@ -32,10 +32,9 @@ public:
   /// Throws `DataError` when the course has fewer than eight instants or no period, or when its volumes
   /// cannot be reached somewhere; `Cancelled`.
   CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress);
-  /// The same heart with a course that is similar to that of `similar`: its search begins where that of
-  /// `similar` ended, and nothing is tried beforehand, so that it is made at once. `poseAt` throws
-  /// `DataError` where the volumes cannot be reached. Throws `DataError` for a course without instants or
-  /// period.
+  /// The same heart with a course that is similar to that of `similar`: its search begins with the solutions
+  /// of `similar`, and nothing is checked beforehand, so that it is made at once. `poseAt` throws `DataError`
+  /// where the volumes cannot be reached. Throws `DataError` for a course without instants or period.
   CourseHeartbeat(const CourseHeartbeat& similar, HeartCourse course);
 
   std::string id() const override { return "heartbeat"; }
@@ -49,7 +48,7 @@ public:
 
   double finestStepSeconds() const override { return 0.01; }
 
-  /// Costs what `CavityFit::pose` costs that begins near what is looked for.
+  /// Costs one `CavityFit::pose` from a near solution.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 
   const HeartMotion& motion() const { return fit_.motion(); }
@@ -58,7 +57,8 @@ public:
 private:
   CavityFit fit_;
   HeartCourse course_;
-  std::vector<FoundCavities> found_; ///< At the instants that were tried, from which others begin.
+  std::vector<FoundCavities> found_; ///< Solutions at the checked instants, from which searches at others
+                                     ///< begin.
 };
 
 } // namespace viscera::sequences

@@ -22,14 +22,14 @@ public:
   static Curve through(std::vector<Key> keys);
 
   /// A curve that repeats itself: `at(x + period) == at(x) + rise`. `keys` ascend strictly within one period
-  /// (the last lies before `keys.front().at + period`); one is enough. A clock that runs unevenly is such a
-  /// curve with `rise == period`. Throws `DataError` as above.
+  /// (the last lies before `keys.front().at + period`); one is enough. An uneven clock is such a curve with
+  /// `rise == period`. Throws `DataError` as above.
   static Curve periodic(std::vector<Key> keys, double period, double rise = 0);
 
   /// The value at x. O(log keys).
   double at(double x) const;
 
-  /// What it was made of, in the same order. O(keys).
+  /// The keys from which it was made, in the same order. O(keys).
   std::vector<Key> keys() const;
 
 private:

@@ -43,14 +43,14 @@ public:
   /// How long a wave takes from the middle of the body to the pylorus, s.
   double transitSeconds() const;
 
-  /// Where a wave is `age` seconds after it arose; it forms and fades standing still.
+  /// The place of a wave `age` seconds after it arose; it does not move while it forms and fades.
   double position(double age) const;
-  /// By which part of the radius it narrows the stomach there, at the standard rate.
+  /// The part of the radius by which it narrows the stomach there, at the standard rate.
   double depth(double age) const;
   /// How far the pylorus is closed, 0 to 1: shut.
   double pyloricClosure(double seconds, double ratePerMinute) const;
 
-  /// By which part of the radius all waves and the pylorus together narrow the stomach at arc length `s`,
+  /// The part of the radius by which all waves and the pylorus together narrow the stomach at arc length `s`,
   /// below 1. Periodic with 60 / rate; continuously differentiable.
   double constriction(double s, double seconds, double ratePerMinute) const;
 
@@ -70,7 +70,7 @@ public:
   std::vector<Phase> phases(double ratePerMinute) const;
 
 private:
-  /// The ages of the waves there are, the oldest first.
+  /// The ages of the present waves, the oldest first.
   std::vector<double> ages(double seconds, double ratePerMinute) const;
   /// As `depth`, at any rate.
   double depth(double age, double ratePerMinute) const;

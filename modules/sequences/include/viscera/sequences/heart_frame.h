@@ -19,7 +19,7 @@ public:
   /// The axes of the world.
   HeartFrame() = default;
 
-  /// `towardsRight` need only point roughly so: what lies along `towardsApex` is taken off. Throws
+  /// `towardsRight` need only be approximate: its component along `towardsApex` is removed. Throws
   /// `DataError` when the two directions are parallel or not finite.
   HeartFrame(const Vec3& origin, const Vec3& towardsRight, const Vec3& towardsApex);
 

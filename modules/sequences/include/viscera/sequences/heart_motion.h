@@ -10,7 +10,7 @@ namespace viscera::sequences {
 
 /// The volumes of the atria relative to rest, where they are known.
 struct AtrialState {
-  double leftPart = 1; ///< What the left atrium holds, as a part of what it holds at rest.
+  double leftPart = 1; ///< Volume of the left atrium as a fraction of that at rest.
   double rightPart = 1;
   /// What is added to the displacement of the atrium's walls, as a part of their distance from its centre.
   /// `CavityFit` finds it; 0 before.
@@ -22,13 +22,14 @@ struct AtrialState {
 struct HeartState {
   double emptying = 0;          ///< Of the left ventricle: 0 at the end of diastole at rest, 1 of systole.
   double rightEmptying = 0;     ///< The same of the right one.
-  double leftPart = 1;          ///< What the left ventricle holds, as a part of what it holds at rest.
+  double leftPart = 1;          ///< Volume of the left ventricle as a fraction of that at rest.
   double rightPart = 1;         ///< The same of the right one.
   double twist = 0;             ///< Part of the largest twist.
   double atrialContraction = 0; ///< 0 to 1; without effect where `atria` are known.
   std::optional<AtrialState> atria;
   double muscle = 1; ///< The volume of the left ventricle's muscle, as a part of that at rest.
-  /// The left cavity's radius as a multiple of what its volume asks for. `CavityFit` finds it; 1 before.
+  /// The left cavity's radius as a multiple of that which follows from its volume. `CavityFit` finds it; 1
+  /// before.
   double leftGain = 1;
   /// What is added to the right cavity's thickness, as a part of that at rest. `CavityFit` finds it; 0
   /// before.
@@ -50,13 +51,13 @@ struct HeartExcursions {
 
 /// Computes the pose of a heart's handles for a state of its beat.
 ///
-/// The base descends towards the apex, which stays; the left cavity narrows; the wall of the left ventricle
-/// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f the
-/// cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right ventricle's
-/// free wall follows the septum and comes closer to it, least near its outflow; the ventricles twist; the
-/// atria lengthen with the descent, fill, and contract; the vessels give way near their roots. Atria whose
-/// volumes are known move what is around them as sources and sinks of blood would, so that walls keep their
-/// volume. Immutable; thread-safe.
+/// The base descends towards the apex, which does not move; the left cavity narrows; the wall of the left
+/// ventricle thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f
+/// the cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right
+/// ventricle's free wall follows the septum and comes closer to it, least near its outflow; the ventricles
+/// twist; the atria lengthen with the descent, fill, and contract; the vessels give way near their roots.
+/// Atria whose volumes are known move what is around them as sources and sinks of blood would, so that walls
+/// keep their volume. Immutable; thread-safe.
 class HeartMotion {
 public:
   explicit HeartMotion(HeartRig rig, const HeartExcursions& excursions = {});

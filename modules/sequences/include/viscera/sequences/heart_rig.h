@@ -35,9 +35,9 @@ struct HeartShell {
 /// Surface, centre and appendage of an atrium.
 struct AtriumAnatomy {
   AnatomySurface surface;
-  Vec3 center = Vec3::Zero();  ///< Towards this point it contracts, mm.
+  Vec3 center = Vec3::Zero();  ///< The point towards which it contracts, mm.
   std::vector<Vec3> appendage; ///< Where handles go along its ear, mm.
-  /// Whether it is the left one: what `AtrialState` says of it moves it.
+  /// Whether it is the left one, which follows the left values of `AtrialState`.
   bool left = false;
 };
 
@@ -60,7 +60,8 @@ struct HeartAnatomy {
   double length = 0; ///< From the base to where the long axis ends, mm.
   AnatomySurface ventricles;   ///< Both from outside.
   AnatomySurface rightCavity;  ///< The right ventricle's cavity.
-  AnatomySurface greatVessels; ///< All of them: what moves little, and where no other handle is put.
+  AnatomySurface greatVessels; ///< All great vessels, which move little and at which no other handles are
+                               ///< placed.
   std::vector<AtriumAnatomy> atria;
   std::vector<VesselRing> vessels;
   Bounds box; ///< Of the far corners.
@@ -102,9 +103,9 @@ struct HeartRig {
 
 /// Places the handles of a heart: rings around the long axis on the endocardium and outside the epicardium,
 /// rows on the right ventricle's free wall and on the septum, points around the atria, rings around the
-/// vessels, far corners. Where a ray does not meet its surface there is no handle. Deterministic; some 10 ms.
-/// Throws `DataError` when the surfaces are not where the frame says, so that a ventricle gets fewer than
-/// eight handles.
+/// vessels, far corners. No handle is placed where a ray does not meet its surface. Deterministic; some 10
+/// ms. Throws `DataError` when the surfaces do not match the frame, so that a ventricle gets fewer than eight
+/// handles.
 HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options = {});
 
 /// The surfaces of the sample heart that its handles need, each negative inside.
@@ -117,8 +118,8 @@ struct SampleHeartSurfaces {
       greatVessels; ///< Aorta, pulmonary trunk, caval and pulmonary veins: the least of their values.
 };
 
-/// The anatomy of the heart that the program ships (definition `heart`): frame, ellipsoids and vessels as
-/// that definition has them.
+/// The anatomy of the heart that the program ships (definition `heart`): frame, ellipsoids and vessels of
+/// that definition.
 HeartAnatomy sampleHeartAnatomy(const SampleHeartSurfaces& surfaces);
 
 } // namespace viscera::sequences

@@ -27,10 +27,10 @@ using ValveInstants = std::array<ValveInstant, kHeartValves>;
 /// The valves of the textbook's beat at `seconds`, see `valvesAt`. O(1).
 ValveInstants textbookValves(double seconds, double ratePerMinute);
 
-/// The valves of a heartbeat at `seconds` when played at `ratePerMinute`; nothing for sequences that are
-/// none, and for courses that say nothing of valves. The textbook's beat: open between the times of its
-/// phases, 40 ms of each spent on the way, to normal areas (doi 10.1016/j.echo.2017.02.009); what flows is
-/// what the ventricles' volumes gain and lose. O(1).
+/// The valves of a heartbeat at `seconds` when played at `ratePerMinute`; empty for other sequences, and for
+/// courses without valves. The textbook's beat: open between the times of its phases, 40 ms of each spent on
+/// the way, to normal areas (doi 10.1016/j.echo.2017.02.009); the flow is the change of the ventricles'
+/// volumes. O(1).
 std::optional<ValveInstants> valvesAt(const Sequence& sequence, double seconds, double ratePerMinute);
 
 /// The ring to which a valve's leaflets are attached, an ellipse.
@@ -38,7 +38,7 @@ struct ValveRing {
   Vec3 center = Vec3::Zero();      ///< mm
   Vec3 first = Vec3::UnitX();      ///< One half axis, mm.
   Vec3 second = Vec3::UnitY();     ///< The other; orthogonal to it.
-  Vec3 downstream = Vec3::UnitZ(); ///< Unit, orthogonal to both: where blood flows when all is well.
+  Vec3 downstream = Vec3::UnitZ(); ///< Unit, orthogonal to both: the normal direction of the flow.
 
   double areaMm2() const;
   /// Of the circle with the same area, mm.
@@ -48,7 +48,7 @@ using ValveRings = std::array<ValveRing, kHeartValves>;
 
 /// The rings of the sample heart at rest: the mitral and the aortic one beside each other in the base of the
 /// left ventricle's cavity, the tricuspid one in that of the right one, the pulmonary one at the end of its
-/// outflow. They are a little larger than the normal areas, so that nothing is cut off in health.
+/// outflow. They are a little larger than the normal areas, so that healthy flow is not restricted.
 ValveRings sampleHeartRings();
 
 /// A ring that moves with the surface around it: with the similarity (turn, shift, scale) that fits the
@@ -59,7 +59,7 @@ public:
   /// O(n).
   CarriedRing(const ValveRing& rest, const Points& surface);
 
-  /// The ring where `surface` (the same vertices, moved) has it. O(vertices near the ring).
+  /// The ring moved with `surface` (the same vertices, moved). O(vertices near the ring).
   ValveRing at(const Points& surface) const;
 
 private:

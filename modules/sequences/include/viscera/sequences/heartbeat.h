@@ -9,7 +9,7 @@
 namespace viscera::sequences {
 
 /// Whether the sequence is a heart's beat: the textbook's, one fitted to another heart, or a computed course.
-/// Poses that were recorded are none, whatever they show.
+/// False for recorded poses, whatever they show.
 bool isHeartbeat(const Sequence& sequence);
 
 /// The base of all sequences of a beating heart: cycle, phases and groups of handles.
@@ -38,7 +38,7 @@ private:
 };
 
 /// The heartbeat of a heart with modelled cavities, whose volumes are those of the cardiac cycle at every
-/// instant and rate. Immutable; as thread-safe as what measures the cavities.
+/// instant and rate. Immutable; as thread-safe as the function that measures the cavities.
 class CavityHeartbeat final : public Heartbeat {
 public:
   /// Throws `DataError` when the volumes cannot be reached somewhere in a beat.

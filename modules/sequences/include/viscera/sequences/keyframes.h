@@ -24,15 +24,15 @@ enum class Easing {
 
 /// "linear", "smooth", "in", "out", "hold".
 std::string nameOf(Easing easing);
-/// Nothing for a name that there is not.
+/// The easing with that name; empty for an unknown one.
 std::optional<Easing> easingFromName(const std::string& name);
 
-/// What part of the way is done at `part` of the time, both 0 to 1; ascending, `eased(e, 0) == 0`.
+/// The part of the way at `part` of the time, both 0 to 1; ascending, `eased(e, 0) == 0`.
 double eased(Easing easing, double part);
 
 /// The method by which poses between keys are interpolated.
 enum class Interpolation {
-  eased, ///< On the straight way from key to key, each as its easing says.
+  eased, ///< On the straight way from key to key, with the easing of each key.
   curve  ///< On one curve through all keys, C1, without overshoot in any coordinate (`Curve`); no easings.
 };
 
@@ -53,9 +53,9 @@ inline constexpr double kShortestSpan = 1e-3;
 /// A sequence that interpolates between recorded poses. Immutable; thread-safe.
 class KeyframedSequence final : public Sequence {
 public:
-  /// All that makes one.
+  /// The data of a keyframed sequence.
   struct Track {
-    std::string name = "Recorded"; ///< For people.
+    std::string name = "Recorded"; ///< Shown to the user.
     Points restHandles;            ///< `n x 3` mm.
     std::vector<HandleGroup> groups;
     double periodSeconds = 1; ///< Of one cycle; beyond the last key.
@@ -86,7 +86,7 @@ public:
   const Track& track() const { return track_; }
 
 private:
-  /// Between which keys a moment is, and what part of the way.
+  /// The keys around an instant, and the part of the way between them.
   struct Place {
     std::size_t from, to;
     double part;

@@ -9,10 +9,10 @@ namespace viscera::sequences {
 /// 10.1152/ajpheart.01125.2003).
 inline constexpr double kSystolicLoss = 0.082;
 
-/// The heartbeat of a heart of which only the outer surface is known: the motion of `HeartMotion`, and in
-/// every pose the ventricles so wide that the whole surface holds `rest (1 - loss emptying)`, emptying that
-/// of the left ventricle. The handles are affine in that width, so the volume is a cubic in it, whose root is
-/// exact at every instant and rate. Thread-safe as far as `volume` is.
+/// The heartbeat of a heart of which only the outer surface is known: the motion of `HeartMotion`, in which
+/// the width of the ventricles is chosen in every pose so that the volume of the whole surface is `rest (1 -
+/// loss emptying)`, with the emptying of the left ventricle. The handles are affine in that width, so the
+/// volume is a cubic in it, whose root is exact at every instant and rate. Thread-safe as far as `volume` is.
 class OuterHeartbeat final : public Heartbeat {
 public:
   /// Throws `DataError` when the compensation is for another number of handles, when the loss does not lie in

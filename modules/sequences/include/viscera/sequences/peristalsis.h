@@ -10,8 +10,8 @@
 
 namespace viscera::sequences {
 
-/// The sequence of peristaltic waves, which run down the stomach while it keeps its volume: what they press
-/// out of the antrum, the upper stomach takes in.
+/// The sequence of peristaltic waves, which run down the stomach while it keeps its volume: the upper stomach
+/// takes in the volume that they press out of the antrum.
 ///
 /// A ring at arc length s has the factor `[1 - constriction(s, t)] [1 + B beta(s)]` about its centre, beta a
 /// bell over the upper stomach. The handles are affine in B, so the organ's volume is a cubic in B; its root
@@ -19,8 +19,9 @@ namespace viscera::sequences {
 /// as far as `volume` is.
 class Peristalsis final : public Sequence {
 public:
-  /// The volume to keep is that at rest. Throws `DataError` when the compensation is for another number of
-  /// handles, or when the upper stomach cannot take in what a whole cycle at the standard rate presses out.
+  /// Keeps the volume at rest. Throws `DataError` when the compensation is for another number of handles, or
+  /// when the upper stomach cannot take in the volume that is pressed out at some instant of a cycle at the
+  /// standard rate.
   Peristalsis(StomachRig rig, PoseCompensation compensation, VolumeAlong volume);
 
   std::string id() const override { return "peristalsis"; }
@@ -50,7 +51,7 @@ public:
   double widening(double seconds, double ratePerMinute) const;
 
 private:
-  /// The compensated poses without widening, and what one of 1 adds.
+  /// The compensated pose without widening, and the difference that a widening of 1 makes.
   void affinePose(double seconds, double ratePerMinute, Points& narrowed, Points& added) const;
   double wideningFor(const Points& narrowed, const Points& added, double seconds) const;
 

@@ -17,11 +17,11 @@ namespace viscera::sequences {
 /// and its neighbours, and a motion that differs from handle to handle comes out flattened. With W the
 /// coordinates of the handles' own rest places (row p: those of handle p), displacements u of the handles
 /// move the organ there by W u. This applies the first terms of the inverse of W, u' = sum_k (I - W)^k u (Van
-/// Cittert's deconvolution): few terms sharpen what is smooth and leave alone what would ring. Rigid and
+/// Cittert's deconvolution): few terms sharpen smooth motions without amplifying oscillations. Rigid and
 /// linear motions pass unchanged, since W reproduces them. Immutable; thread-safe.
 class PoseCompensation {
 public:
-  /// Leaves poses as they are.
+  /// A compensation that does not change poses.
   PoseCompensation() = default;
 
   /// `selfWeights` is `n x n`; every row sums to 1. `terms` beyond the first, 0 to 16. O(terms n^3). Throws
@@ -42,7 +42,7 @@ private:
 };
 
 /// The volume of an organ whose handles are at `pose + x direction` (both `n x 3`), as the coefficients of 1,
-/// x, x^2 and x^3, ml. Coordinates that are linear in the pose make it just that, exactly. May be asked from
+/// x, x^2 and x^3, ml. The cubic is exact for coordinates that are linear in the pose. May be called from
 /// several threads.
 using VolumeAlong = std::function<std::array<double, 4>(const Points& pose, const Points& direction)>;
 

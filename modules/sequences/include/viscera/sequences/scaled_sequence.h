@@ -9,8 +9,8 @@
 namespace viscera::sequences {
 
 /// A sequence that was made for an organ of standard size, played on one that is larger or smaller by a
-/// factor: all lengths are multiplied, about the origin. So one set of constants, in millimetres, serves
-/// every size. Immutable; as thread-safe as the sequence in it.
+/// factor: all lengths are multiplied, about the origin. So one set of constants, in millimetres, is used for
+/// every size. Immutable; as thread-safe as the scaled sequence.
 class ScaledSequence final : public Sequence {
 public:
   /// `scale` is the organ's size as a multiple of the standard one's. Throws `DataError` unless it is

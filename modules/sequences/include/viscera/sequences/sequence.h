@@ -18,7 +18,7 @@ struct Phase {
 /// A mark that travels through the organ during the cycle, such as a peristaltic wave.
 struct TravellingMark {
   double place = 0;    ///< On its way through the organ: 0 at the beginning, 1 at the end.
-  double strength = 0; ///< How much it does there, 0 to 1.
+  double strength = 0; ///< Strength of its effect there, 0 to 1.
 };
 
 /// A named place on the path of travelling marks.
@@ -47,10 +47,10 @@ public:
   virtual std::string id() const = 0;   ///< "heartbeat"
   virtual std::string name() const = 0; ///< "Heartbeat"
 
-  /// The handles at rest, `n x 3` mm: what organs are bound to.
+  /// The handles at rest, `n x 3` mm, to which organs are bound.
   virtual const Points& restHandles() const = 0;
 
-  /// The handles by group: each is in one. Empty: they are all alike.
+  /// The handles by group; each handle is in one. Empty: there are no groups.
   virtual std::vector<HandleGroup> groups() const { return {}; }
 
   /// The rate, in cycles (beats, waves) a minute, for which it was made, and the range in which it may be
@@ -58,10 +58,10 @@ public:
   virtual double standardRatePerMinute() const = 0;
   virtual double lowestRatePerMinute() const = 0;
   virtual double highestRatePerMinute() const = 0;
-  /// What has to be said of that rate, as a sentence; empty for most.
+  /// A remark on that rate, as a sentence; empty for most rates.
   virtual std::string rateRemark(double /*ratePerMinute*/) const { return {}; }
 
-  /// The smallest step through the cycle that shows something new, s; 0 when ordinary frames do.
+  /// The smallest useful step through the cycle, s; 0: ordinary frames are fine enough.
   virtual double finestStepSeconds() const { return 0; }
 
   /// Fills `pose` (resized to `n x 3`) at `seconds` since the start when played at `ratePerMinute`. Periodic
@@ -71,9 +71,9 @@ public:
   /// The parts of one cycle at that rate, in order, covering [0, 1].
   virtual std::vector<Phase> phases(double ratePerMinute) const = 0;
 
-  /// The places along the way of what travels, from the beginning to the end; empty when nothing does.
+  /// The places along the way of travelling marks, from the beginning to the end; empty when there are none.
   virtual std::vector<NamedPlace> course() const { return {}; }
-  /// What is on its way then, the farthest first.
+  /// The travelling marks at that instant, the farthest first.
   virtual std::vector<TravellingMark> travelling(double /*seconds*/, double /*ratePerMinute*/) const {
     return {};
   }

@@ -5,11 +5,11 @@
 #include "viscera/core/arrays.h"
 #include "viscera/sequences/stomach_rig.h"
 
-/// Estimates the anatomy of a patient's stomach from its surface and middle line.
+/// Estimates the anatomy of a patient's stomach from its surface and centreline.
 namespace viscera::sequences {
 
 /// From the top of the fundus to the pylorus of the standard stomach along its centreline, mm: stomachs are
-/// brought to this size before they are fitted.
+/// scaled to this size before they are fitted.
 inline constexpr double kStandardStomachLength = 272;
 /// Where waves arise, as a part of that way.
 inline constexpr double kStandardMidBody = 101.0 / 272.0;
@@ -19,8 +19,8 @@ inline constexpr double kStandardMidBody = 101.0 / 272.0;
 /// `arcs` (mm) and `areas` (mm^2) along the line, of equal length, at least 3. Returns an arc length.
 double pylorusAlong(const std::vector<double>& arcs, const std::vector<double>& areas);
 
-/// The anatomy of a stomach of standard size for `makeStomachRig`: what lies beyond the pylorus, and all else
-/// that rings do not reach (the oesophagus), is held by handles that do not move. `points` (`n x 3`) are
+/// The anatomy of a stomach of standard size for `makeStomachRig`: handles that do not move hold the part
+/// beyond the pylorus and everything else that rings do not reach (the oesophagus). `points` (`n x 3`) are
 /// those of the surface. Throws `DataError` when the line leaves the surface or the course does not fit on
 /// it.
 StomachAnatomy fitStomach(const Centerline& line, const GastricCourse& course, const AnatomySurface& surface,

@@ -10,7 +10,7 @@ namespace viscera::sequences {
 struct ValveForm {
   int leaflets = 3; ///< Two or three.
   bool semilunar =
-      false;         ///< Pockets that are closed by what flows back; else sails that hang into a ventricle.
+      false;         ///< Pockets, which are closed by backward flow; else sails that hang into a ventricle.
   double turned = 0; ///< Where the first commissure is, rad from the ring's `first` towards `second`.
 };
 
@@ -26,7 +26,7 @@ struct Leaflets {
 
   Points points; ///< mm
   Triangles triangles;
-  double orificeMm2 = 0; ///< What the free edges leave open, seen along the flow.
+  double orificeMm2 = 0; ///< The area between the free edges, seen along the flow.
 };
 
 /// The leaflets of a valve whose free edges leave `orificeMm2` open, at most the ring's area. Seen along the

@@ -25,10 +25,11 @@ struct ValueImage {
   std::vector<float> values;
 };
 
-/// Samples a scan on a slice, in the scan's unit. Reads the stored samples in place; a frame may lie anyhow
-/// in the scan, which may be oblique, left-handed or sheared. With `rest`, `pixels x 3` mm LPS, what is seen
-/// at a pixel is what was at its place before the tissue was bent; a row of NaN says that there is no answer.
-/// The layers of a thick slice lie along its normal there as well. Uses the memory that `image` has. O(pixels
+/// Samples a scan on a slice, in the scan's unit. Reads the stored samples in place; a frame may have any
+/// orientation in the scan, which may be oblique, left-handed or sheared. With `rest`, `pixels x 3` mm LPS, a
+/// pixel shows the value at the place where its tissue was at rest; a row of NaN means that this place is
+/// unknown. The layers of a thick slice lie along its normal there as well. Reuses the memory of `image`.
+/// O(pixels
 /// * layers of the slab), on several threads; a fifth of that where rows of pixels run along an axis of the
 /// voxels and nothing is bent.
 void sampleSlice(const medical_io::Scan& scan, const SliceFrame& frame, const SampleOptions& options,

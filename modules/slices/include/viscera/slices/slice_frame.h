@@ -6,7 +6,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/geometry/plane_cut.h"
 
-/// Slices of a scan: where they lie, and what is seen on them.
+/// Directions of slices through a scan, and the frame that maps pixels of a slice to the patient.
 namespace viscera::slices {
 
 /// A way to look at a patient slice by slice, by the convention of radiology: an axial slice is seen from the
@@ -42,7 +42,7 @@ struct SliceFrame {
     const Vec3 from = point - corner;
     return {from.dot(right) / right.squaredNorm(), from.dot(up) / up.squaredNorm()};
   }
-  /// The plane that it lies in; its normal points to the reader.
+  /// The plane of the slice; its normal points to the reader.
   geometry::Plane plane() const { return {corner, right.cross(up).normalized()}; }
 };
 

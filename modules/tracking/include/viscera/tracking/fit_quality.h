@@ -46,8 +46,8 @@ int opposedTriangles(const Triangles& triangles, const Points& fitted, const Poi
 /// Triangles whose normal is opposed to the way in which the distance grows at their middle. O(m).
 int opposedTriangles(const Triangles& triangles, const Points& fitted, const SurfaceDistance& distance);
 
-/// The tissue between an outer surface and its cavities, as witness points: where poses are tried for folds.
-/// The inside of the surface where there is only one.
+/// Witness points in the tissue between an outer surface and its cavities, at which poses are checked for
+/// folds. With only one surface, they fill its inside.
 class TissueWitnesses {
 public:
   /// About `wanted` points. Throws what `deformation::gridWitnesses` throws, `Cancelled`.
@@ -55,7 +55,7 @@ public:
                   Threads threads = {});
 
   int count() const { return static_cast<int>(count_); }
-  /// How many are folded at a pose. O(points x handles).
+  /// The number of points that are folded in a pose. O(points x handles).
   int foldedAt(const Points& pose, Threads threads = {}) const;
 
 private:
@@ -63,7 +63,7 @@ private:
   Eigen::Index count_ = 0;
 };
 
-/// The quality of a fitted phase as a light.
+/// The quality of a fitted phase as a traffic light.
 enum class FitLight { good, amber, red };
 
 /// The verdict on a fitted phase and its reasons: a sentence for each reason.

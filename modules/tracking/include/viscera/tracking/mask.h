@@ -43,12 +43,12 @@ int thickAxis(const Mask& mask);
 
 /// A mask with thick slices as one whose voxels are as long across as within the slices: signed distances
 /// within the slices, linear between them (shape-based interpolation: Raya and Udupa 1990, doi
-/// 10.1109/42.52980), with flat ends half a slice beyond the outer ones. Others come back as they are.
+/// 10.1109/42.52980), with flat ends half a slice beyond the outer ones. Other masks are returned unchanged.
 /// O(voxels of the result).
 Mask betweenSlices(const Mask& mask);
 
 /// The voxels of `grid` whose centres lie within a closed surface (mm LPS); a ray along i crosses it an odd
-/// number of times. Of `grid` only size and place count, not what is inside it. O(triangles x the rows that
+/// number of times. Only size and place of `grid` are used, not its contents. O(triangles x the rows that
 /// they touch + voxels).
 ///
 ///     Mask grid;

@@ -36,8 +36,8 @@ RigHandles placeMotionHandles(const std::vector<geometry::TriangleMesh>& surface
 /// first `corners` left out.
 double softnessFor(const Points& handles, Eigen::Index corners, double spacings);
 
-/// Surfaces at rest bound to one set of handles by S-celestial coordinates, as one matrix: what fits work
-/// with. Immutable; may be asked from several threads.
+/// Surfaces at rest bound to one set of handles by S-celestial coordinates, as one matrix for the fits.
+/// Immutable; may be asked from several threads.
 class MotionRig {
 public:
   /// Binds all `surfaces` to `handles` (`n x 3`). Throws `deformation::UnboundVertices` for vertices outside
@@ -56,10 +56,11 @@ public:
   /// The rows of one surface in it.
   Eigen::Index firstRow(std::size_t surface) const { return first_[surface]; }
   Eigen::Index rows(std::size_t surface) const { return surfaces_[surface].points.rows(); }
-  /// What each vertex counts in a fit, `m` numbers: its area, the sum over a surface the same for all, 1 in
-  /// all.
+  /// The weight of each vertex in a fit, `m` numbers: its area, normalised so that all surfaces have the same
+  /// sum and the total is 1.
   const Values& shares() const { return shares_; }
-  /// Projects out affine motion, `n x n`: `|R (h - H)|^2` is what of a pose's displacement is no affine map.
+  /// Projects out affine motion, `n x n`: `|R (h - H)|^2` is the part of a pose's displacement that is not
+  /// affine.
   const Eigen::MatrixXd& bending() const { return bending_; }
 
   /// The vertices of all surfaces at a pose, `m x 3`.

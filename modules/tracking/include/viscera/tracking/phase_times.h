@@ -25,7 +25,7 @@ struct PhaseTimes {
 /// no loop its ends have no such term. O(t^2).
 Eigen::MatrixXd unevenness(const PhaseTimes& times);
 
-/// The neighbours of a phase in time: where on the straight way from the one to the other it is.
+/// The neighbours of a phase in time: and the phase's place on the straight way from the one to the other.
 struct Neighbours {
   std::size_t before = 0, after = 0;
   double part = 0.5; ///< 0 at `before`, 1 at `after`.

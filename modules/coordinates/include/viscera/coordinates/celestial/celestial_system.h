@@ -25,12 +25,12 @@ struct CelestialSolution {
   std::vector<int> failures; ///< Points outside the handles' hull (or not finite), ascending.
 };
 
-/// The base of S- and T-Celestial coordinates (thesis 4.3, 4.4): for each point p the minimum of the convex
-/// `F(x) = sum m_i phi(q_i . x)` over the handles' directions `q_i = (v_i - p) / D_i`, with the coordinates
-/// `w_i = m_i phi'(q_i . x) / D_i` divided by their sum; only phi differs. Exists and is unique inside the
-/// handles' hull, where a damped Newton method finds it from x = 0. A point that lies on the hull's boundary
-/// to rounding is bound as well (the coordinates are the limit); one outside has no coordinates and is listed
-/// among the failures.
+/// The base class of S- and T-Celestial coordinates (thesis 4.3, 4.4): for each point p the minimum of the
+/// convex `F(x) = sum m_i phi(q_i . x)` over the handles' directions `q_i = (v_i - p) / D_i`, with the
+/// coordinates `w_i = m_i phi'(q_i . x) / D_i` divided by their sum; only phi differs. Exists and is unique
+/// inside the handles' hull, where a damped Newton method finds it from x = 0. A point that lies on the
+/// hull's boundary to rounding is bound as well (the coordinates are the limit); one outside has no
+/// coordinates and is listed among the failures.
 ///
 /// Beyond the thesis: the locality k gives handles the prior weight `m_i = (D_i / min D)^-k`, floored at
 /// 1e-24, so that nearer handles count more; the softness e puts `D_i = sqrt(|v_i - p|^2 + e^2)` for the

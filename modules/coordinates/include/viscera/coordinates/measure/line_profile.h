@@ -23,7 +23,7 @@ struct LineProfile {
 /// Jumps, kinks and local maxima of a system's coordinates along a line.
 struct LineProperties {
   BindingReport report;   ///< Of the points of the profile.
-  double largestJump = 0; ///< Of a coordinate between two points whose distance goes to nothing.
+  double largestJump = 0; ///< Of a coordinate between two points whose distance goes to zero.
   int kinks = 0;          ///< Places where the derivative of a coordinate jumps.
   double largestKink = 0; ///< The largest of those jumps, 1/mm.
   int localMaxima = 0;    ///< The most that any handle's coordinate has along the line, ends included.
@@ -33,8 +33,8 @@ struct LineProperties {
 LineProfile profileAlong(const CoordinateSystem& system, const HandleSet& handles, const Line& line,
                          int parts, const BindOptions& options, Progress& progress);
 
-/// Measures jumps and kinks by looking ever closer where the coordinates, or their slopes, change most: what
-/// a smooth function changes by goes to zero with the distance, a jump stays. Gaps (points without an answer)
+/// Measures jumps and kinks by sampling ever finer where the coordinates, or their slopes, change most: the
+/// change of a smooth function goes to zero with the distance, a jump stays. Gaps (points without an answer)
 /// are counted in the report and are no jumps. About ten bindings of `parts` points. Throws as
 /// `CoordinateSystem::bind`.
 LineProperties measureAlong(const CoordinateSystem& system, const HandleSet& handles, const Line& line,
@@ -47,8 +47,8 @@ Eigen::MatrixXd coordinatesOf(const Binding& binding);
 /// not. Rows that are not numbers are passed over; not a number where no three rows in a row are.
 double roughness(const Eigen::MatrixXd& coordinates);
 
-/// The mean over the points of what the nearer half of the handles have of all influence, by absolute values:
-/// 1 for a system that is very local, 1/2 for one that does not look at distances. Rows without coordinates
+/// The share of the nearer half of the handles in all influence, by absolute values, as the mean over the
+/// points: 1 for a very local system, 1/2 for one that does not depend on distances. Rows without coordinates
 /// (zeros) do not count.
 double nearHalfShare(const Points& handles, const Points& points, const Eigen::MatrixXd& coordinates);
 

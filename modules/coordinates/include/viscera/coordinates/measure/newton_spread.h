@@ -5,7 +5,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
 
-/// The thesis's method to solve the T-Celestial equations (4.3.2), kept for comparison: Newton's method
+/// Implements the thesis's method to solve the T-Celestial equations (4.3.2), for comparison: Newton's method
 /// without damping, begun at each point with the solution of a neighbour. The program's own coordinates do
 /// not need it: their damped method finds every solution from zero.
 namespace viscera::coordinates {
@@ -19,7 +19,7 @@ enum class NeighbourOrder {
 
 struct NewtonSpreadOptions {
   double radius = 0;       ///< Points nearer than this are neighbours, mm.
-  int mostIterations = 10; ///< A method that has not converged by then has not converged quickly.
+  int mostIterations = 10; ///< Attempts that need more count as not converged.
   double tolerance = 1e-6; ///< Of |sum exp(psi . q_i) q_i|, the thesis's.
 };
 
@@ -27,7 +27,7 @@ struct NewtonSpread {
   /// `solvedBy[k]`: points solved from the neighbour tried as number k + 1.
   std::vector<Eigen::Index> solvedBy;
   Eigen::Index seeds = 0;    ///< Points solved from the linearised equations: one for each connected part.
-  Eigen::Index unsolved = 0; ///< Points that no neighbour's solution led to one.
+  Eigen::Index unsolved = 0; ///< Points for which no neighbour's solution led to convergence.
   double meanIterations = 0; ///< Of the attempts that converged, but for seeds.
 
   /// The share of the points solved from a neighbour for which the first one did.

@@ -7,12 +7,12 @@
 
 #include "viscera/coordinates/measure/scene.h"
 
-/// Measures the properties of coordinate systems (identity, positivity, smoothness and others), the same way
-/// for each (thesis, tables 4.1 and 4.2, which say it without numbers).
+/// Measures the properties of coordinate systems (identity, positivity, smoothness and others), in the same
+/// way for each (thesis, tables 4.1 and 4.2, which list them without numbers).
 namespace viscera::coordinates {
 
-/// The measured properties of one coordinate system on one scene. Where `refusal` says something, nothing
-/// else is known.
+/// The measured properties of one coordinate system on one scene. If `refusal` is not empty, the other
+/// members are not set.
 struct SceneProperties {
   std::string scene;
   Eigen::Index handles = 0;
@@ -47,9 +47,9 @@ struct SystemProperties {
 /// A handle is interpolated when its coordinates differ by less than this from 1 and 0.
 inline constexpr double kInterpolated = 1e-4;
 
-/// Measures one system on one scene. What the system refuses by throwing becomes `refusal`, whatever it
-/// throws; only `Cancelled` passes. About fifteen bindings. Everything but `nanoseconds` is the same in every
-/// run and for any number of threads.
+/// Measures one system on one scene. The text of any exception of the system becomes `refusal`; only
+/// `Cancelled` is rethrown. About fifteen bindings. Everything but `nanoseconds` is the same in every run and
+/// for any number of threads.
 SceneProperties measureOn(const CoordinateSystem& system, const Scene& scene, const BindOptions& options,
                           Progress& progress);
 
@@ -60,8 +60,8 @@ struct SystemVariant {
 };
 
 /// Measures every system on every scene, several at a time on `threads`, each with one thread; systems that
-/// take tetrahedra, which are seconds in preparing, on the first line only and on what is no line. In the
-/// order of `variants` and `scenes`. Throws `Cancelled`.
+/// need tetrahedra, which take seconds to prepare, only on the first line and on scenes without a line. In
+/// the order of `variants` and `scenes`. Throws `Cancelled`.
 std::vector<SystemProperties> measureSystems(const std::vector<SystemVariant>& variants,
                                              const std::vector<Scene>& scenes, Threads threads,
                                              const Tetrahedraliser& tetrahedralise, Progress& progress);

@@ -7,7 +7,7 @@ namespace viscera::coordinates {
 /// Coordinates by constrained least squares: of all balanced vectors the one nearest to a target (thesis
 /// 3.3.1). Parameters:
 /// * `target`: one, the inverse distance, or the closeness `1 - d / largest d`.
-/// * `positivity`: what is done about negative numbers.
+/// * `positivity`: the treatment of negative numbers.
 ///   - `exact` (ours): the quadratic programme (3.25) solved to the end, by Newton's method on its dual,
 ///   which
 ///     has three unknowns. Unique, positive, continuous.
