@@ -116,7 +116,7 @@ PosedSession::PosedSession(const document::DocumentState& state, const presentat
                            CommandContext& context)
     : live_(document_, context.systems, jobs_, {std::numeric_limits<double>::infinity(), context.threads}),
       stress_(document_, context.systems, live_, jobs_, stressAtOnce(context.threads)),
-      bend_(document_, live_, context.systems, jobs_,
+      warp_(document_, live_, context.systems, jobs_,
             {std::numeric_limits<double>::infinity(), context.threads}) {
   undo_.reset(state);
   if (view.shown.rest)
@@ -152,12 +152,12 @@ void PosedSession::findStressCycle(const presentation::ViewState& view, CommandC
   box_.runUntil([&] { return jobs_.idle(); });
 }
 
-live::LiveBend* PosedSession::makeBend() {
-  bend_.setWanted(true);
+live::LiveWarp* PosedSession::makeWarp() {
+  warp_.setWanted(true);
   box_.runUntil([&] { return jobs_.idle(); });
-  if (!bend_.problem().empty())
-    throw DataError(bend_.problem(), "the scan cannot be warped");
-  return bend_.map() ? &bend_ : nullptr;
+  if (!warp_.problem().empty())
+    throw DataError(warp_.problem(), "the scan cannot be warped");
+  return warp_.map() ? &warp_ : nullptr;
 }
 
 Outcome describeSession(const std::string& file, CommandContext& context) {
@@ -223,11 +223,11 @@ SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequ
     view.scan.width = width;
   }
   PosedSession posed(opened.contents.state, view, context);
-  std::optional<presentation::Bending> bending;
-  if (view.scan.bent)
-    if (live::LiveBend* bend = posed.makeBend())
-      bending = presentation::bendingOf(*bend);
-  return slicePicture({posed.state(), posed.organs(), view, bending ? &*bending : nullptr}, slice, options,
+  std::optional<presentation::Warping> warping;
+  if (view.scan.warped)
+    if (live::LiveWarp* warp = posed.makeWarp())
+      warping = presentation::warpingOf(*warp);
+  return slicePicture({posed.state(), posed.organs(), view, warping ? &*warping : nullptr}, slice, options,
                       context.threads);
 }
 
@@ -241,13 +241,13 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
     if (const std::string missing = posed.makeStress(view, context); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing + ")");
   const live::StressFrame frame = posed.stress().frame();
-  std::optional<presentation::Bending> bending;
-  if (view.scan.standing && view.scan.bent)
-    if (live::LiveBend* bend = posed.makeBend())
-      bending = presentation::bendingOf(*bend);
+  std::optional<presentation::Warping> warping;
+  if (view.scan.standing && view.scan.warped)
+    if (live::LiveWarp* warp = posed.makeWarp())
+      warping = presentation::warpingOf(*warp);
   presentation::Stage stage = stageFor(options, context.threads);
   presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
-  scene.bending = bending ? &*bending : nullptr;
+  scene.warping = warping ? &*warping : nullptr;
   scene.valves = valvesOf(state, view);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)

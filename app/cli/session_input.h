@@ -13,9 +13,9 @@
 #include "viscera/core/job_queue.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
-#include "viscera/live/live_bend.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
+#include "viscera/live/live_warp.h"
 #include "viscera/motion/motion_runner.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
@@ -54,7 +54,7 @@ public:
   live::LiveStress& stress() { return stress_; }
 
   /// The bound deformation of the scan by the pose; null at rest. Throws `DataError` if it cannot be bound.
-  live::LiveBend* makeBend();
+  live::LiveWarp* makeWarp();
   /// Computes the stress map of the view's current organ, with its course over the sequence that the session
   /// was playing. Returns why that is not possible; empty on success.
   std::string makeStress(const presentation::ViewState& view, CommandContext& context);
@@ -68,7 +68,7 @@ private:
   JobQueue jobs_{box_.post()};
   live::LiveBinding live_;
   live::LiveStress stress_;
-  live::LiveBend bend_;
+  live::LiveWarp warp_;
 };
 
 struct SessionPicture {
@@ -82,7 +82,7 @@ struct SessionPicture {
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, CommandContext& context);
 
-/// A slice of the session's scan and organs in the pose that the window showed, with its looks; bent along
+/// A slice of the session's scan and organs in the pose that the window showed, with its looks; warped along
 /// when it was. `width` 0: level and width are the session's too. Throws as `slicePicture` and what binding
 /// throws.
 SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,

@@ -36,7 +36,7 @@ SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequ
   focus[axis] = slice.mm;
   wanted.scan.focus = focus;
   presentation::SlicePresenter presenter(threads);
-  presenter.update({scene.state, scene.organs, wanted, scene.bending},
+  presenter.update({scene.state, scene.organs, wanted, scene.warping},
                    {{slice.direction, stage.size.width, stage.size.height}});
   scene::SurfacelessWindow window(stage.size.width, stage.size.height);
   scene::SliceView drawn;

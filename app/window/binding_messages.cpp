@@ -14,8 +14,8 @@ constexpr int kNoteSeconds = 12;
 
 } // namespace
 
-BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent, Workspace* mended)
-    : QObject(parent), workspace_(workspace), mended_(mended ? *mended : workspace), bar_(bar) {
+BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent, Workspace* repaired)
+    : QObject(parent), workspace_(workspace), repaired_(repaired ? *repaired : workspace), bar_(bar) {
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
       sync();
@@ -58,7 +58,7 @@ void BindingMessages::sync() {
   if (!shown_.isEmpty() && bar_->text() == shown_)
     bar_->dismiss();
   shown_.clear();
-  tellNotes(notes);
+  showNotes(notes);
   Q_EMIT bound(seconds);
 }
 
@@ -75,7 +75,7 @@ void BindingMessages::retractOfGone() {
 }
 
 /// Notes change their numbers with every move of a drag; only one more of them is news.
-void BindingMessages::tellNotes(const QStringList& notes) {
+void BindingMessages::showNotes(const QStringList& notes) {
   const bool news = notes.size() > notes_.size();
   notes_ = notes;
   if (!news)
@@ -98,8 +98,9 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
       message.text = tr("%n vertices of %1 have no coordinates in the cage.", nullptr, status.outsideCage)
                          .arg(inWords(organ.name));
     message.offers.push_back(
-        {tr("Use the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
-    message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
+        {tr("Use the hull as the cage"), [this] { repaired_.perform(document::dropCage()); }});
+    message.offers.push_back(
+        {tr("Undo"), [this] { repaired_.guarded([this] { repaired_.undo().undo(); }); }});
     return message;
   }
   if (!status.inNoRegion.empty()) {
@@ -107,7 +108,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
         tr("%n vertices of %1 lie in no group's region.", nullptr, static_cast<int>(status.inNoRegion.size()))
             .arg(inWords(organ.name));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
-                                mended_.perform(document::addEnclosingGroup(id, vertices));
+                                repaired_.perform(document::addEnclosingGroup(id, vertices));
                               }});
     return message;
   }
@@ -115,11 +116,11 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
     message.text = tr("%n vertices of %1 lie outside the handles' hull.", nullptr, status.outsideHull)
                        .arg(inWords(organ.name));
     message.offers.push_back(
-        {tr("Add enclosing handles"), [this] { mended_.perform(document::addEnclosingHandles()); }});
+        {tr("Add enclosing handles"), [this] { repaired_.perform(document::addEnclosingHandles()); }});
     return message;
   }
   message.text = asSentence(status.message);
-  message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
+  message.offers.push_back({tr("Undo"), [this] { repaired_.guarded([this] { repaired_.undo().undo(); }); }});
   return message;
 }
 

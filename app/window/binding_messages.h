@@ -16,10 +16,10 @@ class BindingMessages final : public QObject {
   Q_OBJECT
 
 public:
-  /// The remedies that a message offers change the document of `mended`, of which the document of `workspace`
-  /// may be a copy; null: they change the document of `workspace`.
+  /// The remedies that a message offers change the document of `repaired`, of which the document of
+  /// `workspace` may be a copy; null: they change the document of `workspace`.
   BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr,
-                  Workspace* mended = nullptr);
+                  Workspace* repaired = nullptr);
   ~BindingMessages() override;
 
 Q_SIGNALS:
@@ -31,10 +31,10 @@ private:
   void retractOfGone();
   Message messageFor(const document::Organ& organ, const live::BindingStatus& status) const;
 
-  void tellNotes(const QStringList& notes);
+  void showNotes(const QStringList& notes);
 
   Workspace& workspace_;
-  Workspace& mended_;
+  Workspace& repaired_;
   QPointer<MessageBar> bar_;
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.

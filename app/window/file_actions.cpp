@@ -179,9 +179,9 @@ void FileActions::open(const QStringList& files, bool check) {
         if (arriving_)
           arriving_->end(arriving, result.value.has_value());
         if (result.error)
-          sayNothingOpened(*result.error, files, check);
+          reportOpenFailure(*result.error, files, check);
         if (result.value)
-          takeRead(std::move(*result.value), files, check);
+          applyReadFiles(std::move(*result.value), files, check);
       });
 }
 
@@ -221,7 +221,7 @@ QString FileActions::unopenedBeside(const std::filesystem::path& file) const {
 }
 
 /// The exception only concerns the first file, so the message lists all missing files.
-void FileActions::sayNothingOpened(const Error& error, const QStringList& files, bool check) {
+void FileActions::reportOpenFailure(const Error& error, const QStringList& files, bool check) {
   const QStringList missing = missingAmong(files);
   if (missing.isEmpty())
     return workspace_.report(error);
@@ -236,7 +236,7 @@ void FileActions::sayProblems(const QStringList& missing, const QStringList& fai
   workspace_.say(message);
 }
 
-void FileActions::takeRead(Read read, const QStringList& files, bool check) {
+void FileActions::applyReadFiles(Read read, const QStringList& files, bool check) {
   const QStringList missing = missingAmong(files);
   QStringList opened = thoseThere(files); // They may be opened again: they become the recent files.
   const bool others = !read.draft.organs.empty() || read.draft.files.rig;

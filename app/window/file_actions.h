@@ -95,10 +95,10 @@ private:
   QString folder() const;
   /// One line for each file that does not exist.
   static QStringList missingAmong(const QStringList& files);
-  void sayNothingOpened(const Error& error, const QStringList& files, bool check);
+  void reportOpenFailure(const Error& error, const QStringList& files, bool check);
   /// Shows the problems in one message, with an offer to look for missing files.
   void sayProblems(const QStringList& missing, const QStringList& failures, bool check);
-  void takeRead(Read read, const QStringList& files, bool check);
+  void applyReadFiles(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(document::OpenedFiles opened, const QStringList& files);

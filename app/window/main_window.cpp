@@ -33,11 +33,11 @@
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
-#include "window/slices/bent_export.h"
 #include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
+#include "window/slices/warp_export.h"
 #include "window/status_line.h"
 #include "window/table/handle_table.h"
 #include "window/timeline/mode_charts.h"
@@ -78,7 +78,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   new PatientOffer(
       workspace_, *files_, *scans_, [this] { return imports_->isOpen(); }, this);
   exports_->addTo(actions_);
-  (new BentExport(workspace_, settings_, this))->addTo(actions_);
+  (new WarpExport(workspace_, settings_, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
@@ -222,7 +222,7 @@ void MainWindow::connectFiles() {
       viewArea_->frameSoon();
   }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
-  connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
+  connect(files_, &FileActions::filesOpened, scans_, &ScanActions::reportScanFit);
   connect(sessionView_.get(), &SessionView::framingWanted, this, [this, fromFront] {
     fromFront();
     viewArea_->frameSoon(); // Once the layout of the session has its sizes.
@@ -263,7 +263,7 @@ void MainWindow::connectHints() {
   const auto hint = [this] { status_->setHint(modes_->present().hint()); };
   connect(modes_.get(), &ModeController::hintChanged, status_, hint);
   hint();
-  connect(modes_.get(), &ModeController::dragTakenBack, this,
+  connect(modes_.get(), &ModeController::dragUndone, this,
           [this] { workspace_.note(tr("Viscera cancelled the drag because you chose another mode.")); });
   // The reason why a drag stops is shown in place of the mode's hint.
   connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {

@@ -20,8 +20,8 @@
 #include "window/language.h"
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"
+#include "window/session/exit_handler.h"
 #include "window/session/session_files.h"
-#include "window/session/unasked_exit.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 
@@ -146,7 +146,7 @@ void setUpApplication(QApplication& application) {
 
 void keepWithoutDisplay(SessionFiles& sessions) noexcept {
   try {
-    const bool kept = sessions.keepNow();
+    const bool kept = sessions.writeRecoveryFile();
     std::fputs(kept ? "viscera: the display has gone; unsaved work is kept, and offered at the next start\n"
                     : "viscera: the display has gone\n",
                stderr);
@@ -204,7 +204,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   }
   if (!options.files.empty())
     QTimer::singleShot(0, &window, [&] { load(window, options, true); });
-  const UnaskedExit unasked([&window] { keepWithoutDisplay(window.sessions()); });
+  const ExitHandler unasked([&window] { keepWithoutDisplay(window.sessions()); });
   const int code = QApplication::exec();
   application.setGuard({}); // The window is about to go.
   return code;

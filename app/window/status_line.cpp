@@ -44,10 +44,10 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
-    if (event.status || workspace_.bend().map())
+    if (event.status || workspace_.warp().map())
       syncBinding();
   }));
-  subscriptions_.push_back(workspace.bend().onChange([this] { syncBinding(); }));
+  subscriptions_.push_back(workspace.warp().onChange([this] { syncBinding(); }));
   watch(workspace.jobs());
   syncVolume();
   syncBinding();
@@ -118,7 +118,7 @@ QString StatusLine::bindingText() const {
 }
 
 void StatusLine::syncBinding() {
-  const double folded = workspace_.bend().foldedMl();
+  const double folded = workspace_.warp().foldedMl();
   binding_->setText(
       folded > 0 ? tr("%1, %2 of tissue folded by the pose").arg(bindingText(), formatMilliliters(folded))
                  : bindingText());

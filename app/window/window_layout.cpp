@@ -320,11 +320,11 @@ void WindowLayout::learnHeights() {
 }
 
 void WindowLayout::keepHeights() {
-  giveHeights();
+  applyPanelHeights();
   // Qt shares the room anew once more when it lays the panels out.
   if (!std::exchange(resizing_, true))
     QTimer::singleShot(0, this, [this] {
-      giveHeights();
+      applyPanelHeights();
       resizing_ = false;
       QTimer::singleShot(0, this, [this] {
         for (auto known = heights_.constBegin(); known != heights_.constEnd(); ++known)
@@ -339,7 +339,7 @@ int WindowLayout::heightOf(const QDockWidget& dock) const {
 }
 
 /// Panels are as high as they were, also those that stay while others come and go.
-void WindowLayout::giveHeights() {
+void WindowLayout::applyPanelHeights() {
   QList<QDockWidget*> docks;
   QList<int> heights;
   const auto give = [&](QDockWidget* dock, int height) {

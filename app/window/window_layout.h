@@ -89,7 +89,7 @@ private:
   void learnHeights();
   /// Sets the heights now, and again after Qt has laid out the panels.
   void keepHeights();
-  void giveHeights();
+  void applyPanelHeights();
   int heightOf(const QDockWidget& dock) const;
   void setFullScreen(bool full);
   void watchWindow(const QEvent& event);

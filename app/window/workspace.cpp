@@ -25,7 +25,7 @@ Workspace::Workspace(plugin::Registry registry, QObject* parent)
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
-      bend_(document_, live_, registry_, jobs_), selection_(document_) {
+      warp_(document_, live_, registry_, jobs_), selection_(document_) {
   // Its offer would undo another step.
   stepsFollowed_ = undo_.onChange([this] {
     if (!told_.isEmpty() && undo_.position() != toldAt_)

@@ -7,9 +7,9 @@
 #include "viscera/document/document.h"
 #include "viscera/document/selection.h"
 #include "viscera/document/undo_stack.h"
-#include "viscera/live/live_bend.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
+#include "viscera/live/live_warp.h"
 #include "viscera/plugin/registry.h"
 #include "window/widgets/message_bar.h"
 
@@ -32,7 +32,7 @@ public:
   live::LiveBinding& live() { return live_; }
   live::LiveStress& stress() { return stress_; }
   /// Deforms the scan by the present pose; shared by the slices, the 3D view and the status line.
-  live::LiveBend& bend() { return bend_; }
+  live::LiveWarp& warp() { return warp_; }
   const plugin::Registry& registry() const { return registry_; }
 
   [[nodiscard]] Subscription onChange(std::function<void(const document::Change&)> observer) {
@@ -106,7 +106,7 @@ private:
   JobQueue jobs_;
   live::LiveBinding live_;
   live::LiveStress stress_;
-  live::LiveBend bend_;
+  live::LiveWarp warp_;
   document::Selection selection_;
   QString told_;               ///< What was said of the last step; empty when another one is the last.
   std::size_t toldAt_ = 0;     ///< The steps that were done with it.

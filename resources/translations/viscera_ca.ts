@@ -589,7 +589,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
-    <name>viscera::app::BentExport</name>
+    <name>viscera::app::WarpExport</name>
     <message>
         <source>Export the &amp;warped scan...</source>
         <translation>Exporta l’exploració de&amp;formada...</translation>

@@ -589,7 +589,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
-    <name>viscera::app::BentExport</name>
+    <name>viscera::app::WarpExport</name>
     <message>
         <source>Export the &amp;warped scan...</source>
         <translation>Verformten S&amp;can exportieren...</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>viscera::app::BentExport</name>
+    <name>viscera::app::WarpExport</name>
     <message numerus="yes">
         <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
         <translation>

@@ -589,7 +589,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
-    <name>viscera::app::BentExport</name>
+    <name>viscera::app::WarpExport</name>
     <message>
         <source>Export the &amp;warped scan...</source>
         <translation>&amp;Exportar el estudio deformado...</translation>

@@ -589,7 +589,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
 </context>
 <context>
-    <name>viscera::app::BentExport</name>
+    <name>viscera::app::WarpExport</name>
     <message>
         <source>Export the &amp;warped scan...</source>
         <translation>Exporter l’&amp;examen déformé...</translation>

@@ -112,7 +112,7 @@ void bindTheSpaceBetweenHandles(benchmark::State& state) {
 }
 
 /// What a drag does for each slice that is shown: the pose, and 512 x 512 places at rest.
-void bentSlice(benchmark::State& state) {
+void warpedSlice(benchmark::State& state) {
   const DraggedRig first(20), second(25);
   Progress progress;
   deformation::InverseMap map(coordinates::SCelestial(), first.handles, first.pose, {}, {}, progress);
@@ -147,7 +147,7 @@ BENCHMARK(bytesOfDicom)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(openDicom)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bindTheSpaceBetweenHandles)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(poseOfTheSpace)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(bentSlice)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(warpedSlice)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
 } // namespace viscera

@@ -20,8 +20,8 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/run_window.h"
+#include "window/session/exit_handler.h"
 #include "window/session/session_files.h"
-#include "window/session/unasked_exit.h"
 
 namespace viscera::tests {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(DisplayGone, DISABLED_TheProgramThatLosesIt) {
   const char* const server = std::getenv(kServerVariable);
   ASSERT_TRUE(folder && server);
   sessions().startAutosave(folder); // Its first file would come in a minute.
-  const app::UnaskedExit unasked([this] { app::keepWithoutDisplay(sessions()); });
+  const app::ExitHandler unasked([this] { app::keepWithoutDisplay(sessions()); });
   open(sphereFile());
   Points pose = document().pose();
   pose(0, 0) += kMovedMm;
@@ -113,7 +113,7 @@ TEST_F(DisplayGone, EndsWithASentenceAndKeepsTheWork) {
                                "--gtest_filter=DisplayGone.DISABLED_TheProgramThatLosesIt"},
                               options);
   }
-  EXPECT_EQ(result.exitCode, app::UnaskedExit::kExitCode) << result.out << result.err;
+  EXPECT_EQ(result.exitCode, app::ExitHandler::kExitCode) << result.out << result.err;
   EXPECT_NE(result.err.find("viscera: the display has gone; unsaved work is kept"), std::string::npos)
       << result.err;
   sessions().startAutosave(folder.toStdString());

@@ -281,7 +281,7 @@ TEST(WindowLanguage, IsTheChosenOneElseTheSystemsElseEnglish) {
 
 TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
   const auto voxels = [](int n) {
-    return QCoreApplication::translate("viscera::app::BentExport",
+    return QCoreApplication::translate("viscera::app::WarpExport",
                                        "The pose folds the tissue at %n voxels: their values are estimates.",
                                        nullptr, n);
   };

@@ -16,9 +16,9 @@
 #include "viscera/medical_io/image_file.h"
 #include "window/import/import_controller.h"
 #include "window/session/session_files.h"
-#include "window/slices/bent_export.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
+#include "window/slices/warp_export.h"
 #include "window/view/picture.h"
 
 namespace viscera::tests {
@@ -96,7 +96,7 @@ protected:
     return std::abs(top.y() - bottom.y()) / double(std::min(view().height(), view().width()));
   }
   bool bent() {
-    return waitUntil([this] { return window().workspace().bend().map() != nullptr; });
+    return waitUntil([this] { return window().workspace().warp().map() != nullptr; });
   }
 };
 
@@ -144,7 +144,7 @@ TEST_F(PatientTest, TheBentScanIsExportedWithItsLabels) {
   shift(Vec3(0, 0, 30));
   settle();
   const QString file = path(QStringLiteral("bent.nrrd"));
-  window().findChild<app::BentExport*>()->exportScan(file);
+  window().findChild<app::WarpExport*>()->exportScan(file);
   settle();
   EXPECT_TRUE(message().contains(QStringLiteral("bent.seg.nrrd"))) << message().toStdString();
   Progress progress;
@@ -163,7 +163,7 @@ TEST_F(PatientTest, AnExportThatIsCancelledLeavesNothing) {
   openBoth();
   shift(Vec3(0, 0, 30));
   const QString file = path(QStringLiteral("bent.nii.gz"));
-  window().findChild<app::BentExport*>()->exportScan(file);
+  window().findChild<app::WarpExport*>()->exportScan(file);
   window().workspace().jobs().cancelAll();
   settle();
   EXPECT_FALSE(QFileInfo::exists(file));

@@ -35,7 +35,7 @@ double patient(const Vec3& p) {
 
 struct SlicedPatient : tests::BoundSession {
   ViewState view;
-  live::LiveBend bend{
+  live::LiveWarp warp{
       document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
 
   SlicedPatient() {
@@ -44,14 +44,14 @@ struct SlicedPatient : tests::BoundSession {
     view.scan.focus = Vec3(4, -6, 12);
   }
   vtkSmartPointer<vtkImageData> picture(int direction) {
-    std::optional<Bending> bending;
-    if (view.scan.bent) {
-      bend.setWanted(true);
-      box.runUntil([this] { return bend.map() != nullptr; });
-      bending = bendingOf(bend);
+    std::optional<Warping> warping;
+    if (view.scan.warped) {
+      warp.setWanted(true);
+      box.runUntil([this] { return warp.map() != nullptr; });
+      warping = warpingOf(warp);
     }
     SlicePresenter slices;
-    slices.update({document.state(), live, view, bending ? &*bending : nullptr}, {{direction, 420, 320}});
+    slices.update({document.state(), live, view, warping ? &*warping : nullptr}, {{direction, 420, 320}});
     scene::SurfacelessWindow window(420, 320);
     scene::SliceView drawn;
     drawn.setWindow(window.window());
@@ -72,14 +72,14 @@ TEST(SlicePicture, IsWhatARadiologistExpectsOfEachDirection) {
 TEST(SlicePicture, BendsWithThePoseUnderTheContours) {
   SlicedPatient patient;
   patient.undo.perform(document::moveHandles({patient.handle(8)}, tests::row(16, -4, 62)));
-  patient.view.scan.bent = true;
+  patient.view.scan.warped = true;
   expectLooksLikeReference(patient.picture(1), "slice_bent");
 }
 
 TEST(SlicePicture, IsHatchedWhereThePoseFoldsTheTissue) {
   SlicedPatient patient;
   patient.undo.perform(document::moveHandles({patient.handle(8)}, tests::row(0, 0, -70)));
-  patient.view.scan.bent = true;
+  patient.view.scan.warped = true;
   expectLooksLikeReference(patient.picture(1), "slice_folded");
 }
 

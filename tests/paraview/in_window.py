@@ -32,9 +32,9 @@ class Drag:
         ball = simple.Clean(Input=simple.Sphere(Radius=40, ThetaResolution=60, PhiResolution=60))
         self.rest = VisceraHandles(registrationName="At rest")  # noqa: F821
         self.posed = VisceraHandles(registrationName="Posed")  # noqa: F821
-        self.bent = VisceraDeform(Input=ball, RestHandles=self.rest, PosedHandles=self.posed)  # noqa: F821
+        self.warped = VisceraDeform(Input=ball, RestHandles=self.rest, PosedHandles=self.posed)  # noqa: F821
         self.view = simple.GetActiveViewOrCreate("RenderView")
-        simple.Show(self.bent, self.view)
+        simple.Show(self.warped, self.view)
         self.view.CameraPosition = [150.0, 250.0, 120.0]
         self.view.CameraFocalPoint = [0.0, 0.0, 0.0]
         self.view.CameraViewUp = [0.0, 0.0, 1.0]
@@ -61,9 +61,9 @@ class Drag:
         self.wait()
 
     def volume(self):
-        self.bent.UpdatePipeline()
-        self.bent.UpdatePropertyInformation()
-        return self.bent.SMProxy.GetProperty("Volume").GetElement(0)
+        self.warped.UpdatePipeline()
+        self.warped.UpdatePropertyInformation()
+        return self.warped.SMProxy.GetProperty("Volume").GetElement(0)
 
     def handles(self):
         numbers = list(self.posed.Points)

@@ -9,18 +9,18 @@
 #include "cli/scan_input.h"
 #include "cli/system_options.h"
 #include "viscera/deformation/inverse_map.h"
-#include "viscera/medical_io/bent_image.h"
 #include "viscera/medical_io/image_file.h"
+#include "viscera/medical_io/warped_image.h"
 
 namespace viscera::app::cli {
 namespace {
 
 /// The warped image, before it is reported.
-struct Bent {
+struct Warped {
   std::string kind;
   std::array<int, 3> size = {};
   Vec3 spacing = Vec3::Ones();
-  medical_io::BendReport report;
+  medical_io::WarpReport report;
 };
 
 /// `viscera warp`: warps a scan or a label map by a pose of the handles.
@@ -51,64 +51,65 @@ public:
     const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
     const Points pose = poseInput(pose_, rig, outcome.warnings);
     const auto mapFor = [&](const Vec3& spacing) {
-      return deformation::InverseMap(*system, rig.handles, pose, options, medical_io::bendOptions(spacing),
+      return deformation::InverseMap(*system, rig.handles, pose, options, medical_io::warpOptions(spacing),
                                      context.progress);
     };
     const bool labels =
         medical_io::imageContents(scan_.file(), context.progress) == medical_io::ImageContents::labels;
-    Bent bent;
+    Warped warped;
     if (labels)
-      bendLabels(bent, mapFor, *system, outcome.warnings, context.progress);
+      warpLabels(warped, mapFor, *system, outcome.warnings, context.progress);
     else
-      bendScan(bent, mapFor, *system, outcome.warnings, context.progress);
-    report(bent, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), outcome);
+      warpScan(warped, mapFor, *system, outcome.warnings, context.progress);
+    report(warped, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), outcome);
     return outcome;
   }
 
 private:
   template <class MapFor>
-  void bendScan(Bent& bent, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
+  void warpScan(Warped& warped, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
                 std::vector<std::string>& warnings, Progress& progress) const {
     const medical_io::Scan scan = scan_.read(progress);
     appendFindings(warnings, scan);
-    bent = {"scan", scan.size, scan.spacing(), {}};
-    const deformation::InverseMap map = mapFor(bent.spacing);
-    medical_io::writeScan(output_, medical_io::bentScan(scan, {map, system}, bent.report, progress));
+    warped = {"scan", scan.size, scan.spacing(), {}};
+    const deformation::InverseMap map = mapFor(warped.spacing);
+    medical_io::writeScan(output_, medical_io::warpedScan(scan, {map, system}, warped.report, progress));
   }
 
   template <class MapFor>
-  void bendLabels(Bent& bent, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
+  void warpLabels(Warped& warped, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
                   std::vector<std::string>& warnings, Progress& progress) const {
     const medical_io::LabelMap labels = medical_io::readLabelMap(scan_.file(), progress);
-    bent = {"label map", labels.size, labels.spacing(), {}};
-    const deformation::InverseMap map = mapFor(bent.spacing);
-    const medical_io::LabelMap moved = medical_io::bentLabelMap(labels, {map, system}, bent.report, progress);
+    warped = {"label map", labels.size, labels.spacing(), {}};
+    const deformation::InverseMap map = mapFor(warped.spacing);
+    const medical_io::LabelMap moved =
+        medical_io::warpedLabelMap(labels, {map, system}, warped.report, progress);
     warnings.insert(warnings.end(), moved.warnings.begin(), moved.warnings.end());
     medical_io::writeLabelMap(output_, moved);
   }
 
-  void report(const Bent& bent, double seconds, Outcome& outcome) const {
-    const double errorVoxel = bent.report.largestErrorMm / bent.spacing.minCoeff();
-    const auto voxels = static_cast<std::size_t>(bent.size[0]) * static_cast<std::size_t>(bent.size[1]) *
-                        static_cast<std::size_t>(bent.size[2]);
-    if (bent.report.folded > 0)
-      outcome.warnings.push_back("The pose folds the tissue at " + std::to_string(bent.report.folded) +
+  void report(const Warped& warped, double seconds, Outcome& outcome) const {
+    const double errorVoxel = warped.report.largestErrorMm / warped.spacing.minCoeff();
+    const auto voxels = static_cast<std::size_t>(warped.size[0]) * static_cast<std::size_t>(warped.size[1]) *
+                        static_cast<std::size_t>(warped.size[2]);
+    if (warped.report.folded > 0)
+      outcome.warnings.push_back("The pose folds the tissue at " + std::to_string(warped.report.folded) +
                                  " voxels: what they show is an estimate");
     outcome.json = {{"file", output_},
-                    {"kind", bent.kind},
-                    {"size", bent.size},
-                    {"moved", bent.report.moved},
+                    {"kind", warped.kind},
+                    {"size", warped.size},
+                    {"moved", warped.report.moved},
                     {"largestErrorVoxel", errorVoxel},
-                    {"folded", bent.report.folded},
+                    {"folded", warped.report.folded},
                     {"seconds", seconds},
                     {"warnings", outcome.warnings}};
     outcome.text =
         Listing()
             .add("file", output_)
-            .add("kind", bent.kind)
-            .add("moved", std::to_string(bent.report.moved) + " of " + std::to_string(voxels) + " voxels")
+            .add("kind", warped.kind)
+            .add("moved", std::to_string(warped.report.moved) + " of " + std::to_string(voxels) + " voxels")
             .add("largest error", significant(errorVoxel, 2) + " voxels")
-            .add("folded", std::to_string(bent.report.folded))
+            .add("folded", std::to_string(warped.report.folded))
             .add("time", fixed(seconds, 1) + " s")
             .text();
   }

@@ -84,7 +84,7 @@ bool CirculationModel::isPlayed() const {
 
 void CirculationModel::clear() {
   rests_.stop();
-  giveTextbookBack();
+  restoreTextbookBeat();
   if (!solved_ && !present_ && !kept_ && failureReason_.isEmpty())
     return;
   solved_ = present_ = kept_ = refused_ = nullptr;
@@ -276,7 +276,7 @@ void CirculationModel::take(JobResult<Followed> result, const Following& asked) 
   scheduleSolve();
 }
 
-void CirculationModel::giveTextbookBack() {
+void CirculationModel::restoreTextbookBeat() {
   const auto motion = heartMotion();
   if (!motion || !followsOne(*motion))
     return;

@@ -106,7 +106,7 @@ private:
   void take(JobResult<Followed> result, const Following& asked);
   SolvedPointer wantedPresent() const;
   void syncPresent();
-  void giveTextbookBack();
+  void restoreTextbookBeat();
   std::optional<Playback::Motion> heartMotion() const;
 
   Workspace& workspace_;

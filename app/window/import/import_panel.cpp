@@ -174,7 +174,7 @@ void ImportPanel::addCommon(const document::ImportDraft& draft) {
   for (const document::SharedFinding& shared : shared_)
     lines.emplace_back(medical_io::Finding{shared.severity, sharedText(shared, draft).toStdString(),
                                            shared.repairs, shared.subject},
-                       shared.mends);
+                       shared.repairable);
   if (lines.empty())
     return;
   auto* frame = new QFrame(organs_);
@@ -183,11 +183,12 @@ void ImportPanel::addCommon(const document::ImportDraft& draft) {
   auto* heading = new QLabel(tr("All organs together"), frame);
   embolden(heading);
   column->addWidget(heading);
-  for (const auto& [finding, mends] : lines) {
+  for (const auto& [finding, repairable] : lines) {
     auto* line = new FindingLine(finding, frame);
     column->addWidget(line);
-    connect(line, &FindingLine::repairRequested, this,
-            [this, organs = mends](const QString& id) { Q_EMIT repairRequested(organs, id.toStdString()); });
+    connect(line, &FindingLine::repairRequested, this, [this, organs = repairable](const QString& id) {
+      Q_EMIT repairRequested(organs, id.toStdString());
+    });
   }
   column_->addWidget(frame);
 }

@@ -42,7 +42,7 @@ void ModeController::choose(const std::string& id) {
   if (row == present_)
     return;
   if (parts_.handles.cancelDrag())
-    Q_EMIT dragTakenBack();
+    Q_EMIT dragUndone();
   modes_[present_]->leave();
   begin(row);
 }

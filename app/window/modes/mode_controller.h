@@ -57,7 +57,7 @@ public:
 
 Q_SIGNALS:
   /// A mode was chosen during a drag, which was therefore cancelled.
-  void dragTakenBack();
+  void dragUndone();
   /// Another mode is on.
   void changed();
   /// The present mode has another hint.

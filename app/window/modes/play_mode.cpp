@@ -60,7 +60,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
       measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
   parts.volumes.setMeasured(*measured_);
-  connect(recorder_.get(), &MovieRecorder::finished, this, &PlayMode::sayRecorded);
+  connect(recorder_.get(), &MovieRecorder::finished, this, &PlayMode::reportMovieWritten);
   makeLookActions(actions);
   makeMotionActions(actions);
   makeComparisonActions(actions);
@@ -414,7 +414,7 @@ bool PlayMode::record(const MoviePlan& plan) {
   return begun;
 }
 
-void PlayMode::sayRecorded(bool complete, const MoviePlan& plan) {
+void PlayMode::reportMovieWritten(bool complete, const MoviePlan& plan) {
   if (complete)
     parts_.workspace.noteWritten(tr("Recorded as %1").arg(plan.file), plan.file);
 }

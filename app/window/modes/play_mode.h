@@ -79,7 +79,7 @@ private:
   void slower();
   void addKey();
   void retractKey();
-  void sayRecorded(bool complete, const MoviePlan& plan);
+  void reportMovieWritten(bool complete, const MoviePlan& plan);
 
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<MovieRecorder> recorder_;

@@ -288,12 +288,12 @@ void OrganPanel::rebuild() {
   if (!rowsStay || list_->selectedItems().isEmpty())
     syncSelection();
   syncOpacity();
-  giveNamesRoom();
+  fitNameColumn();
 }
 
 /// Hides numbers if names would be cut: a wider panel has room for both, and tooltips and the status bar show
 /// the numbers too.
-void OrganPanel::giveNamesRoom() {
+void OrganPanel::fitNameColumn() {
   widestVolume_ = 0;
   leaveNumbersOut();
 }
@@ -325,7 +325,7 @@ void OrganPanel::leaveNumbersOut() {
 /// Also where a list that was hidden gets its place, or a scroll bar.
 bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize)
-    QMetaObject::invokeMethod(this, &OrganPanel::giveNamesRoom, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &OrganPanel::fitNameColumn, Qt::QueuedConnection);
   return QWidget::eventFilter(watched, event);
 }
 

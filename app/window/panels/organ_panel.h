@@ -60,7 +60,7 @@ private:
   void updateVolumes();
   void syncSelection();
   void syncOpacity();
-  void giveNamesRoom();
+  void fitNameColumn();
   void leaveNumbersOut();
   void remove(const std::vector<document::OrganId>& organs);
   void onClicked(QTreeWidgetItem* item, int column);

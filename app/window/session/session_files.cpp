@@ -363,7 +363,7 @@ void SessionFiles::recover() {
   });
 }
 
-bool SessionFiles::keepNow() {
+bool SessionFiles::writeRecoveryFile() {
   if (!autosave_ || !modified())
     return false;
   autosave_->writeNow(recoveryContents());

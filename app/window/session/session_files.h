@@ -70,7 +70,7 @@ public:
   /// Called when the program ends unexpectedly: writes unsaved work to the recovery file and waits until that
   /// is done. Returns false if there is no unsaved work, or no recovery file. Throws when it cannot be
   /// written.
-  bool keepNow();
+  bool writeRecoveryFile();
   /// Called when the program ends and all changes are saved or discarded.
   void endCleanly();
 

@@ -46,14 +46,14 @@ void PatientOffer::look() {
   seenOrgans_ = state.organs;
   seenScan_ = state.scan;
   if (state.scan && !state.scan->file.empty() && misses(ImageContents::labels))
-    return lookBeside(state.scan->file, ImageContents::labels);
+    return searchFolder(state.scan->file, ImageContents::labels);
   const auto organ = std::find_if(state.organs->begin(), state.organs->end(),
                                   [](const auto& one) { return cameFromLabels(*one); });
   if (organ != state.organs->end() && misses(ImageContents::values))
-    lookBeside((*organ)->file, ImageContents::values);
+    searchFolder((*organ)->file, ImageContents::values);
 }
 
-void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents wanted) {
+void PatientOffer::searchFolder(const std::filesystem::path& image, ImageContents wanted) {
   if (!asked_.insert(image).second)
     return;
   // Errors are not shown: nothing is offered then.

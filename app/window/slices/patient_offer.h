@@ -29,7 +29,7 @@ public:
 
 private:
   void look();
-  void lookBeside(const std::filesystem::path& image, medical_io::ImageContents wanted);
+  void searchFolder(const std::filesystem::path& image, medical_io::ImageContents wanted);
   void offer(const std::filesystem::path& image, const std::filesystem::path& found,
              medical_io::ImageContents contents);
   bool misses(medical_io::ImageContents wanted) const;

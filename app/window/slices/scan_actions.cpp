@@ -185,7 +185,7 @@ void ScanActions::makeSwitches(Actions& actions) {
       {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
       {"scan.bent",
        {tr("&Warp the scan"), "deform", {}, tr("Show the scan as the pose warps it")},
-       &ScanLook::bent},
+       &ScanLook::warped},
       {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
       {"scan.maximum",
        {tr("Ma&ximum of thick slices"),
@@ -267,7 +267,7 @@ void ScanActions::opened() {
     view.scan = {};
     view.scan.layout = before.layout == "3d" ? "four" : before.layout;
     view.scan.standing = before.standing;
-    view.scan.bent = before.bent;
+    view.scan.warped = before.warped;
   });
   Q_EMIT layoutChosen();
   std::vector<std::string> odd;
@@ -275,14 +275,14 @@ void ScanActions::opened() {
     odd.push_back(finding.sentence);
   for (const std::string& sentence : document::scanFit(workspace_.state()))
     odd.push_back(sentence);
-  sayOdd(odd);
+  reportScanFindings(odd);
 }
 
-void ScanActions::sayFit() {
-  sayOdd(document::scanFit(workspace_.state()));
+void ScanActions::reportScanFit() {
+  reportScanFindings(document::scanFit(workspace_.state()));
 }
 
-void ScanActions::sayOdd(const std::vector<std::string>& sentences) {
+void ScanActions::reportScanFindings(const std::vector<std::string>& sentences) {
   if (sentences.empty())
     return;
   QStringList lines;

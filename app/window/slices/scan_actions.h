@@ -36,7 +36,7 @@ public:
   /// Shows all of a scan that was just added to the document, and a message about its findings.
   void opened();
   /// Shows a message about organs, just added, that do not fit the scan.
-  void sayFit();
+  void reportScanFit();
 
 Q_SIGNALS:
   /// The user has chosen another layout, or opening a scan has changed it.
@@ -49,7 +49,7 @@ private:
   void chooseAndOpen(bool folder);
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
-  void sayOdd(const std::vector<std::string>& sentences);
+  void reportScanFindings(const std::vector<std::string>& sentences);
   /// Adds a checkable action that is checked while the view has that choice.
   void addChoice(Actions& actions, const char* id, const Actions::Description& description,
                  std::function<bool(const presentation::ScanLook&)> chosen,

@@ -47,10 +47,10 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
     if (!event.more)
       refresh();
   }));
-  subscriptions_.push_back(workspace.bend().onChange([this] { followBend(); }));
+  subscriptions_.push_back(workspace.warp().onChange([this] { followWarp(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
-    workspace_.bend().setWanted(model_.state().scan.bent);
+    workspace_.warp().setWanted(model_.state().scan.warped);
     arrange();
     refresh();
   });
@@ -151,12 +151,12 @@ void SlicePanes::refresh() {
   if (shown.empty())
     return;
   workspace_.guarded([&] {
-    std::optional<presentation::Bending> bending;
-    if (model_.state().scan.bent)
-      bending = presentation::bendingOf(workspace_.bend());
+    std::optional<presentation::Warping> warping;
+    if (model_.state().scan.warped)
+      warping = presentation::warpingOf(workspace_.warp());
     const ViewState view = picture_.state(); // With what is selected.
     presentation::SliceScene scene{workspace_.state(), workspace_.live(), view};
-    scene.bending = bending ? &*bending : nullptr;
+    scene.warping = warping ? &*warping : nullptr;
     scene.measuring = &measuring_;
     scene.activeHandle = picture_.view().handles()->GetActiveHandle();
     presenter_.update(scene, shown);
@@ -167,8 +167,8 @@ void SlicePanes::refresh() {
   });
 }
 
-void SlicePanes::followBend() {
-  if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
+void SlicePanes::followWarp() {
+  if (const std::string& problem = workspace_.warp().problem(); !problem.empty())
     workspace_.note(tr("The scan cannot be warped: %1").arg(messageInWords(problem)));
   refresh();
 }

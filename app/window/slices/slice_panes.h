@@ -54,7 +54,7 @@ private:
   void connectGrips(int direction);
   void hover(int direction, const std::optional<Eigen::Vector2d>& pixel);
   void arrange();
-  void followBend();
+  void followWarp();
   void moveCross(int direction, const Eigen::Vector2d& pixel);
   void dragWindow(const QPointF& by);
   void pan(int direction, const QPointF& by);

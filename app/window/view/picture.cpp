@@ -56,9 +56,9 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
-  subscriptions_.push_back(workspace.bend().onChange([this] { refresh(); }));
+  subscriptions_.push_back(workspace.warp().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
-    if (looksOtherwise())
+    if (differsFromDocument())
       refresh();
   });
   connect(&view, &ViewWidget::themeChanged, this, &Picture::refresh);
@@ -67,7 +67,7 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
 
 /// Whether the view's state requires another picture than the last one. Changes of the slices beside the view
 /// do not, so that moving them is quick.
-bool Picture::looksOtherwise() const {
+bool Picture::differsFromDocument() const {
   if (!drawn_)
     return true;
   presentation::ViewState now = model_.state();
@@ -145,7 +145,7 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
 
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.bent);
+  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
 void Picture::refresh() {
@@ -155,14 +155,14 @@ void Picture::refresh() {
     if (transientAlone_)
       hide(shown, view);
     const live::StressFrame stress = workspace_.stress().frame();
-    std::optional<presentation::Bending> bending;
-    if (view.scan.standing && view.scan.bent)
-      bending = presentation::bendingOf(workspace_.bend());
+    std::optional<presentation::Warping> warping;
+    if (view.scan.standing && view.scan.warped)
+      warping = presentation::warpingOf(workspace_.warp());
     std::vector<presentation::TransientSurface> transient = transient_;
     transient.insert(transient.end(), measured_.begin(), measured_.end());
     presenter_.update(
         {shown, workspace_.live(), view, workspace_.registry(), &stress, map_ ? &*map_ : nullptr, &measuring_,
-         &transient, namedParts_ ? &*namedParts_ : nullptr, bending ? &*bending : nullptr,
+         &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
          valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_, pointedOrgan_});
   });
   drawn_ = model_.state();

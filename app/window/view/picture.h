@@ -55,7 +55,7 @@ public:
   /// A function that returns the valves of the beating heart, called whenever the picture is drawn.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
-  /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, bent
+  /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, warped
   /// slices.
   bool hasMoreThanMovies() const;
   /// Sets the organ under the mouse, whose handles are highlighted; none: no handles are.
@@ -72,7 +72,7 @@ Q_SIGNALS:
   void changed();
 
 private:
-  bool looksOtherwise() const;
+  bool differsFromDocument() const;
 
   Workspace& workspace_;
   ViewModel& model_;

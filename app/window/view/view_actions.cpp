@@ -135,10 +135,10 @@ void ViewActions::focus() {
   view.frame(selected ? selected->bounds() : view.bounds());
   parts_.area.view()->scheduleRender();
   if (organ)
-    offerAlone(*organ);
+    offerIsolate(*organ);
 }
 
-void ViewActions::offerAlone(const document::Organ& organ) {
+void ViewActions::offerIsolate(const document::Organ& organ) {
   const auto actor = parts_.picture.actorOf(organ.id);
   const scene::OrganActor* cover = actor ? parts_.picture.view().coverOf(*actor) : nullptr;
   const auto other = parts_.workspace.document().organ(parts_.picture.organOf(cover));

@@ -41,7 +41,7 @@ private:
   void makeShading(Actions& actions);
   void makeMeshLook(Actions& actions);
   void saveScreenshot();
-  void offerAlone(const document::Organ& organ);
+  void offerIsolate(const document::Organ& organ);
 
   Parts parts_;
   std::unique_ptr<scene::DepthShading> shading_; ///< The first view's.

@@ -186,7 +186,7 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT menuWanted(event->localPos());
 }
 
-bool ViewWidget::clicksAreTaken() const {
+bool ViewWidget::hasClickHandler() const {
   return std::any_of(clickTakers_.begin(), clickTakers_.end(), [](const auto& takes) { return takes(); });
 }
 
@@ -194,7 +194,7 @@ bool ViewWidget::clicksAreTaken() const {
 /// `addClickTaker` returns true, a double click is handled as a second press, also by the event filters of
 /// this widget.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && !orientationSideAt(event->localPos()) && !clicksAreTaken()) {
+  if (event->button() == Qt::LeftButton && !orientationSideAt(event->localPos()) && !hasClickHandler()) {
     QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
     Q_EMIT doubleClicked(event->localPos());
     return;

@@ -39,7 +39,7 @@ public:
   /// used.
   void addClickTaker(std::function<bool()> takesClicks) { clickTakers_.push_back(std::move(takesClicks)); }
   /// Whether one of these functions returns true.
-  bool clicksAreTaken() const;
+  bool hasClickHandler() const;
 
   /// How long the last frame took to draw, s.
   double frameSeconds() const { return frameSeconds_; }

@@ -34,15 +34,15 @@ void forTiles(Eigen::Index begin, Eigen::Index end, Rows& points, const Body& bo
 } // namespace
 
 TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles)
-    : points_(points), handles_(handles), data_(allocateZeroed(doublesTaken())) {}
+    : points_(points), handles_(handles), data_(allocateZeroed(storedDoubles())) {}
 
 TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles, std::size_t mostBytes)
     : points_(points), handles_(handles), single_(bytesInDoubles(points, handles) > mostBytes),
-      data_(allocateZeroed(doublesTaken())) {}
+      data_(allocateZeroed(storedDoubles())) {}
 
 TiledWeights::TiledWeights(const TiledWeights& other)
     : points_(other.points_), handles_(other.handles_), single_(other.single_),
-      data_(allocateZeroed(doublesTaken())) {
+      data_(allocateZeroed(storedDoubles())) {
   std::memcpy(data_.get(), other.data_.get(), bytes());
 }
 

@@ -87,7 +87,7 @@ SharedFinding sharedBy(FindingSubject subject, const std::vector<FoundIn>& where
     shared.organs.push_back(one.organ);
   }
   shared.repairs = commonRepairs(where);
-  shared.mends = shared.organs;
+  shared.repairable = shared.organs;
   return shared;
 }
 
@@ -101,7 +101,7 @@ void unify(SharedFinding& size, const std::vector<FoundIn>& where, const ImportD
   if (2 * where.size() <= read.size() || unit.empty())
     return;
   size.repairs = std::move(unit);
-  size.mends = std::move(read);
+  size.repairable = std::move(read);
   size.ofThePatient = true;
 }
 

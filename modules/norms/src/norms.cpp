@@ -39,7 +39,7 @@ Range rangeOf(const Norm& norm, const Person& person) {
   if (norm.limits)
     return *norm.limits;
   if (!norm.knowsSex())
-    return around(*norm.everybody, norm.kind);
+    return around(*norm.bothSexes, norm.kind);
   const bool bySize = sized(norm, person);
   const Measured women = bySize ? timesSurface(*norm.womenPerM2, person.bodySurfaceM2) : *norm.women;
   const Measured men = bySize ? timesSurface(*norm.menPerM2, person.bodySurfaceM2) : *norm.men;

@@ -45,9 +45,9 @@ Norm bySex(const char* id, const char* subject, const char* quantity, const char
 }
 
 Norm ofEverybody(const char* id, const char* subject, const char* quantity, const char* unit,
-                 Measured everybody, const char* people, const char* source) {
+                 Measured bothSexes, const char* people, const char* source) {
   Norm norm{id, subject, quantity, unit, Kind::spread, people, source};
-  norm.everybody = everybody;
+  norm.bothSexes = bothSexes;
   return norm;
 }
 

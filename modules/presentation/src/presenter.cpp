@@ -265,7 +265,7 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, scene.view.organsSeen), scene.organs, scene.view,
                   scene.systems, scene.stress, scene.map, scene.measuring, scene.transient, scene.parts,
-                  scene.bending, scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+                  scene.warping, scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
 }
 
 void Presenter::Parts::update(const Scene& scene) {

@@ -42,11 +42,11 @@ struct SampledWith {
   double slabMm = 0;
   bool maximum = false;
   bool smooth = true;
-  std::optional<std::uint64_t> bent;
+  std::optional<std::uint64_t> warped;
 
   bool operator==(const SampledWith& other) const {
     return scan == other.scan && equal(frame, other.frame) && slabMm == other.slabMm &&
-           maximum == other.maximum && smooth == other.smooth && bent == other.bent;
+           maximum == other.maximum && smooth == other.smooth && warped == other.warped;
   }
 };
 
@@ -122,10 +122,10 @@ medical_io::ValueWindow SlicePresenter::Parts::windowFor(const SliceScene& scene
 
 void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
   const ScanLook& look = scene.view.scan;
-  const bool bent = look.bent && scene.bending;
+  const bool warped = look.warped && scene.warping;
   SampledWith with{scene.state.scan, slice.frame, look.slabMm, look.maximum, look.smooth, {}};
-  if (bent)
-    with.bent = scene.bending->revision;
+  if (warped)
+    with.warped = scene.warping->revision;
   if (with == slice.with)
     return;
   slice.with = with;
@@ -137,7 +137,7 @@ void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
   options.slabMm = look.slabMm;
   options.maximum = look.maximum;
   options.threads = threads;
-  slice.values.take(*scene.state.scan->scan, slice.frame, options, bent ? scene.bending : nullptr);
+  slice.values.take(*scene.state.scan->scan, slice.frame, options, warped ? scene.warping : nullptr);
 }
 
 void SlicePresenter::Parts::shade(Slice& slice, const SliceScene& scene) {
@@ -187,7 +187,7 @@ void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& di
       over.replace(at, 2, scene::withDecimalMark(formatted("%g", look.slabMm, 0), language.decimalMark));
     picture.note += "  " + over;
   }
-  if (slice.with.bent)
+  if (slice.with.warped)
     picture.note += "  " + language.translate("Warped");
   if (slice.values.anyFolded())
     picture.note += ", " + language.translate("folded where it is hatched");
@@ -306,13 +306,13 @@ Vec3 focusOf(const document::DocumentState& state, const ScanLook& look) {
   return look.focus ? *look.focus : boxOfSlices(state).center();
 }
 
-std::optional<Bending> bendingOf(live::LiveBend& bend) {
-  if (!bend.map())
+std::optional<Warping> warpingOf(live::LiveWarp& warp) {
+  if (!warp.map())
     return std::nullopt;
-  return Bending{[&bend](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
-                   bend.restPlane(plane, rest);
+  return Warping{[&warp](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+                   warp.restPlane(plane, rest);
                  },
-                 bend.revision()};
+                 warp.revision()};
 }
 
 double stepAlong(const document::DocumentState& state, int axis) {

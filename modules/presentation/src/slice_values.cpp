@@ -19,12 +19,12 @@ bool isFolded(deformation::RestState state) {
 } // namespace
 
 void SliceValues::take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
-                       const slices::SampleOptions& options, const Bending* bending) {
+                       const slices::SampleOptions& options, const Warping* warping) {
   rest_.states.clear();
-  if (bending)
-    bending->rest({frame.corner, frame.right, frame.up, frame.width, frame.height}, rest_);
+  if (warping)
+    warping->rest({frame.corner, frame.right, frame.up, frame.width, frame.height}, rest_);
   findHatched(static_cast<std::size_t>(frame.width));
-  slices::sampleSlice(scan, frame, options, values_, bending ? &rest_.points : nullptr);
+  slices::sampleSlice(scan, frame, options, values_, warping ? &rest_.points : nullptr);
 }
 
 void SliceValues::clear() {

@@ -7,10 +7,10 @@ namespace viscera::presentation {
 /// The values of a slice of the scan, at rest or deformed by a pose, and their grey levels.
 class SliceValues {
 public:
-  /// Samples the scan; with `bending`, which may be null, at the place where the tissue at each pixel was at
+  /// Samples the scan; with `warping`, which may be null, at the place where the tissue at each pixel was at
   /// rest.
   void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
-            const slices::SampleOptions& options, const Bending* bending);
+            const slices::SampleOptions& options, const Warping* warping);
   void clear();
   /// Places where the pose folds the tissue are hatched: what is between the lines is an estimate.
   void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
@@ -26,7 +26,7 @@ private:
   std::optional<std::size_t> indexOf(long x, long y) const;
 
   slices::ValueImage values_;
-  deformation::RestPoints rest_;      ///< Without states when nothing is bent.
+  deformation::RestPoints rest_;      ///< Without states when nothing is warped.
   std::vector<std::uint8_t> hatched_; ///< One a pixel; empty when none is.
 };
 

@@ -38,9 +38,9 @@ void StandingPicture::update(const Scene& scene) {
   Made made{scene.state.scan, look, {}};
   made.look.framings = {};
   made.look.layout.clear();
-  const bool bent = look.bent && scene.bending;
-  if (bent)
-    made.bent = scene.bending->revision;
+  const bool warped = look.warped && scene.warping;
+  if (warped)
+    made.warped = scene.warping->revision;
   if (made == made_)
     return;
   made_ = made;
@@ -56,7 +56,7 @@ void StandingPicture::update(const Scene& scene) {
   for (const slices::SliceDirection& direction : slices::sliceDirections()) {
     const slices::SliceFrame frame = wholeSlice(direction, scan, focus);
     SliceValues values;
-    values.take(scan, frame, options, bent ? scene.bending : nullptr);
+    values.take(scan, frame, options, warped ? scene.warping : nullptr);
     scene::StandingSlices::Slice slice;
     slice.corner = frame.at(-0.5, -0.5);
     slice.right = frame.width * frame.right;

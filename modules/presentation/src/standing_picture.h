@@ -21,7 +21,7 @@ private:
   struct Made {
     std::shared_ptr<const document::ScanItem> scan;
     ScanLook look;
-    std::optional<std::uint64_t> bent;
+    std::optional<std::uint64_t> warped;
     bool operator==(const Made&) const = default;
   };
 

@@ -206,7 +206,7 @@ void visitScan(ScanLook& look, Visit visit) {
   visit("contours", look.contours);
   visit("rest", look.rest);
   visit("standing", look.standing);
-  visit("bent", look.bent);
+  visit("bent", look.warped);
 }
 
 template <class Visit>

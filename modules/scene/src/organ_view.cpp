@@ -30,8 +30,8 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "camera_fitter.h"
 #include "orientation_cube.h"
-#include "sight_keeper.h"
 #include "standard_view.h"
 #include "text_guard.h"
 #include "view_furniture.h"
@@ -136,13 +136,13 @@ struct OrganView::Parts {
   char decimalMark = '.';
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
-  SightKeeper sight;
+  CameraFitter sight;
   BeforeRender beforeRender{[this] { prepareFrame(); }};
   vtkNew<vtkCallbackCommand> beforeWindow;
   unsigned long beforeWindowTag = 0;
 
   Bounds bounds() const;
-  SightKeeper::Shape room(const LegendRoom& taken) const;
+  CameraFitter::Shape room(const LegendRoom& taken) const;
   void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
@@ -157,7 +157,7 @@ struct OrganView::Parts {
 
 /// What the legend leaves to organs. It is about the middle of the view, where an organ stays while it is
 /// turned.
-SightKeeper::Shape OrganView::Parts::room(const LegendRoom& taken) const {
+CameraFitter::Shape OrganView::Parts::room(const LegendRoom& taken) const {
   const int* size = renderer->GetSize();
   if (size[0] <= 0 || size[1] <= 0)
     return {};
@@ -448,7 +448,7 @@ void OrganView::frame(const Bounds& bounds) {
   auto* renderer = parts_->renderer.Get();
   auto* camera = renderer->GetActiveCamera();
   const auto view = viewGeometry(renderer);
-  const SightKeeper::Shape room = parts_->room(parts_->legend.room());
+  const CameraFitter::Shape room = parts_->room(parts_->legend.room());
   const double aspect = room.width > 0 ? room.width / room.height : 1;
   const double tangent = room.height * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kFramingMargin);

@@ -103,10 +103,10 @@ TEST_F(ImportDrafts, WhatIsWrongWithSeveralOrgansAlikeIsSaidOnce) {
   EXPECT_EQ(shared[0].subject, medical_io::FindingSubject::facing);
   EXPECT_EQ(shared[0].severity, medical_io::FindingSeverity::fault);
   EXPECT_THAT(shared[0].organs, testing::ElementsAre(0, 1));
-  EXPECT_THAT(shared[0].mends, testing::ElementsAre(0, 1));
+  EXPECT_THAT(shared[0].repairable, testing::ElementsAre(0, 1));
   EXPECT_THAT(shared[0].repairs, testing::ElementsAre("orient"));
   EXPECT_TRUE(sharedFindings(withIncluded(two, {1}, false)).empty()) << "what is left out does not count";
-  EXPECT_TRUE(sharedFindings(repaired(two, shared[0].mends, "orient", progress_)).empty());
+  EXPECT_TRUE(sharedFindings(repaired(two, shared[0].repairable, "orient", progress_)).empty());
 }
 
 TEST_F(ImportDrafts, TheUnitOfLengthIsOneForAPatient) {
@@ -120,9 +120,9 @@ TEST_F(ImportDrafts, TheUnitOfLengthIsOneForAPatient) {
   ASSERT_FALSE(shared.empty());
   ASSERT_EQ(shared[0].subject, medical_io::FindingSubject::size);
   EXPECT_THAT(shared[0].repairs, testing::ElementsAre("unit-m"));
-  EXPECT_THAT(shared[0].mends, testing::ElementsAre(0, 1, 2)) << "every surface of the patient";
+  EXPECT_THAT(shared[0].repairable, testing::ElementsAre(0, 1, 2)) << "every surface of the patient";
   EXPECT_TRUE(shared[0].ofThePatient);
-  const ImportDraft mended = repaired(patient, shared[0].mends, "unit-m", progress_);
+  const ImportDraft mended = repaired(patient, shared[0].repairable, "unit-m", progress_);
   EXPECT_TRUE(sharedFindings(mended).empty());
   EXPECT_NEAR(mended.organs[2].assessment.sizeMm.x(), 900, 1);
 
@@ -140,7 +140,7 @@ TEST_F(ImportDrafts, TheUnitOfLengthIsOneForAPatient) {
                                    {"spleen.ply", spleen},
                                    {"b.ply", spleen},
                                    {"c.ply", spleen}});
-  EXPECT_THAT(sharedFindings(mixed).at(0).mends, testing::ElementsAre(0, 1))
+  EXPECT_THAT(sharedFindings(mixed).at(0).repairable, testing::ElementsAre(0, 1))
       << "where most are of the right size only the others are in doubt";
 }
 

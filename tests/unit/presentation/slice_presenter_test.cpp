@@ -124,7 +124,7 @@ TEST(SlicePresenter, ReadsValuePlaceAndInnermostOrgan) {
 }
 
 /// Rest is that much farther on than the pose; `folded` says where the tissue is folded.
-Bending shifted(const Vec3& by, std::uint64_t revision, bool folded = false) {
+Warping shifted(const Vec3& by, std::uint64_t revision, bool folded = false) {
   return {[=](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
             rest.points.resize(plane.columns * plane.rows, 3);
             rest.states.assign(std::size_t(rest.points.rows()), deformation::RestState::moved);
@@ -153,14 +153,14 @@ TEST(SlicePresenter, WritesDecimalsWithTheMarkOfTheLanguage) {
 
 TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
   ScannedBall ball;
-  ball.view.scan.bent = true;
-  Bending bending = shifted(Vec3(-20, 0, 0), 1);
-  const SliceScene scene{ball.document.state(), ball.live, ball.view, &bending};
+  ball.view.scan.warped = true;
+  Warping warping = shifted(Vec3(-20, 0, 0), 1);
+  const SliceScene scene{ball.document.state(), ball.live, ball.view, &warping};
   ball.slices.update(scene, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(45, 0, 5)), 150) << "what was at 25 mm is 20 mm farther on";
   EXPECT_LT(ball.greyAt(0, Vec3(-20, 0, 5)), 110);
   EXPECT_NE(ball.slices.picture(0).note.find("Bent"), std::string::npos);
-  bending = shifted(Vec3::Zero(), 2);
+  warping = shifted(Vec3::Zero(), 2);
   ball.slices.update(scene, {{0, 200, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(-20, 0, 5)), 150);
 }
@@ -168,9 +168,9 @@ TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
 TEST(SlicePresenter, HatchesWhereThePoseFoldsTheTissue) {
   ScannedBall ball;
   const auto plain = ball.slices.picture(0).grey;
-  ball.view.scan.bent = true;
-  const Bending bending = shifted(Vec3::Zero(), 1, true);
-  ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
+  ball.view.scan.warped = true;
+  const Warping warping = shifted(Vec3::Zero(), 1, true);
+  ball.slices.update({ball.document.state(), ball.live, ball.view, &warping}, {{0, 200, 160}});
   const scene::SlicePicture& picture = ball.slices.picture(0);
   std::size_t white = 0, black = 0, pixels = 0;
   for (std::size_t i = 0; i < picture.grey.size(); ++i) {
@@ -194,15 +194,15 @@ TEST(SlicePresenter, HatchesWhereThePoseFoldsTheTissue) {
 TEST(SlicePresenter, HatchesNoLineOfSinglePixels) {
   ScannedBall ball;
   const auto plain = ball.slices.picture(0).grey;
-  ball.view.scan.bent = true;
-  Bending bending = shifted(Vec3::Zero(), 1);
-  bending.rest = [whole = bending.rest](const deformation::SamplePlane& plane,
+  ball.view.scan.warped = true;
+  Warping warping = shifted(Vec3::Zero(), 1);
+  warping.rest = [whole = warping.rest](const deformation::SamplePlane& plane,
                                         deformation::RestPoints& rest) {
     whole(plane, rest);
     for (Eigen::Index column = 0; column < plane.columns; ++column)
       rest.states[std::size_t(80 * plane.columns + column)] = deformation::RestState::folded;
   };
-  ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
+  ball.slices.update({ball.document.state(), ball.live, ball.view, &warping}, {{0, 200, 160}});
   EXPECT_EQ(ball.slices.picture(0).grey, plain);
   EXPECT_EQ(ball.slices.picture(0).note.find("folded"), std::string::npos);
   EXPECT_TRUE(ball.slices.read(0, Eigen::Vector2d(60, 80)).folded) << "what is read there is an estimate";

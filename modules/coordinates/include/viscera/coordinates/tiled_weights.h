@@ -38,7 +38,7 @@ public:
 
   /// Whether the numbers are kept in single precision.
   bool single() const { return single_; }
-  std::size_t bytes() const { return doublesTaken() * sizeof(double); }
+  std::size_t bytes() const { return storedDoubles() * sizeof(double); }
   static std::size_t bytesInDoubles(Eigen::Index points, Eigen::Index handles) {
     return static_cast<std::size_t>((points + kTile - 1) / kTile * kTile * handles) * sizeof(double);
   }
@@ -111,7 +111,7 @@ private:
   double factorOf(const float* tile, Eigen::Index point) const {
     return 1.0 + static_cast<double>(tile[handles_ * kTile + point % kTile]);
   }
-  std::size_t doublesTaken() const {
+  std::size_t storedDoubles() const {
     const std::size_t rows = static_cast<std::size_t>(single_ ? handles_ + 1 : handles_);
     return static_cast<std::size_t>(tiles() * kTile) * rows / (single_ ? 2 : 1);
   }

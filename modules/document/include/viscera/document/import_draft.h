@@ -62,10 +62,10 @@ struct SharedFinding {
   medical_io::FindingSeverity severity = medical_io::FindingSeverity::doubt; ///< The worst.
   std::vector<std::size_t> organs;                                           ///< The organs with this
                                                                              ///< finding.
-  std::vector<std::string> repairs; ///< Those that help every one of them, best first.
-  std::vector<std::size_t> mends;   ///< The organs that a repair is for.
-  bool ofThePatient = false;        ///< The finding concerns the whole patient and is not shown for single
-                                    ///< organs.
+  std::vector<std::string> repairs;    ///< Those that help every one of them, best first.
+  std::vector<std::size_t> repairable; ///< The organs that a repair is for.
+  bool ofThePatient = false;           ///< The finding concerns the whole patient and is not shown for single
+                                       ///< organs.
 };
 
 /// The findings that two or more of the included organs share, the gravest and the most frequent first. The

@@ -61,7 +61,7 @@ struct Norm {
   std::string source; ///< "Petersen 2017, doi 10.1186/s12968-017-0327-9"
   std::optional<Measured> women = {};
   std::optional<Measured> men = {};
-  std::optional<Measured> everybody = {};  ///< If the source does not distinguish the sexes.
+  std::optional<Measured> bothSexes = {};  ///< If the source does not distinguish the sexes.
   std::optional<Measured> womenPerM2 = {}; ///< A square metre of body surface.
   std::optional<Measured> menPerM2 = {};
   std::optional<Range> limits = {}; ///< Of `Kind::limits`.

@@ -30,7 +30,7 @@ class vtkVisceraCutPlaneRepresentation;
 
 namespace viscera::presentation {
 
-struct Bending;
+struct Warping;
 
 /// Numbers that are shown as colours on the surfaces of organs, such as an influence.
 struct SurfaceMap {
@@ -70,7 +70,7 @@ struct Scene {
   const std::vector<TransientSurface>* transient = nullptr; ///< Shown beside the organs; null: none.
   /// The parts whose names are shown instead of those chosen in `view`; null: those of `view`.
   const std::vector<Part>* parts = nullptr;
-  const Bending* bending = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
+  const Warping* warping = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
   /// The valves of the beating heart at this instant; empty: none are known.
   std::optional<sequences::ValveInstants> valves = std::nullopt;
   /// Range of the stress map's colours, shared with another picture; empty: a range of its own.

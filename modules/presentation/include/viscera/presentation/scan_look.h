@@ -31,7 +31,7 @@ struct ScanLook {
   bool contours = true;      ///< The organs' outlines.
   bool rest = true;          ///< Thin contours of posed organs at rest, too.
   bool standing = false;     ///< The slices also stand in the 3D view.
-  bool bent = false;         ///< The scan is deformed by the pose.
+  bool warped = false;       ///< The scan is deformed by the pose.
   std::array<SliceFraming, 3> framings; ///< Of the directions in their order.
 
   bool operator==(const ScanLook&) const = default;

@@ -12,7 +12,7 @@
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
 #include "viscera/document/scan_item.h"
-#include "viscera/live/live_bend.h"
+#include "viscera/live/live_warp.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/measurement_glyphs.h"
@@ -22,15 +22,15 @@
 namespace viscera::presentation {
 
 /// The inverse deformation with which the scan is deformed on slices.
-struct Bending {
+struct Warping {
   /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
   std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
   std::uint64_t revision = 0; ///< A number that changes whenever `rest` returns other places.
 };
 
 /// The inverse deformation of the open document in the displayed pose; none at rest and while it is being
-/// bound. Valid until the pose changes; `bend` has to live as long.
-std::optional<Bending> bendingOf(live::LiveBend& bend);
+/// bound. Valid until the pose changes; `warp` has to live as long.
+std::optional<Warping> warpingOf(live::LiveWarp& warp);
 struct PendingMeasurement;
 
 /// The direction and the size in pixels of a slice to be drawn.
@@ -45,7 +45,7 @@ struct SliceScene {
   const document::DocumentState& state;
   const live::PosedOrgans& organs;
   const ViewState& view;
-  const Bending* bending = nullptr; ///< Used if the view deforms the scan by the pose; null: that is not
+  const Warping* warping = nullptr; ///< Used if the view deforms the scan by the pose; null: that is not
                                     ///< possible.
   const PendingMeasurement* measuring = nullptr; ///< The measurement under way (presenter.h).
   int activeHandle = -1;                         ///< The row of the handle under the mouse or being dragged.

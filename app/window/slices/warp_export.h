@@ -12,16 +12,16 @@ class Workspace;
 
 /// Exports the scan, and the label map that the organs came from, deformed by the present pose. Written by a
 /// worker, which can be cancelled.
-class BentExport final : public QObject {
+class WarpExport final : public QObject {
   Q_OBJECT
 
 public:
   /// All have to live longer.
-  BentExport(Workspace& workspace, Settings& settings, QWidget* window);
+  WarpExport(Workspace& workspace, Settings& settings, QWidget* window);
 
   /// Adds "export.scan".
   void addTo(Actions& actions);
-  /// Writes the scan (.nii, .nii.gz or .nrrd) and, where organs came from a label map, that one bent in the
+  /// Writes the scan (.nii, .nii.gz or .nrrd) and, where organs came from a label map, that one warped in the
   /// same way: "NAME.labels.nii.gz", "NAME.seg.nrrd".
   void exportScan(const QString& file);
 

@@ -1,4 +1,4 @@
-#include "window/session/unasked_exit.h"
+#include "window/session/exit_handler.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -30,12 +30,12 @@ void doLastThing() {
   } catch (...) { // The error cannot be reported any more.
   }
   std::fflush(nullptr);
-  std::_Exit(UnaskedExit::kExitCode);
+  std::_Exit(ExitHandler::kExitCode);
 }
 
 } // namespace
 
-UnaskedExit::UnaskedExit(std::function<void()> last) {
+ExitHandler::ExitHandler(std::function<void()> last) {
   LastThing& thing = lastThing();
   thing.work = std::move(last);
   thing.thread = std::this_thread::get_id();
@@ -43,7 +43,7 @@ UnaskedExit::UnaskedExit(std::function<void()> last) {
     thing.registered = std::atexit(doLastThing) == 0;
 }
 
-UnaskedExit::~UnaskedExit() {
+ExitHandler::~ExitHandler() {
   lastThing().work = {};
 }
 

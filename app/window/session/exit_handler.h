@@ -10,14 +10,14 @@ namespace viscera::app {
 ///
 /// While it lives, `exit` calls `last` (what that throws is dropped) and then ends the program at once with
 /// `kExitCode`, without the destructors of a window that has no display.
-class UnaskedExit {
+class ExitHandler {
 public:
   static constexpr int kExitCode = 69; ///< As without a display at the start (sysexits.h, EX_UNAVAILABLE).
 
-  explicit UnaskedExit(std::function<void()> last);
-  ~UnaskedExit();
-  UnaskedExit(const UnaskedExit&) = delete;
-  UnaskedExit& operator=(const UnaskedExit&) = delete;
+  explicit ExitHandler(std::function<void()> last);
+  ~ExitHandler();
+  ExitHandler(const ExitHandler&) = delete;
+  ExitHandler& operator=(const ExitHandler&) = delete;
 };
 
 } // namespace viscera::app

@@ -14,13 +14,13 @@
 /// Inverts the present deformation of space, so that a scan can be warped with the organs.
 namespace viscera::live {
 
-/// The accuracy that `LiveBend` aims at when it finds where a point of the posed space lies at rest, mm.
-inline constexpr double kBendToleranceMm = 0.03;
+/// The accuracy that `LiveWarp` aims at when it finds where a point of the posed space lies at rest, mm.
+inline constexpr double kWarpToleranceMm = 0.03;
 
 /// Keeps the inverse of the present deformation up to date, so that a scan can be deformed with the organs.
 /// While `setWanted` is on, the space around the handles is bound on the job queue (slot "bend"), anew when
 /// the handles or the system change; a pose takes a few milliseconds. For the document's thread.
-class LiveBend {
+class LiveWarp {
 public:
   struct Options {
     /// Time that `restPlane` may spend on the system itself; with a system that binds slowly, only the
@@ -30,14 +30,14 @@ public:
   };
 
   /// All must live longer.
-  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+  LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
            JobQueue& jobs, Options options);
-  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+  LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
            JobQueue& jobs)
-      : LiveBend(document, live, registry, jobs, Options()) {}
-  ~LiveBend();
-  LiveBend(const LiveBend&) = delete;
-  LiveBend& operator=(const LiveBend&) = delete;
+      : LiveWarp(document, live, registry, jobs, Options()) {}
+  ~LiveWarp();
+  LiveWarp(const LiveWarp&) = delete;
+  LiveWarp& operator=(const LiveWarp&) = delete;
 
   /// Sets whether the map is needed; nothing is bound before.
   void setWanted(bool wanted);
@@ -46,7 +46,7 @@ public:
   /// bound, and if it cannot be bound.
   const deformation::InverseMap* map();
   /// Where the samples of a plane are at rest, by `map`, which must not be null, and by the system itself
-  /// where the map's grid is too coarse: as near as `kBendToleranceMm`, or, of systems that bind slowly, as
+  /// where the map's grid is too coarse: as near as `kWarpToleranceMm`, or, of systems that bind slowly, as
   /// many of the roughest places as take about a hundredth of a second.
   void restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest);
   /// The volume of tissue at rest that the pose turns inside out, ml; 0 without a map.

@@ -8,19 +8,19 @@
 namespace viscera::medical_io {
 
 /// The accuracy of deformed images, as a fraction of the smallest voxel spacing.
-inline constexpr double kBendAccuracy = 0.05;
+inline constexpr double kWarpAccuracy = 0.05;
 
-/// The options of an `InverseMap` that reaches `kBendAccuracy` in an image with that spacing, mm.
-deformation::InverseMapOptions bendOptions(const Vec3& spacing);
+/// The options of an `InverseMap` that reaches `kWarpAccuracy` in an image with that spacing, mm.
+deformation::InverseMapOptions warpOptions(const Vec3& spacing);
 
 /// The inverse of a deformation, on a grid and exactly by coordinates.
-struct Bend {
-  const deformation::InverseMap& map; ///< Made with `bendOptions`.
+struct Warp {
+  const deformation::InverseMap& map; ///< Made with `warpOptions`.
   const coordinates::CoordinateSystem& system;
 };
 
 /// Numbers of the moved and the folded voxels of a deformed image, and its largest error.
-struct BendReport {
+struct WarpReport {
   std::size_t moved = 0;  ///< Voxels whose place at rest is another one.
   std::size_t folded = 0; ///< Voxels at which the pose folds the tissue, so that their value is an estimate.
   double largestErrorMm = 0; ///< Of some thousand of the moved ones: `InverseMap::residualMm`.
@@ -30,10 +30,11 @@ struct BendReport {
 /// at x(y), rounded to the sample's type. Voxels from outside of the scan get its padding value, or its
 /// lowest value if it has none. O(voxels); a second for ten million on two cores, and binding those between
 /// which the map's grid is too coarse. Throws what binding throws, `Cancelled`.
-Scan bentScan(const Scan& scan, const Bend& bend, BendReport& report, Progress& progress);
+Scan warpedScan(const Scan& scan, const Warp& warp, WarpReport& report, Progress& progress);
 
 /// The label map deformed by the pose: the label of the voxel next to x(y) in each layer. The voxels of
-/// segments are counted anew, and segments without voxels are left out with a warning. Throws as `bentScan`.
-LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report, Progress& progress);
+/// segments are counted anew, and segments without voxels are left out with a warning. Throws as
+/// `warpedScan`.
+LabelMap warpedLabelMap(const LabelMap& map, const Warp& warp, WarpReport& report, Progress& progress);
 
 } // namespace viscera::medical_io

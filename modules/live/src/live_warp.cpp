@@ -1,4 +1,4 @@
-#include "viscera/live/live_bend.h"
+#include "viscera/live/live_warp.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,7 +37,7 @@ BoundMap bindMap(const BindingTarget& target, const Points& pose, Threads thread
 
 } // namespace
 
-struct LiveBend::Impl {
+struct LiveWarp::Impl {
   const document::Document& document;
   LiveBinding& live;
   const plugin::Registry& registry;
@@ -67,7 +67,7 @@ struct LiveBend::Impl {
 
 /// Binds anew if the map is needed and the present one belongs to other handles. At rest nothing is bound:
 /// the grid is made as fine as the first pose asks for.
-void LiveBend::Impl::follow() {
+void LiveWarp::Impl::follow() {
   if (!wanted || !posed())
     return;
   BindingTarget now = makeTarget(document.state(), registry);
@@ -88,13 +88,13 @@ void LiveBend::Impl::follow() {
 }
 
 /// Cancels a binding that is no longer needed.
-void LiveBend::Impl::giveUp() {
+void LiveWarp::Impl::giveUp() {
   ++jobsBegun;
   binding = false;
   jobs.cancelSlot(kSlot);
 }
 
-void LiveBend::Impl::bind() {
+void LiveWarp::Impl::bind() {
   binding = true;
   jobs.submit<BoundMap>(
       "Warping the scan", kSlot,
@@ -107,7 +107,7 @@ void LiveBend::Impl::bind() {
       });
 }
 
-void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
+void LiveWarp::Impl::take(const JobResult<BoundMap>& result) {
   binding = false;
   if (result.cancelled()) { // The job was cancelled; the next change tries again.
     target.reset();
@@ -123,20 +123,20 @@ void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
   changed.emit();
 }
 
-LiveBend::LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+LiveWarp::LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
                    JobQueue& jobs, Options options)
     : impl_(new Impl{document, live, registry, jobs, options}) {
   impl_->subscription = live.onDerive([this] { impl_->follow(); });
 }
 
-LiveBend::~LiveBend() = default;
+LiveWarp::~LiveWarp() = default;
 
-void LiveBend::setWanted(bool wanted) {
+void LiveWarp::setWanted(bool wanted) {
   if (std::exchange(impl_->wanted, wanted) != wanted)
     impl_->follow();
 }
 
-const InverseMap* LiveBend::map() {
+const InverseMap* LiveWarp::map() {
   Impl& p = *impl_;
   p.follow();
   if (!p.wanted || !p.bound.map || !p.target || !p.target->system || !p.posed())
@@ -152,31 +152,31 @@ const InverseMap* LiveBend::map() {
   return p.bound.map.get();
 }
 
-void LiveBend::restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+void LiveWarp::restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
   const InverseMap& known = *map();
   known.restPlane(plane, rest);
   const double most = impl_->options.refineSeconds / std::max(impl_->bound.secondsPerPoint, 1e-12);
-  deformation::Refinement refinement{.toleranceMm = kBendToleranceMm};
+  deformation::Refinement refinement{.toleranceMm = kWarpToleranceMm};
   if (most < static_cast<double>(rest.points.rows()))
     refinement.mostPoints = static_cast<Eigen::Index>(most);
   Progress quiet;
   known.refinePlane(*impl_->target->system, plane, refinement, rest, quiet);
 }
 
-double LiveBend::foldedMl() {
+double LiveWarp::foldedMl() {
   const InverseMap* known = map();
   return known ? known->foldedMl() : 0;
 }
 
-std::uint64_t LiveBend::revision() const {
+std::uint64_t LiveWarp::revision() const {
   return impl_->revision;
 }
 
-const std::string& LiveBend::problem() const {
+const std::string& LiveWarp::problem() const {
   return impl_->problem;
 }
 
-Subscription LiveBend::onChange(std::function<void()> observer) {
+Subscription LiveWarp::onChange(std::function<void()> observer) {
   return impl_->changed.connect(std::move(observer));
 }
 

@@ -1,4 +1,4 @@
-#include "window/slices/bent_export.h"
+#include "window/slices/warp_export.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -8,8 +8,8 @@
 
 #include "viscera/document/rig.h"
 #include "viscera/document/scan_item.h"
-#include "viscera/medical_io/bent_image.h"
 #include "viscera/medical_io/image_file.h"
+#include "viscera/medical_io/warped_image.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -28,7 +28,7 @@ struct Work {
   coordinates::HandleSet handles;
   Points pose;
   std::filesystem::path file;
-  std::optional<std::filesystem::path> labels; ///< The label map to bend as well.
+  std::optional<std::filesystem::path> labels; ///< The label map to warp as well.
 };
 
 struct Written {
@@ -59,24 +59,24 @@ Written write(const Work& work, Progress& progress) {
   const medical_io::Scan& scan = *work.scan->scan;
   std::optional<deformation::InverseMap> map;
   runPart(progress, 0, kBound, [&](Progress& part) {
-    map.emplace(*work.system, work.handles, work.pose, work.options, medical_io::bendOptions(scan.spacing()),
+    map.emplace(*work.system, work.handles, work.pose, work.options, medical_io::warpOptions(scan.spacing()),
                 part);
   });
   Written written;
   runPart(progress, kBound, work.labels ? kScanWritten : 1, [&](Progress& part) {
-    medical_io::BendReport report;
-    const medical_io::Scan bent = medical_io::bentScan(scan, {*map, *work.system}, report, part);
+    medical_io::WarpReport report;
+    const medical_io::Scan warped = medical_io::warpedScan(scan, {*map, *work.system}, report, part);
     part.report(1, "Writing the scan");
-    medical_io::writeScan(work.file, bent);
+    medical_io::writeScan(work.file, warped);
     written.folded = report.folded;
   });
   if (!work.labels)
     return written;
   runPart(progress, kScanWritten, 1, [&](Progress& part) {
-    medical_io::BendReport report;
+    medical_io::WarpReport report;
     const medical_io::LabelMap labels = medical_io::readLabelMap(*work.labels, part);
     const std::filesystem::path file = labelFileBeside(work.file);
-    medical_io::writeLabelMap(file, medical_io::bentLabelMap(labels, {*map, *work.system}, report, part));
+    medical_io::writeLabelMap(file, medical_io::warpedLabelMap(labels, {*map, *work.system}, report, part));
     written.labels = text(file.filename().string());
   });
   return written;
@@ -84,10 +84,10 @@ Written write(const Work& work, Progress& progress) {
 
 } // namespace
 
-BentExport::BentExport(Workspace& workspace, Settings& settings, QWidget* window)
+WarpExport::WarpExport(Workspace& workspace, Settings& settings, QWidget* window)
     : QObject(window), workspace_(workspace), settings_(settings), window_(window) {}
 
-void BentExport::addTo(Actions& actions) {
+void WarpExport::addTo(Actions& actions) {
   actions.add("export.scan",
               {tr("Export the &warped scan..."),
                "patient",
@@ -97,7 +97,7 @@ void BentExport::addTo(Actions& actions) {
   actions.enableWhile({"export.scan"}, [this] { return workspace_.state().scan != nullptr; });
 }
 
-void BentExport::chooseAndExport() {
+void WarpExport::chooseAndExport() {
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString file =
       QFileDialog::getSaveFileName(window_, tr("Export the warped scan"), folder + tr("/warped.nii.gz"),
@@ -106,7 +106,7 @@ void BentExport::chooseAndExport() {
     exportScan(file);
 }
 
-void BentExport::exportScan(const QString& file) {
+void WarpExport::exportScan(const QString& file) {
   const document::DocumentState& state = workspace_.state();
   Work work;
   const bool can = workspace_.guarded([&] {

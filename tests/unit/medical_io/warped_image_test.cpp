@@ -8,8 +8,8 @@
 #include "temporary_folder.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/core/error.h"
-#include "viscera/medical_io/bent_image.h"
 #include "viscera/medical_io/image_file.h"
+#include "viscera/medical_io/warped_image.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -52,18 +52,18 @@ Eigen::Affine3d someAffine() {
   return affine;
 }
 
-class BentImage : public testing::Test {
+class WarpedImage : public testing::Test {
 protected:
   std::unique_ptr<deformation::InverseMap> mapFor(const Points& rest, const Points& pose) {
     return std::make_unique<deformation::InverseMap>(system_, coordinates::HandleSet{rest, {}, {}}, pose,
-                                                     coordinates::BindOptions{}, bendOptions(Vec3(2, 2, 2)),
+                                                     coordinates::BindOptions{}, warpOptions(Vec3(2, 2, 2)),
                                                      progress_);
   }
-  Scan bent(const Scan& scan, const Points& rest, const Points& pose) {
-    return bentScan(scan, {*mapFor(rest, pose), system_}, report_, progress_);
+  Scan warped(const Scan& scan, const Points& rest, const Points& pose) {
+    return warpedScan(scan, {*mapFor(rest, pose), system_}, report_, progress_);
   }
   coordinates::SCelestial system_;
-  BendReport report_;
+  WarpReport report_;
   Progress progress_;
 };
 
@@ -83,17 +83,17 @@ double largestDifference(const Scan& scan, const Expected& expected) {
 // second derivative, and rounding. The reverse of a pose interpolates a second time.
 constexpr double kInterpolation = 300 * (2.5 * 2.5 / 8) * (1.0 / 169 + 1.0 / 121 + 1.0 / 144) + 1;
 
-TEST_F(BentImage, FollowsAnAffinePoseAndItsReverseBringsItBack) {
+TEST_F(WarpedImage, FollowsAnAffinePoseAndItsReverseBringsItBack) {
   const Scan scan = patternScan();
   const Eigen::Affine3d affine = someAffine();
   const Points rest = cube(60), pose = mapped(rest, affine);
-  const Scan moved = bent(scan, rest, pose);
+  const Scan moved = warped(scan, rest, pose);
   EXPECT_LT(largestDifference(moved, [&](const Vec3& p) { return pattern(affine.inverse() * p); }),
             kInterpolation);
   EXPECT_EQ(report_.folded, 0U);
   EXPECT_GT(report_.moved, scan.voxelCount() / 2);
-  EXPECT_LT(report_.largestErrorMm, kBendAccuracy * 2);
-  const Scan back = bent(moved, pose, rest);
+  EXPECT_LT(report_.largestErrorMm, kWarpAccuracy * 2);
+  const Scan back = warped(moved, pose, rest);
   EXPECT_LT(largestDifference(back, pattern), 2 * kInterpolation) << "twice interpolated";
   EXPECT_GT(largestDifference(moved, pattern), 10 * kInterpolation) << "else nothing is proved";
 }
@@ -115,8 +115,8 @@ Scan rulerScan(int axis, double low, const Vec3& spacing) {
   return scan;
 }
 
-/// How far, in voxels, the places at rest that bent rulers read lie from where `inverse` has them, at voxels
-/// from the tenth to the eighth last.
+/// How far, in voxels, the places at rest that warped rulers read lie from where `inverse` has them, at
+/// voxels from the tenth to the eighth last.
 template <typename Inverse>
 double largestVoxelError(const std::array<Scan, 3>& rulers, const Inverse& inverse) {
   double largest = 0;
@@ -132,47 +132,47 @@ double largestVoxelError(const std::array<Scan, 3>& rulers, const Inverse& inver
   return largest / first.spacing().minCoeff();
 }
 
-TEST_F(BentImage, IsWithinATwentiethOfAVoxelOfTheInverseOfAnAffine) {
+TEST_F(WarpedImage, IsWithinATwentiethOfAVoxelOfTheInverseOfAnAffine) {
   const Points rest = cube(60), pose = mapped(rest, someAffine());
   std::array<Scan, 3> rulers;
   const auto map = mapFor(rest, pose);
   for (int axis = 0; axis < 3; ++axis)
     rulers[std::size_t(axis)] =
-        bentScan(rulerScan(axis, -35, Vec3(2, 2.5, 2)), {*map, system_}, report_, progress_);
+        warpedScan(rulerScan(axis, -35, Vec3(2, 2.5, 2)), {*map, system_}, report_, progress_);
   EXPECT_LT(largestVoxelError(rulers, [](const Vec3& p) { return Vec3(someAffine().inverse() * p); }),
-            kBendAccuracy);
+            kWarpAccuracy);
 }
 
-TEST_F(BentImage, IsWithinATwentiethOfAVoxelOfTheInverseOfASmoothDeformation) {
+TEST_F(WarpedImage, IsWithinATwentiethOfAVoxelOfTheInverseOfASmoothDeformation) {
   const tests::BernsteinSystem system;
   const auto handles = tests::BernsteinSystem::lattice();
   constexpr double kBend = 25;
   const deformation::InverseMap map(system, handles, tests::bentPose(handles, kBend), {},
-                                    bendOptions(Vec3(3, 3, 3)), progress_);
+                                    warpOptions(Vec3(3, 3, 3)), progress_);
   std::array<Scan, 3> rulers;
   for (int axis = 0; axis < 3; ++axis)
     rulers[std::size_t(axis)] =
-        bentScan(rulerScan(axis, -3, Vec3(3, 3, 3)), {map, system}, report_, progress_);
+        warpedScan(rulerScan(axis, -3, Vec3(3, 3, 3)), {map, system}, report_, progress_);
   EXPECT_LT(
       largestVoxelError(
           rulers, [](const Vec3& p) { return Vec3(tests::analyticInverse(p.x(), kBend), p.y(), p.z()); }),
-      kBendAccuracy);
+      kWarpAccuracy);
 }
 
-TEST_F(BentImage, StaysWhereNothingMoves) {
+TEST_F(WarpedImage, StaysWhereNothingMoves) {
   const Scan scan = patternScan();
   const Points rest = cube(15);
   Points pose = rest;
   pose.row(7) += Eigen::RowVector3d(4, 3, 2);
-  const Scan moved = bent(scan, rest, pose);
+  const Scan moved = warped(scan, rest, pose);
   EXPECT_EQ(moved.value(1, 1, 1), scan.value(1, 1, 1));
   EXPECT_GT(report_.moved, 0U);
   EXPECT_LT(report_.moved, scan.voxelCount());
-  EXPECT_EQ(std::get<std::vector<std::int16_t>>(bent(scan, rest, rest).samples),
+  EXPECT_EQ(std::get<std::vector<std::int16_t>>(warped(scan, rest, rest).samples),
             std::get<std::vector<std::int16_t>>(scan.samples));
 }
 
-TEST_F(BentImage, LabelsMoveWithTheirNamesAndAreWritten) {
+TEST_F(WarpedImage, LabelsMoveWithTheirNamesAndAreWritten) {
   tests::LabelImage image = tests::emptyLabels({40, 40, 40});
   image.indexToLps.linear() *= 2;
   image.indexToLps.translation().setConstant(-40);
@@ -186,19 +186,19 @@ TEST_F(BentImage, LabelsMoveWithTheirNamesAndAreWritten) {
                    progress_);
   Points pose = cube(38);
   pose.col(0).array() += 10;
-  const LabelMap bent = bentLabelMap(map, {*mapFor(cube(38), pose), system_}, report_, progress_);
-  ASSERT_GE(bent.segments.size(), 1U);
-  EXPECT_EQ(bent.segments[0].name, "liver");
-  EXPECT_NEAR(double(bent.segments[0].voxels), double(map.segments[0].voxels),
+  const LabelMap warped = warpedLabelMap(map, {*mapFor(cube(38), pose), system_}, report_, progress_);
+  ASSERT_GE(warped.segments.size(), 1U);
+  EXPECT_EQ(warped.segments[0].name, "liver");
+  EXPECT_NEAR(double(warped.segments[0].voxels), double(map.segments[0].voxels),
               0.02 * double(map.segments[0].voxels));
-  EXPECT_EQ(bent.segments[0].low[0], map.segments[0].low[0] + 5);
+  EXPECT_EQ(warped.segments[0].low[0], map.segments[0].low[0] + 5);
   for (const char* name : {"b.seg.nrrd", "b.nii.gz"}) {
-    writeLabelMap(folder / name, bent);
+    writeLabelMap(folder / name, warped);
     const LabelMap again = readLabelMap(folder / name, progress_);
     ASSERT_GE(again.segments.size(), 1U);
     EXPECT_EQ(again.segments[0].label, 3);
-    EXPECT_EQ(again.segments[0].voxels, bent.segments[0].voxels);
-    EXPECT_LT((again.indexToLps.matrix() - bent.indexToLps.matrix()).norm(), 1e-4);
+    EXPECT_EQ(again.segments[0].voxels, warped.segments[0].voxels);
+    EXPECT_LT((again.indexToLps.matrix() - warped.indexToLps.matrix()).norm(), 1e-4);
   }
   EXPECT_EQ(readLabelMap(folder / "b.seg.nrrd", progress_).segments[0].name, "liver");
 }

@@ -19,7 +19,7 @@ namespace viscera::scene {
 /// at each event the camera would back off for shapes that nobody sees, and that of a session for a legend
 /// that it was saved with. Where the camera stands depends on where it was put and on the present shape
 /// alone, not on the frames that were drawn, and where it was put is kept: drawing loses nothing.
-class SightKeeper {
+class CameraFitter {
 public:
   /// The room about its middle that a view has for what it shows, in heights of the view.
   struct Shape {

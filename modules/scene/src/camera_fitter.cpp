@@ -1,4 +1,4 @@
-#include "sight_keeper.h"
+#include "camera_fitter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double kRoomAround = 1.02;
 
 /// How far a camera is from seeing a box wholly; at most 0 where it does. mm by which it would have to back
 /// off, or a parallel one's half height to grow.
-double shortOf(const Bounds& box, const ViewGeometry& camera, const SightKeeper::Shape& shape) {
+double shortOf(const Bounds& box, const ViewGeometry& camera, const CameraFitter::Shape& shape) {
   double most = -std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 point(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
@@ -38,12 +38,12 @@ bool sameCamera(const ViewGeometry& a, const ViewGeometry& b) {
 
 } // namespace
 
-void SightKeeper::put(vtkRenderer* renderer, const Shape& shape) {
+void CameraFitter::put(vtkRenderer* renderer, const Shape& shape) {
   wished_ = left_ = viewGeometry(renderer);
   wishedShape_ = shape_ = shape;
 }
 
-void SightKeeper::follow(vtkRenderer* renderer, const Shape& shape, const std::function<Bounds()>& bounds) {
+void CameraFitter::follow(vtkRenderer* renderer, const Shape& shape, const std::function<Bounds()>& bounds) {
   if (shape.width <= 0)
     return;
   if (shape_.width <= 0 || !sameCamera(viewGeometry(renderer), left_))

@@ -1,4 +1,4 @@
-#include "viscera/live/live_bend.h"
+#include "viscera/live/live_warp.h"
 
 #include <limits>
 
@@ -10,7 +10,7 @@ namespace viscera::live {
 namespace {
 
 struct BentBall : tests::BoundSession {
-  LiveBend bend{document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
+  LiveWarp warp{document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
 
   /// All handles that much farther on.
   void shift(const Vec3& by) {
@@ -24,89 +24,89 @@ struct BentBall : tests::BoundSession {
   Vec3 restOf(const Vec3& place) {
     Points points(1, 3);
     points.row(0) = place.transpose();
-    return bend.map()->restPoints(points).points.row(0).transpose();
+    return warp.map()->restPoints(points).points.row(0).transpose();
   }
   void wait() {
-    box.runUntil([this] { return bend.map() != nullptr; });
+    box.runUntil([this] { return warp.map() != nullptr; });
   }
 };
 
-TEST(LiveBend, SaysWhereTissueWasInThePoseThatIsShown) {
+TEST(LiveWarp, SaysWhereTissueWasInThePoseThatIsShown) {
   BentBall ball;
-  ball.bend.setWanted(true);
-  EXPECT_EQ(ball.bend.map(), nullptr) << "nothing is bent at rest";
+  ball.warp.setWanted(true);
+  EXPECT_EQ(ball.warp.map(), nullptr) << "nothing is warped at rest";
   EXPECT_TRUE(ball.jobs.idle()) << "and nothing is bound for it";
   ball.shift(Vec3(0, 0, 10));
   ball.wait();
   EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(3, 2, 5)).norm(), 0.1);
-  const std::uint64_t before = ball.bend.revision();
+  const std::uint64_t before = ball.warp.revision();
   ball.shift(Vec3(6, 0, 0));
   EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(-3, 2, 15)).norm(), 0.1) << "another pose needs no binding";
-  EXPECT_NE(ball.bend.revision(), before);
+  EXPECT_NE(ball.warp.revision(), before);
   EXPECT_TRUE(ball.jobs.idle());
   ball.live.showRest();
-  EXPECT_EQ(ball.bend.map(), nullptr);
+  EXPECT_EQ(ball.warp.map(), nullptr);
 }
 
-TEST(LiveBend, BindsNothingUnlessSomebodyLooksAndAnewForOtherHandles) {
+TEST(LiveWarp, BindsNothingUnlessSomebodyLooksAndAnewForOtherHandles) {
   BentBall ball;
   ball.shift(Vec3(0, 0, 10));
   EXPECT_TRUE(ball.jobs.idle());
-  ball.bend.setWanted(true);
+  ball.warp.setWanted(true);
   ball.wait();
-  const auto* first = ball.bend.map();
+  const auto* first = ball.warp.map();
   ball.undo.perform(document::addHandles({{Vec3(-35, 1, 2)}}));
-  EXPECT_EQ(ball.bend.map(), nullptr) << "what there was belongs to other handles";
+  EXPECT_EQ(ball.warp.map(), nullptr) << "what there was belongs to other handles";
   ball.shift(Vec3(0, 0, 10));
   ball.wait();
   EXPECT_NE(first, nullptr);
   EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(3, 2, 5)).norm(), 0.1);
 }
 
-TEST(LiveBend, SaysItAsExactlyFarFromTheFirstPoseAsNearIt) {
+TEST(LiveWarp, SaysItAsExactlyFarFromTheFirstPoseAsNearIt) {
   BentBall ball;
-  ball.bend.setWanted(true);
+  ball.warp.setWanted(true);
   ball.shift(Vec3(0, 0, 1)); // The first pose, for which the grid is made: any grid is exact for it.
   ball.wait();
   ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(4, 6, 62)));
   const deformation::SamplePlane plane{{-20, 3, -20}, {0.5, 0, 0}, {0, 0, 0.5}, 80, 90};
   deformation::RestPoints rest;
-  ball.bend.restPlane(plane, rest);
+  ball.warp.restPlane(plane, rest);
   const auto target = ball.registry.find(ball.document.system().id);
   Points posed(plane.columns * plane.rows, 3);
   for (Eigen::Index i = 0; i < posed.rows(); ++i)
     posed.row(i) = plane.at(i % plane.columns, i / plane.columns).transpose();
   Progress progress;
-  EXPECT_LT(ball.bend.map()->residualMm(*target, posed, rest, progress), 2 * kBendToleranceMm);
-  EXPECT_EQ(ball.bend.foldedMl(), 0);
+  EXPECT_LT(ball.warp.map()->residualMm(*target, posed, rest, progress), 2 * kWarpToleranceMm);
+  EXPECT_EQ(ball.warp.foldedMl(), 0);
   // A finer grid is bound beside it, and takes its place.
   ball.box.runUntil([&] { return ball.jobs.idle(); });
-  EXPECT_FALSE(ball.bend.map()->wantsFinerGrid());
+  EXPECT_FALSE(ball.warp.map()->wantsFinerGrid());
 }
 
-TEST(LiveBend, HasNoMapWhenItsSystemGoesWhileItIsBound) {
+TEST(LiveWarp, HasNoMapWhenItsSystemGoesWhileItIsBound) {
   BentBall ball;
-  ball.bend.setWanted(true);
+  ball.warp.setWanted(true);
   ball.shift(Vec3(0, 0, 10));
   EXPECT_FALSE(ball.jobs.idle());
   const document::SystemChoice before = ball.document.system();
   ball.undo.perform(document::setSystem({"of-a-plugin-that-is-gone", {}}));
-  EXPECT_EQ(ball.bend.map(), nullptr);
+  EXPECT_EQ(ball.warp.map(), nullptr);
   ball.box.runUntil([&] { return ball.jobs.idle(); });
-  EXPECT_EQ(ball.bend.map(), nullptr) << "there is no system that could refine it";
-  EXPECT_NE(ball.bend.problem(), "");
+  EXPECT_EQ(ball.warp.map(), nullptr) << "there is no system that could refine it";
+  EXPECT_NE(ball.warp.problem(), "");
   ball.undo.perform(document::setSystem(before));
   ball.wait();
-  EXPECT_EQ(ball.bend.problem(), "");
+  EXPECT_EQ(ball.warp.problem(), "");
 }
 
-TEST(LiveBend, CountsWhatThePoseFolds) {
+TEST(LiveWarp, CountsWhatThePoseFolds) {
   BentBall ball;
-  ball.bend.setWanted(true);
+  ball.warp.setWanted(true);
   ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 0, -90)));
   ball.wait();
-  EXPECT_GT(ball.bend.foldedMl(), 0.5);
-  EXPECT_LT(ball.bend.foldedMl(), 150);
+  EXPECT_GT(ball.warp.foldedMl(), 0.5);
+  EXPECT_LT(ball.warp.foldedMl(), 150);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "viscera/medical_io/bent_image.h"
+#include "viscera/medical_io/warped_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ struct Grid {
 /// Counts what moved, and keeps some of it to measure.
 class Reporter {
 public:
-  Reporter(const Grid& grid, BendReport& report)
+  Reporter(const Grid& grid, WarpReport& report)
       : grid_(grid), report_(report), step_(grid.voxels() / kMeasured + 1) {
     report_ = {};
   }
@@ -56,14 +56,14 @@ public:
       states_.push_back(rest.states[v]);
     }
   }
-  void finish(const Bend& bend, Progress& progress) {
+  void finish(const Warp& warp, Progress& progress) {
     report_.largestErrorMm =
-        bend.map.residualMm(bend.system, pointsOf(posed_), {pointsOf(rest_), states_}, progress);
+        warp.map.residualMm(warp.system, pointsOf(posed_), {pointsOf(rest_), states_}, progress);
   }
 
 private:
   const Grid& grid_;
-  BendReport& report_;
+  WarpReport& report_;
   std::size_t step_;
   std::vector<Vec3> posed_, rest_;
   std::vector<deformation::RestState> states_;
@@ -71,18 +71,18 @@ private:
 
 /// Calls `fill(voxel, index at rest)` for every voxel that moves, slice by slice, on several threads; `index`
 /// is in voxels of the grid.
-void bendGrid(const Grid& grid, const Bend& bend, BendReport& report, Progress& progress,
+void warpGrid(const Grid& grid, const Warp& warp, WarpReport& report, Progress& progress,
               const std::function<void(std::size_t voxel, const Vec3& index)>& fill) {
   Reporter reporter(grid, report);
-  const double tolerance = kRefined * kBendAccuracy * grid.indexToLps.linear().colwise().norm().minCoeff();
+  const double tolerance = kRefined * kWarpAccuracy * grid.indexToLps.linear().colwise().norm().minCoeff();
   const Eigen::Affine3d lpsToIndex = grid.indexToLps.inverse();
   deformation::RestPoints rest;
   const std::size_t slice = std::size_t(grid.size[0]) * std::size_t(grid.size[1]);
   for (int k = 0; k < grid.size[2]; ++k) {
     progress.report(static_cast<double>(k) / grid.size[2], "Warping the image");
     progress.throwIfCancelled();
-    bend.map.restPlane(grid.slice(k), rest);
-    bend.map.refinePlane(bend.system, grid.slice(k), {.toleranceMm = tolerance}, rest, progress);
+    warp.map.restPlane(grid.slice(k), rest);
+    warp.map.refinePlane(warp.system, grid.slice(k), {.toleranceMm = tolerance}, rest, progress);
     reporter.add(k, rest);
     const std::size_t begin = slice * std::size_t(k);
     parallelRanges(grid.size[1], kRows, {}, [&](Eigen::Index first, Eigen::Index last) {
@@ -92,7 +92,7 @@ void bendGrid(const Grid& grid, const Bend& bend, BendReport& report, Progress& 
           fill(begin + v, lpsToIndex * Vec3(rest.points.row(static_cast<Eigen::Index>(v)).transpose()));
     });
   }
-  reporter.finish(bend, progress);
+  reporter.finish(warp, progress);
   progress.report(1);
 }
 
@@ -143,30 +143,30 @@ void countAgain(LabelMap& map, Progress& progress) {
 
 } // namespace
 
-deformation::InverseMapOptions bendOptions(const Vec3& spacing) {
-  return {.accuracyMm = kBendAccuracy * spacing.minCoeff(), .mostWeights = kMostWeights};
+deformation::InverseMapOptions warpOptions(const Vec3& spacing) {
+  return {.accuracyMm = kWarpAccuracy * spacing.minCoeff(), .mostWeights = kMostWeights};
 }
 
-Scan bentScan(const Scan& scan, const Bend& bend, BendReport& report, Progress& progress) {
-  Scan bent = scan;
+Scan warpedScan(const Scan& scan, const Warp& warp, WarpReport& report, Progress& progress) {
+  Scan warped = scan;
   std::visit(
       [&]<class Sample>(std::vector<Sample>& out) {
         const auto& samples = std::get<std::vector<Sample>>(scan.samples);
         const TrilinearSampler<Sample> sampler(samples, scan.size, scan.padding);
         const Sample empty = emptySample(scan, samples);
-        bendGrid({scan.size, scan.indexToLps}, bend, report, progress,
+        warpGrid({scan.size, scan.indexToLps}, warp, report, progress,
                  [&](std::size_t voxel, const Vec3& index) {
                    const std::optional<double> value = sampler(index);
                    out[voxel] = value ? rounded<Sample>(*value) : empty;
                  });
       },
-      bent.samples);
-  return bent;
+      warped.samples);
+  return warped;
 }
 
-LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report, Progress& progress) {
-  LabelMap bent = map;
-  bendGrid({map.size, map.indexToLps}, bend, report, progress, [&](std::size_t voxel, const Vec3& index) {
+LabelMap warpedLabelMap(const LabelMap& map, const Warp& warp, WarpReport& report, Progress& progress) {
+  LabelMap warped = map;
+  warpGrid({map.size, map.indexToLps}, warp, report, progress, [&](std::size_t voxel, const Vec3& index) {
     std::array<int, 3> nearest;
     bool inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -176,10 +176,10 @@ LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report,
     }
     const std::size_t from = map.indexOf(nearest[0], nearest[1], nearest[2]);
     for (std::size_t layer = 0; layer < map.layers.size(); ++layer)
-      bent.layers[layer][voxel] = inside ? map.layers[layer][from] : std::uint16_t{0};
+      warped.layers[layer][voxel] = inside ? map.layers[layer][from] : std::uint16_t{0};
   });
-  countAgain(bent, progress);
-  return bent;
+  countAgain(warped, progress);
+  return warped;
 }
 
 } // namespace viscera::medical_io
