@@ -37,7 +37,7 @@ struct SessionReference {
   std::string organ; ///< Its name, or its number in the session's list, from 1.
 };
 
-/// Takes `SESSION.viscera/ORGAN` apart; nothing for what names no organ of a session that is there.
+/// Parses `SESSION.viscera/ORGAN`; empty for other texts and for a session that does not exist.
 std::optional<SessionReference> sessionReference(const std::string& text);
 
 /// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
@@ -70,7 +70,7 @@ struct RigInput {
   std::vector<std::string> labels; ///< One a handle.
   std::vector<Vec3> groupColors;   ///< One for each of `handles.groups`; red green blue, 0 to 1.
 
-  /// The handle with that label. Throws `UsageError` that names some of those there are.
+  /// The handle with that label. Throws `UsageError` that lists some existing labels.
   int indexOf(const std::string& label) const;
 };
 

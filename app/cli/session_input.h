@@ -25,7 +25,7 @@ class vtkImageData;
 /// Opens session files for commands.
 namespace viscera::app::cli {
 
-/// Describes the contents of a session and says which of its organs' files were found. Throws as
+/// Describes the contents of a session and lists which of its organs' files were found. Throws as
 /// `document::readSession`.
 Outcome describeSession(const std::string& file, CommandContext& context);
 

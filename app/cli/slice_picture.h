@@ -28,7 +28,7 @@ struct SliceOutcome {
 };
 
 /// Draws a slice through organs, as they are posed, and the scan beside them, if there is one. The scene's
-/// view says level, width and all else but the place. Throws as `presentation::Stage`.
+/// view determines level, width and everything else but the place. Throws as `presentation::Stage`.
 SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequest& slice,
                           const StageOptions& stage, Threads threads);
 

@@ -60,7 +60,8 @@ public:
   void saveHandles(const QString& file);
   /// Asks for a closed surface around the organs, and takes it as the cage.
   void chooseAndLoadCage();
-  /// Reads a cage on a worker; says whether the handles have become its corners or its vertices the handles.
+  /// Reads a cage on a worker; a message tells the user whether the handles have become its corners or its
+  /// vertices the handles.
   void loadCage(const QString& file);
   /// Asks where to, and writes the current organ as it is posed now.
   void chooseAndExportOrgan();

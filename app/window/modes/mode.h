@@ -68,7 +68,7 @@ public:
   struct Description {
     const char* id = "";   ///< "explore"; as in sessions and options.
     const char* icon = ""; ///< Of the icon set.
-    int key = 0;           ///< The digit that chooses it; stays the same whatever other modes there are.
+    int key = 0;           ///< The digit that chooses it; does not depend on the other modes.
     QString name;          ///< Shown under the icon.
     QString hint;          ///< For the status bar: what the mouse does.
   };
@@ -79,7 +79,7 @@ public:
   const Description& description() const { return description_; }
   /// The ids of its actions as in a menu, "" for a line between them.
   virtual std::vector<const char*> actions() const { return {}; }
-  /// The property page; the actions of all parts are there. The caller owns it.
+  /// Creates the property page, after the actions of all parts were added. The caller owns it.
   virtual QWidget* makePage(const Actions& actions) = 0;
   /// The chart below the timeline, the caller's; null: the volumes.
   virtual QWidget* makeChart() { return nullptr; }

@@ -54,7 +54,7 @@ public:
 
   /// Shows a sequence: on the present organ if the sequence was made for it, else on its sample organ.
   void chooseSequence(const QString& id);
-  /// Whether the sample heart is there, which a circulation can move.
+  /// Whether the document holds the sample heart, which a circulation can move.
   bool hasSampleHeart() const;
   /// Whether choosing that sequence would remove the user's own organs from the document.
   bool replacesOrgans(const QString& sequence) const;

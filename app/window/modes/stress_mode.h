@@ -34,7 +34,7 @@ public:
   /// was paused before.
   void enter() override;
   void setTheme(const Theme& theme) override;
-  /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
+  /// Closes the probe or cancels the drag of the plane; false when there was nothing to do.
   bool escape() override;
   bool takesClicks() const override { return true; }
   bool press(const QPointF& place) override {

@@ -51,11 +51,11 @@ public:
   void forget(const sequences::Sequence* sequence);
   /// Removes all of them, when another document is opened.
   void forgetAll();
-  /// The motions for the organs there are, the oldest first.
+  /// The motions of the present organs, the oldest first.
   std::vector<Motion> motions() const;
   /// Makes one of `motions` the present one, stopped at its beginning.
   void choose(const sequences::Sequence* sequence);
-  /// The sequence that can be played; null when there is none for the organs there are.
+  /// The sequence that can be played; null when there is none for the present organs.
   const sequences::Sequence* sequence() const { return player_.sequence(); }
   /// The same with the organ that it moves; both are empty when there is none.
   Motion motion() const { return sequence() ? present_ : Motion{}; }

@@ -31,15 +31,15 @@ class SessionReader : public JsonReader {
 public:
   explicit SessionReader(const std::string& where);
 
-  /// What the file says of an organ; the rest is as in a new one.
+  /// Reads the record of an organ; other members are as in a new one.
   Organ readOrganRecord(const nlohmann::ordered_json& item, const std::string& place);
   void readRig(const nlohmann::ordered_json& item, DocumentState& state);
   void readSystem(const nlohmann::ordered_json& item, DocumentState& state);
   void readKeySequence(const nlohmann::ordered_json& item, DocumentState& state);
-  /// Whether the organs and triangles that points name are there is not looked at.
+  /// Does not check that the organs and triangles of points exist.
   void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
 
-  /// Whether the organs are there is not looked at.
+  /// Does not check that the organs exist.
   void readStressMarks(const nlohmann::ordered_json& root, DocumentState& state);
 
   void readCirculation(const nlohmann::ordered_json& root, DocumentState& state);

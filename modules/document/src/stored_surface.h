@@ -16,8 +16,8 @@ std::string surfaceHash(const geometry::TriangleMesh& mesh);
 /// The surface as JSON. Throws `CannotCreateError` for one of more than 2 GB.
 nlohmann::ordered_json storedSurface(const geometry::TriangleMesh& mesh);
 
-/// The surface of `stored`; throws `DataError` through `reader` when it is damaged. What it says of its size
-/// is believed only as far as what is really there can hold it.
+/// The surface of `stored`; throws `DataError` through `reader` when it is damaged. The stated size is
+/// checked against the data before memory is allocated.
 geometry::TriangleMesh surfaceFrom(JsonReader& reader, const nlohmann::ordered_json& stored,
                                    const std::string& place);
 

@@ -67,7 +67,7 @@ public:
   std::shared_ptr<const BindingTarget> underWay; ///< What a worker binds it to while `binding`.
   std::int64_t ticket = 0;                       ///< Of the last job that was asked to bind it.
   std::uint64_t revision = 0;                    ///< Another number after every move of the points.
-  LiveEvent pending;                             ///< What has not been told yet.
+  LiveEvent pending;                             ///< The event that was not sent yet.
 
   /// The slot of the job queue in which it is bound.
   std::string slot() const { return "bind/" + std::to_string(organ->id.value); }

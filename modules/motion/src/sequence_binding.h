@@ -27,7 +27,7 @@ public:
   MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
               const document::SystemChoice& system, Threads threads);
 
-  /// With the handles at `pose` (`n x 3`), ml. May be asked from several threads.
+  /// With the handles at `pose` (`n x 3`), ml. May be called from several threads.
   double at(const Points& pose) const;
   /// The surface itself with the handles at `pose`.
   geometry::TriangleMesh surfaceAt(const Points& pose) const;

@@ -31,9 +31,8 @@ struct TileKernels {
   void (*measure)(const double* tile, const double* positions, long handles, const double* points,
                   double* found);
 
-  // Tiles in single precision are `(handles + 1) x 16`: the last row says by how much more than 1 each
-  // point's numbers are to be multiplied, which gives them back the sum that they had before they were
-  // rounded.
+  // Tiles in single precision are `(handles + 1) x 16`: the last row holds each point's factor minus 1, which
+  // restores the sum that its numbers had before rounding.
 
   /// Rounds the tile (`handles x 16`) into `single`; it becomes what `single` stands for.
   void (*round)(double* tile, long handles, float* single);

@@ -28,7 +28,7 @@ std::optional<HullFacets> hullFacets(const Points& points);
 /// The Delaunay tetrahedra of `n x 3` points, by Qhull. Throws `DataError` when there are none. O(n^2).
 Tetrahedra delaunayTetrahedra(const Points& points);
 
-/// The convex hull of a set of points, by Qhull. Immutable; may be asked from several threads.
+/// The convex hull of a set of points, by Qhull. Immutable; may be called from several threads.
 class ConvexHull {
 public:
   /// `points` is `n x 3`, mm. Throws `DataError` for fewer than four points, for points that all lie in one

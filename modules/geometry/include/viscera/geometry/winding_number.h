@@ -10,7 +10,7 @@ namespace viscera::geometry {
 /// outside of a closed one. For an open or self-intersecting surface the number passes smoothly from one to
 /// the other across a hole, so "above one half" is a sound answer to "inside?" where no exact one exists
 /// (Jacobson et al. 2013, doi:10.1145/2461912.2461916). Far triangles are taken together as one dipole, as by
-/// Barill et al. 2018, doi:10.1145/3197517.3201337. Immutable; may be asked from several threads.
+/// Barill et al. 2018, doi:10.1145/3197517.3201337. Immutable; may be called from several threads.
 class WindingNumber {
 public:
   /// Copies what it needs of `mesh`, whose indices and coordinates are valid. O(m log m).

@@ -6,7 +6,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 
-/// Writes scans and label maps, and tells image files of the two kinds apart.
+/// Writes scans and label maps, and distinguishes image files of the two kinds.
 namespace viscera::medical_io {
 
 /// Writes a scan as NIfTI (.nii, .nii.gz) or NRRD (.nrrd), little-endian, with its samples as they are.

@@ -30,7 +30,7 @@ struct SeriesContents {
   bool labels = false;    ///< Label maps, else surfaces.
   std::size_t phases = 0; ///< The number of phases for which there are files or volumes.
   std::vector<SeriesItem> items;
-  std::optional<double> periodSeconds; ///< That the files say.
+  std::optional<double> periodSeconds; ///< As stated in the files.
   std::string doubt;                   ///< An assumption about their times, as a sentence; or empty.
 };
 

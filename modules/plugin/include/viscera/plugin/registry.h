@@ -26,7 +26,7 @@ public:
   /// standard value is out of range.
   void add(std::shared_ptr<const coordinates::CoordinateSystem> system, const std::string& source);
 
-  /// The system with that id. Throws `UsageError` that lists the ids there are.
+  /// The system with that id. Throws `UsageError` that lists the existing ids.
   std::shared_ptr<const coordinates::CoordinateSystem> find(const std::string& id) const;
 
   /// Whether there is a system with that id.

@@ -12,7 +12,7 @@ class vtkRenderWindow;
 
 namespace viscera::scene {
 
-/// Renders `window` and returns the picture: 8 bits, three components, first row at the bottom as VTK has it.
+/// Renders `window` and returns the picture: 8 bits, three components, first row at the bottom, as in VTK.
 vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window);
 
 /// Writes a PNG: to a temporary file beside it first, then renamed. Throws `CannotCreateError`. May be called

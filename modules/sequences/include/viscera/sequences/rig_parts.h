@@ -9,7 +9,7 @@
 namespace viscera::sequences {
 
 /// The surface of an organ or of a part of it as a function of the point (mm, LPS): negative inside, about
-/// the distance in mm near the surface. May be asked from several threads.
+/// the distance in mm near the surface. May be called from several threads.
 using AnatomySurface = std::function<double(const Vec3& point)>;
 
 /// `count` places around `center` in the plane across `axis` (not zero), evenly spread.

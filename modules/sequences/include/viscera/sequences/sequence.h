@@ -35,7 +35,7 @@ struct HandleGroup {
 };
 
 /// The interface of all sequences, which give a pose of the handles at every instant of a cycle. Immutable;
-/// may be asked from several threads.
+/// may be called from several threads.
 ///
 ///     const double rate = sequence.standardRatePerMinute();
 ///     Points pose;

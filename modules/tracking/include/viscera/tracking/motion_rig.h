@@ -37,7 +37,7 @@ RigHandles placeMotionHandles(const std::vector<geometry::TriangleMesh>& surface
 double softnessFor(const Points& handles, Eigen::Index corners, double spacings);
 
 /// Surfaces at rest bound to one set of handles by S-celestial coordinates, as one matrix for the fits.
-/// Immutable; may be asked from several threads.
+/// Immutable; may be called from several threads.
 class MotionRig {
 public:
   /// Binds all `surfaces` to `handles` (`n x 3`). Throws `deformation::UnboundVertices` for vertices outside

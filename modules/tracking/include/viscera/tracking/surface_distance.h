@@ -9,7 +9,7 @@
 namespace viscera::tracking {
 
 /// The interface that gives the signed distance of points from the target of a fit, negative inside.
-/// Immutable; may be asked from several threads.
+/// Immutable; may be called from several threads.
 class SurfaceDistance {
 public:
   virtual ~SurfaceDistance() = default;
