@@ -354,7 +354,7 @@ void WindowLayout::applyPanelHeights() {
     int height = heights_.value(handles_);
     const bool below = organs_->isVisible() && organs_->x() == handles_->x();
     const int both = organs_->height() + handles_->height();
-    if (below && height == kHandlesHeight) // Where nobody wished for a height, the organs have more.
+    if (below && height == kHandlesHeight) // Unless the user has set a height, the organs have more.
       height = std::min(height, static_cast<int>(kHandlesPart * both));
     give(handles_, height);
     if (below && both > height) // Else Qt would take half of what they are too high from each.

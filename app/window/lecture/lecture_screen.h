@@ -15,8 +15,8 @@ namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
 /// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
-/// them a strip of the screen, so that they cover no part of an organ. Messages wait until it ends. Whoever
-/// gives views their theme gives them that of a lecture while it is `on`. The keys of a presentation remote
+/// them a strip of the screen, so that they cover no part of an organ. Messages wait until it ends. While it
+/// is `on`, the window gives the views the theme of a lecture. The keys of a presentation remote
 /// go through the slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT

@@ -39,8 +39,9 @@ std::vector<document::OrganId> Framing::seen() const {
   return organs;
 }
 
-/// A session that is opened has a camera, and no steps yet. Of a selection that a change has dropped nobody
-/// has heard yet, so that what was seen is as it was before.
+/// Does not frame the organs of a session that was just opened: it has a camera of its own, and no steps yet.
+/// When this is called, no signal has been sent yet of a selection that the change removed, so `seen_` is
+/// still of the time before.
 void Framing::onOrgans() {
   const std::vector<document::OrganId> now = seen();
   const std::vector<document::OrganId> before = std::exchange(seen_, now);

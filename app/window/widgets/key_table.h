@@ -10,7 +10,7 @@ class QLabel;
 namespace viscera::app {
 
 /// A table of keys and what they do: in two columns, in one where it is narrow, and with the meaning below
-/// its keys where it is narrower still, so that whoever scrolls it needs to go downwards only.
+/// its keys where it is narrower still, so that it scrolls only vertically.
 class KeyTable final : public QWidget {
   Q_OBJECT
 

@@ -41,7 +41,7 @@ std::optional<medical_io::HandleFile> rigFrom(const py::object& rig) {
 }
 
 /// Everything that `viscera.track` takes besides the files.
-struct Wishes {
+struct TrackArguments {
   std::vector<std::pair<std::string, std::vector<std::string>>> surfaces;
   int handles = 0;
   std::optional<double> period;
@@ -53,22 +53,23 @@ struct Wishes {
   double robust = 0;
 };
 
-std::shared_ptr<PatientMotion> track(const std::vector<std::filesystem::path>& phases, const Wishes& wishes,
-                                     const py::object& rig, int threads, const py::object& listener) {
+std::shared_ptr<PatientMotion> track(const std::vector<std::filesystem::path>& phases,
+                                     const TrackArguments& arguments, const py::object& rig, int threads,
+                                     const py::object& listener) {
   motion::SeriesRequest request;
   request.inputs = phases;
-  for (const auto& [name, labels] : wishes.surfaces)
+  for (const auto& [name, labels] : arguments.surfaces)
     request.surfaces.push_back({name, labels});
-  request.periodSeconds = wishes.period;
-  request.seconds = wishes.times;
-  request.leftOut = wishes.leaveOut;
-  request.loop = wishes.loop;
+  request.periodSeconds = arguments.period;
+  request.seconds = arguments.times;
+  request.leftOut = arguments.leaveOut;
+  request.loop = arguments.loop;
   motion::TrackOptions options;
-  options.rig.handles = wishes.handles;
+  options.rig.handles = arguments.handles;
   options.handles = rigFrom(rig);
-  options.keepVolumes = wishes.keepVolumes;
-  options.smoothing = wishes.smoothing;
-  options.robustMm = wishes.robust;
+  options.keepVolumes = arguments.keepVolumes;
+  options.smoothing = arguments.smoothing;
+  options.robustMm = arguments.robust;
   return resultOfLong(listener, [&](Progress& progress) {
     motion::MotionSeries series;
     runPart(progress, 0, 0.1, [&](Progress& part) { series = motion::readMotionSeries(request, part); });

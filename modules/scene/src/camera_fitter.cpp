@@ -39,8 +39,8 @@ bool sameCamera(const ViewGeometry& a, const ViewGeometry& b) {
 } // namespace
 
 void CameraFitter::put(vtkRenderer* renderer, const Shape& shape) {
-  wished_ = left_ = viewGeometry(renderer);
-  wishedShape_ = shape_ = shape;
+  set_ = left_ = viewGeometry(renderer);
+  setShape_ = shape_ = shape;
 }
 
 void CameraFitter::follow(vtkRenderer* renderer, const Shape& shape, const std::function<Bounds()>& bounds) {
@@ -51,13 +51,13 @@ void CameraFitter::follow(vtkRenderer* renderer, const Shape& shape, const std::
   if (std::exchange(shape_, shape) == shape)
     return;
   const Bounds box = bounds();
-  const bool whole = shortOf(box, wished_, wishedShape_) <= 0;
-  const double back = whole ? std::max(0.0, shortOf(box, wished_, shape)) : 0;
+  const bool whole = shortOf(box, set_, setShape_) <= 0;
+  const double back = whole ? std::max(0.0, shortOf(box, set_, shape)) : 0;
   vtkCamera* camera = renderer->GetActiveCamera();
-  if (wished_.parallel) {
-    camera->SetParallelScale(wished_.halfHeight + back);
+  if (set_.parallel) {
+    camera->SetParallelScale(set_.halfHeight + back);
   } else {
-    const Vec3 eye = wished_.eye - back * wished_.forward;
+    const Vec3 eye = set_.eye - back * set_.forward;
     camera->SetPosition(eye.data());
   }
   renderer->ResetCameraClippingRange();

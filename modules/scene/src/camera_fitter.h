@@ -8,17 +8,16 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// What a view shows wholly stays wholly in it where the view becomes narrower for its height, which would
-/// cut off its sides, or a legend takes a part of it: the camera backs off as far as it has to (a parallel
-/// one shows more), and comes back where there is room again. A camera that somebody else has moved since the
-/// last frame is where it shall be, unless it was put for another shape (`put`).
+/// Moves the camera back when a view becomes narrower or a legend takes a part of it, so that organs that
+/// were fully visible stay so (a parallel camera shows more), and returns it when there is room again. Leaves
+/// a camera alone that other code has moved since the last frame, unless it was set for another shape of the
+/// view (`put`).
 ///
-/// It does so as a frame begins and at no event, although nothing that paints may change what a user has. The
-/// size of the window, its density, the theme's type and the legend come from four sides, several of them
-/// between two frames, and a session puts its camera before or after them. Only the frame has them together:
-/// at each event the camera would back off for shapes that nobody sees, and that of a session for a legend
-/// that it was saved with. Where the camera stands depends on where it was put and on the present shape
-/// alone, not on the frames that were drawn, and where it was put is kept: drawing loses nothing.
+/// Runs when a frame begins, not at events: the window's size, its pixel density, the theme's type and the
+/// legend change independently, several of them between two frames, and a session sets its camera before or
+/// after them. Only the frame has the final shape; at each event the camera would move for shapes that are
+/// never drawn. The position depends only on the camera that was set and on the present shape, not on the
+/// frames drawn since, so drawing loses nothing.
 class CameraFitter {
 public:
   /// The room about its middle that a view has for what it shows, in heights of the view.
@@ -30,14 +29,14 @@ public:
 
   /// Before each frame. `bounds` of what is shown are asked for where the view has another shape.
   void follow(vtkRenderer* renderer, const Shape& shape, const std::function<Bounds()>& bounds);
-  /// The camera was put where it is for a view of this shape: has it another one in the next frame, as with a
-  /// legend that comes in between, that counts as a change.
+  /// The camera was put where it is for a view of this shape: if the next frame has another
+  /// shape, such as by a legend that appears in between, the camera is fitted to that.
   void put(vtkRenderer* renderer, const Shape& shape);
 
 private:
-  ViewGeometry wished_; ///< The camera as other code has set it,
-  Shape wishedShape_;   ///< and the view's shape at that time.
-  ViewGeometry left_;   ///< The camera of the last frame.
+  ViewGeometry set_;  ///< The camera as other code has set it,
+  Shape setShape_;    ///< and the view's shape at that time.
+  ViewGeometry left_; ///< The camera of the last frame.
   Shape shape_;
 };
 

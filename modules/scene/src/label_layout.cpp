@@ -91,7 +91,7 @@ public:
       for (std::size_t i = 0; i < labels_.size(); ++i)
         if (onLeft(i) == left)
           side.push_back(i);
-      wishes(side);
+      spread(side);
     }
     keepPlaces();
     for (std::size_t i = 0; i < labels_.size(); ++i)
@@ -200,7 +200,7 @@ private:
   }
 
   /// The heights at which the labels of one side do not meet.
-  void wishes(const std::vector<std::size_t>& side) {
+  void spread(const std::vector<std::size_t>& side) {
     heights_.resize(labels_.size());
     std::vector<double> centers;
     std::vector<double> sizes;

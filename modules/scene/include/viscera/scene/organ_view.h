@@ -81,8 +81,8 @@ public:
   /// Frames the box with a small margin, and keeps the direction of sight.
   void frame(const Bounds& bounds);
   void frame();
-  /// The camera stands where somebody has kept it for a picture with a legend: one that is drawn later, as
-  /// when its numbers are still being computed, does not move it.
+  /// Tells the view that the present camera was stored for a picture with a legend: a legend that appears
+  /// later, because its numbers are still being computed, does not move the camera.
   void expectLegend();
 
   vtkVisceraHandleSetRepresentation* handles() const;
