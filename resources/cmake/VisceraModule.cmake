@@ -47,7 +47,7 @@ endfunction()
 # (docs/developer_guide.md).
 function(viscera_unity target)
   if(VISCERA_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 28)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # The files are included then, and GCC takes what is in an unnamed namespace of an included file for a mistake.
       target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
