@@ -99,6 +99,20 @@ TEST(Planar, MeanValueIsLinearOnEdgesAndNegativeInAConcavePolygon) {
   EXPECT_LT(planarWeights("mean-value", arms, inOne).weights.minCoeff(), -1e-3);
 }
 
+/// Of half tangents by differences nothing would be left: the angles are as small as 1 / distance.
+TEST(Planar, MeanValueKeepsIdentityFarOutside) {
+  const PointsOf<2> corners = polygon(9);
+  for (const double far : {1e2, 1e3, 1e4, 1e5}) {
+    PointsOf<2> points(40, 2);
+    for (int i = 0; i < 40; ++i)
+      points.row(i) << far * std::cos(0.157 * i + 0.01), far * std::sin(0.157 * i + 0.01);
+    const PlanarWeights found = planarWeights("mean-value", corners, points);
+    EXPECT_TRUE(found.failures.empty());
+    // Rounding of the weights, which grow with the distance, times the corners' size.
+    EXPECT_LT((found.weights * corners - points).rowwise().norm().maxCoeff(), 1e-13 * far * far / 50) << far;
+  }
+}
+
 TEST(Planar, PointsOutsideTheHullAreNamed) {
   PointsOf<2> points(3, 2);
   points << 0, 0, 200, 0, 0, -90;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cage/coplanar_groups.h"
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -39,21 +40,68 @@ std::vector<std::vector<Eigen::Index>> fansOf(const Triangles& cage, Eigen::Inde
   return fans;
 }
 
-class WachspressSolver final : public PointSolver {
-public:
-  WachspressSolver(const Points& handles, const Triangles& cage)
-      : size_(boundsOf(handles).diagonal()), fans_(fansOf(cage, handles.rows())), normals_(cage.rows(), 3),
-        offsets_(cage.rows()) {
+void requireConvex(const Points& handles, const Triangles& cage, double tolerance) {
+  for (Eigen::Index t = 0; t < cage.rows(); ++t) {
+    const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    const double offset = normal.dot((a + b + c) / 3);
+    for (const auto corner : cage.reshaped())
+      if (handles.row(corner).dot(normal) - offset > tolerance)
+        throw DataError(phrase("It is not convex at its triangle %1", t), "the cage",
+                        "take a convex cage, or none: then the convex hull of the handles is the cage");
+  }
+}
+
+/// The planes of a cage's flat faces, n . x = offset, and the one that each triangle lies in.
+struct FacePlanes {
+  Points normals;
+  Values offsets;
+  std::vector<Eigen::Index> ofTriangle;
+
+  FacePlanes(const Points& handles, const Triangles& cage) {
+    std::map<int, Eigen::Index> numbers;
+    for (const int group : coplanarGroups(handles, cage))
+      ofTriangle.push_back(numbers.emplace(group, static_cast<Eigen::Index>(numbers.size())).first->second);
+    const auto count = static_cast<Eigen::Index>(numbers.size());
+    normals = Points::Zero(count, 3);
+    Points middles = Points::Zero(count, 3);
+    Values areas = Values::Zero(count);
     for (Eigen::Index t = 0; t < cage.rows(); ++t) {
       const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
-      const Vec3 normal = (b - a).cross(c - a).normalized();
-      normals_.row(t) = normal.transpose();
-      offsets_[t] = normal.dot((a + b + c) / 3);
-      for (const auto corner : cage.reshaped())
-        if (handles.row(corner).dot(normal) - offsets_[t] > kConvex * size_)
-          throw DataError(phrase("It is not convex at its triangle %1", t), "the cage",
-                          "take a convex cage, or none: then the convex hull of the handles is the cage");
+      const Vec3 area = (b - a).cross(c - a);
+      const Eigen::Index own = ofTriangle[static_cast<std::size_t>(t)];
+      normals.row(own) += area.transpose();
+      middles.row(own) += area.norm() * (a + b + c).transpose() / 3;
+      areas[own] += area.norm();
     }
+    normals.rowwise().normalize();
+    offsets = normals.cwiseProduct(middles).rowwise().sum().cwiseQuotient(areas);
+  }
+
+  /// Those around a corner, each once where neighbours in its fan of triangles share one.
+  std::vector<Eigen::Index> around(const std::vector<Eigen::Index>& fan) const {
+    std::vector<Eigen::Index> planes;
+    for (const Eigen::Index triangle : fan)
+      if (const Eigen::Index own = ofTriangle[static_cast<std::size_t>(triangle)];
+          planes.empty() || planes.back() != own)
+        planes.push_back(own);
+    while (planes.size() > 1 && planes.front() == planes.back())
+      planes.pop_back();
+    return planes;
+  }
+};
+
+class WachspressSolver final : public PointSolver {
+public:
+  WachspressSolver(const Points& handles, const Triangles& cage) : size_(boundsOf(handles).diagonal()) {
+    requireConvex(handles, cage, kConvex * size_);
+    // Triangles in one plane are one face: near it the volume between their two poles, which are the same,
+    // and a third is rounding times the square of the poles' length, more than what the face itself has.
+    FacePlanes planes(handles, cage);
+    for (const auto& fan : fansOf(cage, handles.rows()))
+      fans_.push_back(planes.around(fan));
+    normals_ = std::move(planes.normals);
+    offsets_ = std::move(planes.offsets);
   }
 
   bool solve(const Vec3& point, Values& weights) const override { return add(point, weights, nullptr); }
@@ -104,7 +152,7 @@ private:
   }
 
   double size_;
-  std::vector<std::vector<Eigen::Index>> fans_;
+  std::vector<std::vector<Eigen::Index>> fans_; ///< The faces around each handle, in order.
   Points normals_;
   Values offsets_;
 };

@@ -1,5 +1,6 @@
 #include "viscera/coordinates/green/green_coordinates.h"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -12,6 +13,19 @@ namespace {
 
 /// Of the cage's size: a point this near to a triangle is on it.
 constexpr double kOnCage = 1e-11;
+
+/// The triangle that covers most of the sphere around the point; all of it where the point touches it.
+struct Covering {
+  Eigen::Index triangle = -1;
+  double angle = -1;
+  Vec3 foot = Vec3::Zero();
+  double height = 0;
+
+  void take(const Covering& other) {
+    if (other.angle > angle)
+      *this = other;
+  }
+};
 
 class GreenSolver final : public PointSolver {
 public:
@@ -32,18 +46,14 @@ private:
     // p = sum_i phi_i v_i + sum_t psi_t n_t: rows of the corners (phi), then of the triangles (psi), which
     // meet the stretched normals of `CageNormals`.
     double angle = 0;
-    Eigen::Index touched = -1;
-    Vec3 foot = Vec3::Zero();
+    Covering covering;
     for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
       const auto [a, b, c] = geometry::cornersOf(handles_, cage_, t);
       const SeenTriangle triangle(a - point, b - point, c - point);
       const bool touching = triangle.touches(tolerance_);
-      if (touching) {
-        touched = t;
-        foot = triangle.foot();
-      }
       const TrianglePotentials found = triangle.potentials(touching, gradients != nullptr);
       angle += found.solidAngle;
+      covering.take({t, touching ? kWhole : std::abs(found.solidAngle), triangle.foot(), triangle.height()});
       const Eigen::Index face = handles_.rows() + t;
       weights[face] = found.face;
       for (int k = 0; k < 3; ++k)
@@ -54,12 +64,17 @@ private:
           gradients->row(cage_(t, k)) += found.cornerGradients.row(k);
       }
     }
-    if (touched < 0)
-      return angle > kWhole / 2;
-    // On the cage: what the triangles there cover as seen from just inside.
+    const bool onCage = covering.angle == kWhole;
+    if (!onCage && !(angle > kWhole / 2))
+      return false;
+    // From inside the solid angles sum to 4 pi. On the cage that leaves what the triangles there cover as
+    // seen from just inside, next to an edge what rounding has taken from its triangles. A solid angle d more
+    // gives lambda_k(foot) d to the corners and -h d to the normal, which together are d p.
+    const double missing = (kWhole - angle) / kWhole;
     for (int k = 0; k < 3; ++k)
-      weights[cage_(touched, k)] += foot[k] * (kWhole - angle) / kWhole;
-    return gradients == nullptr;
+      weights[cage_(covering.triangle, k)] += covering.foot[k] * missing;
+    weights[handles_.rows() + covering.triangle] -= covering.height * missing;
+    return !onCage || gradients == nullptr;
   }
 
   Points handles_;

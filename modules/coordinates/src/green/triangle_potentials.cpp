@@ -57,8 +57,11 @@ TrianglePotentials SeenTriangle::potentials(bool touching, bool wantGradients) c
     const Vec3 from = corners_.col(k), to = corners_.col((k + 1) % 3);
     const double first = lengths[k], second = lengths[(k + 1) % 3];
     // L_k = int_edge ds / r = ln((r1 + r2 + |e|) / (r1 + r2 - |e|)), with r1 and r2 the distances to its
-    // ends.
-    const double edge = (to - from).norm(), beyond = std::max(first + second - edge, kLeastDetour * edge);
+    // ends. Next to the edge nothing would be left of r1 + r2 - |e| = 2 (r1 r2 + from.to) / (r1 + r2 + |e|),
+    // nor of r1 r2 + from.to = |from x to|^2 / (r1 r2 - from.to).
+    const double product = first * second, along = from.dot(to), edge = (to - from).norm();
+    const double opening = along < 0 ? from.cross(to).squaredNorm() / (product - along) : product + along;
+    const double beyond = std::max(2 * opening / (first + second + edge), kLeastDetour * edge);
     const double logarithm = std::log((first + second + edge) / beyond);
     turned += logarithm * sideways_.col(k);
     result.face += from.dot(sideways_.col(k)) * logarithm;
@@ -66,7 +69,7 @@ TrianglePotentials SeenTriangle::potentials(bool touching, bool wantGradients) c
     // (x x dl) / r^3, of an edge (from x to) (r1 + r2) / (r1 r2 (r1 r2 + from.to)); and with s = r1 + r2,
     // dL/ds = -2 |e| / ((s + |e|)(s - |e|)) and grad s = -(from / r1 + to / r2).
     if (wantGradients) {
-      ofAngle += from.cross(to) * (first + second) / (first * second * (first * second + from.dot(to)));
+      ofAngle += from.cross(to) * (first + second) / (product * opening);
       ofLogarithms.col(k) = 2 * edge / ((first + second + edge) * beyond) * (from / first + to / second);
     }
   }

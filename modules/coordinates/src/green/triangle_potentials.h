@@ -20,6 +20,8 @@ public:
 
   /// Barycentric coordinates of the origin's foot in the triangle's plane.
   const Vec3& foot() const { return foot_; }
+  /// Of the plane over the origin along the outward normal, mm: positive from inside.
+  double height() const { return height_; }
   /// Whether the origin lies on the triangle, to `tolerance` mm.
   bool touches(double tolerance) const;
   /// Without the gradients, which do not exist on the triangle's edges, where they are not asked for. A
@@ -29,7 +31,7 @@ public:
 private:
   Eigen::Matrix3d corners_; ///< A column a corner.
   Vec3 normal_;
-  double height_;            ///< Of the plane over the origin, along the normal.
+  double height_;
   Eigen::Matrix3d hats_;     ///< Gradients of the hat functions, a row a corner.
   Eigen::Matrix3d sideways_; ///< Outward normals of the edges in the plane, a column an edge.
   Vec3 foot_;

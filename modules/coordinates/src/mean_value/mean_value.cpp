@@ -1,9 +1,8 @@
 #include "viscera/coordinates/mean_value/mean_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 #include "mean_value/triangle_share.h"
 #include "same_place.h"
@@ -11,22 +10,6 @@
 
 namespace viscera::coordinates {
 namespace {
-
-/// How far outside a triangle, in barycentric coordinates, a point in its plane still lies in it.
-constexpr double kInTriangle = 1e-9;
-
-/// Barycentric coordinates of the origin in the triangle, when it lies in it.
-bool liesIn(const Corners<double>& corners, Vec3& shares) {
-  const Vec3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    // b_i = (v_i+1 x v_i+2) . n / |n|^2, the signed area opposite to corner i over the whole one.
-    shares[static_cast<Eigen::Index>(i)] =
-        corners[(i + 1) % 3].cross(corners[(i + 2) % 3]).dot(area) / area.squaredNorm();
-    if (shares[static_cast<Eigen::Index>(i)] < -kInTriangle)
-      return false;
-  }
-  return true;
-}
 
 class MeanValueSolver final : public PointSolver {
 public:
@@ -77,15 +60,18 @@ private:
     for (int i = 0; i < 3; ++i)
       corners[static_cast<std::size_t>(i)] = handles_.row(items[i]).transpose() - point;
     const bool wantGradients = gradients != nullptr;
-    const auto share = shareOfTriangle(corners, wantGradients);
+    auto share = shareOfTriangle(corners, wantGradients);
     if (!share) {
-      Vec3 shares;
-      if (!liesIn(corners, shares))
-        return false; // Seen from the side it has no weight.
-      weights.setZero();
-      for (int i = 0; i < 3; ++i)
-        weights[items[i]] += shares[i];
-      return true;
+      const BesideTriangle place = besideTriangle(corners);
+      if (std::max(place.height, place.beside) <= kSamePlace * size_) {
+        weights.setZero();
+        for (int i = 0; i < 3; ++i)
+          weights[items[i]] = place.shares[i];
+        return true;
+      }
+      if (!(place.height > kInPlane * place.beside))
+        return false; // Seen from the side it has no weight, and without an area neither.
+      share = preciseShareOf(corners, wantGradients);
     }
     for (int i = 0; i < 3; ++i) {
       weights[items[i]] += share->weights[static_cast<std::size_t>(i)];

@@ -1,5 +1,6 @@
 #include "viscera/coordinates/mean_value/positive_mean_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -7,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "choice_parameter.h"
+#include "mean_value/triangle_share.h"
 #include "same_place.h"
 #include "sphere/sphere_samples.h"
 #include "viscera/coordinates/cage/cage.h"
@@ -36,11 +38,8 @@ public:
 
   bool solve(const Vec3& point, Values& weights) const override {
     const Points corners = handles_.rowwise() - point.transpose();
-    Eigen::Index nearest = 0;
-    if (corners.rowwise().norm().minCoeff(&nearest) <= kSamePlace * size_) {
-      weights[nearest] = 1;
+    if (onCage(corners, weights))
       return true;
-    }
     if (!insideCage(corners))
       return false;
     const Hits hits = hitsFrom(corners);
@@ -56,6 +55,21 @@ public:
   }
 
 private:
+  /// Barycentric weights of a point on the cage, where half of the rays see nothing or the triangle at no
+  /// distance; false, and nothing, when it is not there.
+  bool onCage(const Points& corners, Values& weights) const {
+    for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
+      const BesideTriangle place = besideTriangle(geometry::cornersOf(corners, cage_, t));
+      if (!(std::max(place.height, place.beside) <= kSamePlace * size_))
+        continue; // Not there, or a triangle without an area.
+      for (int i = 0; i < 3; ++i)
+        weights[cage_(t, i)] = std::max(place.shares[i], 0.0);
+      weights /= weights.sum();
+      return true;
+    }
+    return false;
+  }
+
   /// By the solid angles of all triangles, which sum up to 4 pi inside.
   bool insideCage(const Points& corners) const {
     double angle = 0;

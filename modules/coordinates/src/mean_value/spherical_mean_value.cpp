@@ -3,53 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "cage/coplanar_groups.h"
 #include "same_place.h"
 #include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {
 
-/// Of the cage's size: triangles whose planes differ by less are one face.
-constexpr double kOnePlane = 1e-9;
-/// Sine of the angle to a face's plane below which the point lies in it.
-constexpr double kInFacePlane = 1e-10;
+/// Of the distance to a face's outline: a point less high over the face's plane lies in it.
+constexpr double kInFacePlane = 1e-12;
 /// Below this so much cancels that the face is computed with more digits.
 constexpr double kNearPlane = 1e-3;
 
 /// Corners in order, counter-clockwise from outside.
 using Polygon = std::vector<int>;
-
-/// Groups of triangles that are joined by edges and lie in one plane: a number each.
-std::vector<int> coplanarGroups(const Points& handles, const Triangles& cage) {
-  const double tolerance = kOnePlane * boundsOf(handles).diagonal();
-  std::vector<int> group(static_cast<std::size_t>(cage.rows()));
-  std::iota(group.begin(), group.end(), 0);
-  std::map<std::pair<int, int>, int> owners;
-  for (int t = 0; t < static_cast<int>(cage.rows()); ++t)
-    for (int i = 0; i < 3; ++i)
-      owners[{cage(t, i), cage(t, (i + 1) % 3)}] = t;
-  for (const auto& [edge, t] : owners) {
-    const auto other = owners.find({edge.second, edge.first});
-    if (other == owners.end())
-      continue;
-    const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
-    const Vec3 normal = (b - a).cross(c - a).normalized();
-    bool flat = true;
-    for (int i = 0; i < 3; ++i)
-      flat = flat && std::abs((handles.row(cage(other->second, i)).transpose() - a).dot(normal)) <= tolerance;
-    if (!flat)
-      continue;
-    const int from = group[static_cast<std::size_t>(t)], to = group[static_cast<std::size_t>(other->second)];
-    std::replace(group.begin(), group.end(), std::max(from, to), std::min(from, to));
-  }
-  return group;
-}
 
 /// The single loop around a group of triangles; the triangles themselves where there is none.
 std::vector<Polygon> outlineOf(const Triangles& cage, const std::vector<int>& members) {
@@ -150,10 +123,20 @@ void addFace(const Polygon& face, const Points& units, Values& weights, const Va
     weights[face[i]] += static_cast<double>(shares[i] / along * mean.dot(center)) / distances[face[i]];
 }
 
+/// The edges of the faces, each once.
+std::vector<std::pair<int, int>> edgesOf(const std::vector<Polygon>& faces) {
+  std::set<std::pair<int, int>> edges;
+  for (const Polygon& face : faces)
+    for (std::size_t i = 0; i < face.size(); ++i)
+      edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+  return {edges.begin(), edges.end()};
+}
+
 class SphericalMeanValueSolver final : public PointSolver {
 public:
   SphericalMeanValueSolver(const Points& handles, const Triangles& cage)
-      : handles_(handles), size_(boundsOf(handles).diagonal()), faces_(facesOf(handles, cage)) {
+      : handles_(handles), size_(boundsOf(handles).diagonal()), faces_(facesOf(handles, cage)),
+        edges_(edgesOf(faces_)) {
     for (const Polygon& face : faces_) {
       Vec3 area = Vec3::Zero();
       for (std::size_t i = 0; i < face.size(); ++i)
@@ -173,18 +156,12 @@ public:
           weights[corner] = 1;
           return true;
         }
+    if (takeEdge(ways, weights))
+      return true;
     const Points units = ways.array().colwise() / distances.array();
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const double sine = std::abs(units.row(faces_[i][0]).dot(normals_[i]));
-      if (sine < kInFacePlane) {
-        if (takeFace(i, ways, distances, weights))
-          return true;
-      } else if (sine < kNearPlane) {
-        addFace<long double>(faces_[i], units, weights, distances);
-      } else {
-        addFace<double>(faces_[i], units, weights, distances);
-      }
-    }
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (addOrTakeFace(i, ways, units, distances, weights))
+        return true;
     const double sum = weights.sum();
     if (!(std::abs(sum) > 0))
       return false;
@@ -193,7 +170,64 @@ public:
   }
 
 private:
-  /// The plane coordinates of a point in the plane of a face; false, and nothing, when it is beside the face.
+  /// Where an edge is nearest to the point.
+  struct Foot {
+    double share; ///< Of the way along the edge.
+    double distance;
+  };
+
+  static Foot footOn(const Points& ways, int from, int to) {
+    const Eigen::RowVector3d edge = ways.row(to) - ways.row(from);
+    const double share = std::clamp(-ways.row(from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    return {share, (ways.row(from) + share * edge).norm()};
+  }
+
+  /// Linear weights of a point on an edge, where by rounding the edge turns by pi or by -pi around it in each
+  /// of its two faces; false, and nothing, when it is on none.
+  bool takeEdge(const Points& ways, Values& weights) const {
+    for (const auto& [from, to] : edges_) {
+      if (ways.row(from).dot(ways.row(to)) >= 0)
+        continue; // From a point on it the two ends lie in opposite directions.
+      const Foot foot = footOn(ways, from, to);
+      if (foot.distance > kSamePlace * size_)
+        continue;
+      weights[from] = 1 - foot.share;
+      weights[to] = foot.share;
+      return true;
+    }
+    return false;
+  }
+
+  /// Adds the weights of a face; true when the point lies on it, which leaves that face's weights alone.
+  bool addOrTakeFace(std::size_t index, const Points& ways, const Points& units, const Values& distances,
+                     Values& weights) const {
+    const Polygon& face = faces_[index];
+    const auto nearer = [&](int a, int b) { return distances[a] < distances[b]; };
+    const auto [nearest, farthest] = std::minmax_element(face.begin(), face.end(), nearer);
+    const double height = std::abs(ways.row(*nearest).dot(normals_[index]));
+    if (height >= kNearPlane * distances[*farthest]) {
+      addFace<double>(face, units, weights, distances);
+      return false;
+    }
+    // Compared with the distance to the outline: next to an edge a face covers much of the sphere around the
+    // point however little that is away from its plane. Beside the face it covers nothing.
+    if (height > kInFacePlane * distances[*nearest] ||
+        height > kInFacePlane * distanceToOutline(face, ways)) {
+      addFace<long double>(face, units, weights, distances);
+      return false;
+    }
+    return takeFace(index, ways, distances, weights);
+  }
+
+  static double distanceToOutline(const Polygon& face, const Points& ways) {
+    double least = ways.row(face[0]).norm();
+    for (std::size_t i = 0; i < face.size(); ++i)
+      least = std::min(least, footOn(ways, face[i], face[(i + 1) % face.size()]).distance);
+    return least;
+  }
+
+  /// The plane coordinates of a point in the plane of a face and not on its outline; false, and nothing, when
+  /// it is beside the face.
   bool takeFace(std::size_t index, const Points& ways, const Values& distances, Values& weights) const {
     const Polygon& face = faces_[index];
     std::vector<Vec3> corners;
@@ -223,6 +257,7 @@ private:
   Points handles_;
   double size_;
   std::vector<Polygon> faces_;
+  std::vector<std::pair<int, int>> edges_;
   std::vector<Vec3> normals_;
 };
 

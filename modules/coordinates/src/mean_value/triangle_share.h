@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -85,6 +86,39 @@ Share shareOf(const Corners<Real>& corners, bool wantGradients) {
   return share;
 }
 
+/// The same with more digits, for a point near the plane of the triangle.
+inline Share preciseShareOf(const Corners<double>& corners, bool wantGradients) {
+  return shareOf<long double>(
+      {corners[0].cast<long double>(), corners[1].cast<long double>(), corners[2].cast<long double>()},
+      wantGradients);
+}
+
+/// How a point lies to a triangle whose plane it is in, or nearly.
+struct BesideTriangle {
+  Vec3 shares;   ///< Barycentric coordinates of the foot in the plane.
+  double height; ///< Of the point over the plane, mm.
+  double beside; ///< How far the foot is beyond the edge it is farthest beyond, mm; 0 in the triangle.
+};
+
+/// For corners relative to the point. A triangle without an area has a height that is not a number.
+inline BesideTriangle besideTriangle(const Corners<double>& corners) {
+  const Vec3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double twice = area.norm();
+  // All corners have the same height; rounding leaves most of it in the nearest one's.
+  const auto nearer = [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); };
+  const Vec3& nearest = *std::min_element(corners.begin(), corners.end(), nearer);
+  BesideTriangle found{Vec3::Zero(), std::abs(nearest.dot(area)) / twice, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    // b_i = (v_i+1 x v_i+2) . n / |n|^2, the signed area opposite to corner i over the whole one; b_i |n|
+    // over the length of that edge is the distance from it.
+    const Vec3 &next = corners[(i + 1) % 3], &last = corners[(i + 2) % 3];
+    const double share = next.cross(last).dot(area) / (twice * twice);
+    found.shares[static_cast<Eigen::Index>(i)] = share;
+    found.beside = std::max(found.beside, -share * twice / (last - next).norm());
+  }
+  return found;
+}
+
 /// The share of a triangle whose corners are relative to the point; nothing for a point in its plane: a
 /// triangle seen edge-on has no weight, and the caller handles points in the triangle itself.
 inline std::optional<Share> shareOfTriangle(const Corners<double>& corners, bool wantGradients) {
@@ -94,9 +128,7 @@ inline std::optional<Share> shareOfTriangle(const Corners<double>& corners, bool
     return std::nullopt;
   if (spanned >= kNearPlane)
     return shareOf<double>(corners, wantGradients);
-  return shareOf<long double>(
-      {corners[0].cast<long double>(), corners[1].cast<long double>(), corners[2].cast<long double>()},
-      wantGradients);
+  return preciseShareOf(corners, wantGradients);
 }
 
 /// Adds the share of a triangle over rows of `corners`, which are relative to the point, to `weights`.

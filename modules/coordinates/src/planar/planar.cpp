@@ -91,19 +91,19 @@ bool planarMeanValue(const PointsOf<2>& handles, const Eigen::Vector2d& point, V
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index next = (i + 1) % count;
     const Eigen::Vector2d a = ways.row(i).transpose(), b = ways.row(next).transpose();
-    const double length = (b - a).norm(), along = -a.dot(b - a) / length;
-    if (std::abs(cross(a, b)) <= kOnPolygon * size * length && along >= -kOnPolygon * size &&
+    const Eigen::Vector2d edge = (handles.row(next) - handles.row(i)).transpose();
+    const double length = edge.norm(), along = -a.dot(edge) / length;
+    // a x b = a x (b - a), which far away keeps the digits of the edge.
+    const double across = cross(a, edge), product = distances[i] * distances[next], dot = a.dot(b);
+    if (std::abs(across) <= kOnPolygon * size * length && along >= -kOnPolygon * size &&
         along <= length + kOnPolygon * size) {
       weights.setZero();
       weights[i] = 1 - along / length;
       weights[next] = along / length;
       return true;
     }
-    // tan(alpha / 2) = (1 - cos alpha) / sin alpha, a form without a division by zero where the two are
-    // opposite.
-    halves[i] = (distances[i] * distances[next] - a.dot(b)) / cross(a, b);
-    if (cross(a, b) == 0)
-      halves[i] = 0; // In line on one side: no angle.
+    // tan(alpha / 2) = sin alpha / (1 + cos alpha) = (1 - cos alpha) / sin alpha: the one that adds.
+    halves[i] = dot > 0 ? across / (product + dot) : (product - dot) / across;
   }
   for (Eigen::Index i = 0; i < count; ++i)
     weights[i] = (halves[(i + count - 1) % count] + halves[i]) / distances[i];
