@@ -12,6 +12,8 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
+#include <algorithm>
+
 #include "atlas_window.h"
 #include "screen_check.h"
 #include "session_fixture.h"
@@ -465,6 +467,30 @@ TEST_F(ManyOrgans, FocusOnOneThatAnotherHidesOffersToShowItAlone) {
   EXPECT_EQ(seen(), (std::vector<std::string>{"spleen"}));
   key(Qt::Key_F);
   EXPECT_EQ(message(), QString());
+}
+
+TEST_F(ManyOrgans, AreNamedWhereTheyAreSeenAndNotThroughAnOpaqueOne) {
+  const auto named = [this](const std::string& name) {
+    settle();
+    const auto drawn = window().picture().presenter().labels().drawn();
+    return std::any_of(drawn.begin(), drawn.end(), [&](const auto& label) { return label.text == name; });
+  };
+  std::vector<document::OrganId> others;
+  for (const auto& one : document().organs())
+    if (one->name != "spleen" && one->name != "liver")
+      others.push_back(one->id);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(others)));
+  const Vec3 middle = organ("spleen").mesh->points.colwise().mean().transpose();
+  document::NewOrgan wall = ball("wall", 45, 5, middle);
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({wall})));
+  key(Qt::Key_N);
+  EXPECT_TRUE(named("wall"));
+  EXPECT_TRUE(named("liver"));
+  EXPECT_FALSE(named("spleen")) << "a line would end on the wall";
+  document::OrganLook look = organ("wall").look;
+  look.opacity = 0.4;
+  ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
+  EXPECT_TRUE(named("spleen"));
 }
 
 TEST_F(ManyOrgans, SearchLooksAtTheNamesThatAreShownAndGoesWithItsField) {

@@ -139,7 +139,9 @@ public:
         ->type_name("N")
         ->check(CLI::Range(0, kMostSegmentTriangles))
         ->capture_default_str();
-    options.add_option("--smoothing", options_.smoothing, "0: the voxels' steps stay; 2: very smooth")
+    options
+        .add_option("--smoothing", options_.smoothing,
+                    "0: the voxels' steps stay; 0.5: gentle; 2: very smooth")
         ->check(CLI::Range(0.0, kSmoothest))
         ->capture_default_str();
     options.add_flag("--largest-piece", options_.largestPieceOnly, "Leave out the smaller pieces of a label");

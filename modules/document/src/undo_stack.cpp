@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "viscera/document/scan_item.h"
 #include "viscera/document/validate.h"
 
 namespace viscera::document {

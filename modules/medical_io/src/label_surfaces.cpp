@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "file_bytes.h"
+#include "label_smoothing.h"
 #include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -16,18 +17,14 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "voxel_pieces.h"
-#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {
 
 using geometry::TriangleMesh;
 
-/// How much smoother one unit of `LabelSurfaceOptions::smoothing` makes the surface.
-constexpr int kFewestIterations = 20, kIterationsPerUnit = 10;
-constexpr double kPassBandPerUnit = 0.1;
 /// A label that smoothing spoils is tried again with these parts of it.
-constexpr std::array<double, 3> kTries = {1, 0.25, 0};
+constexpr std::array<double, 4> kTries = {1, 0.5, 0.25, 0};
 /// The volume is corrected until it is this close, relative to the voxels'.
 constexpr double kCorrectedWithin = 1e-4;
 constexpr int kMostCorrections = 20;
@@ -44,13 +41,6 @@ TriangleMesh stepsBetween(const VoxelBox& box, const LabelMap& map) {
   // A left-handed grid turns the triangles around.
   geometry::orientOutward(mesh);
   return mesh;
-}
-
-TriangleMesh smoothed(const TriangleMesh& mesh, double smoothing) {
-  if (smoothing <= 0)
-    return mesh;
-  return smoothSurface(mesh, kFewestIterations + static_cast<int>(kIterationsPerUnit * smoothing),
-                       std::pow(kPassBandPerUnit, smoothing));
 }
 
 bool isSound(const TriangleMesh& mesh) {
@@ -115,7 +105,7 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
   const TriangleMesh steps = stepsBetween(box, map);
   for (const double part : kTries) {
     progress.throwIfCancelled();
-    surface.mesh = smoothed(steps, part * options.smoothing);
+    surface.mesh = smoothSteps(steps, map.indexToLps.linear(), part * options.smoothing);
     if (options.triangles > 0)
       surface.mesh = geometry::decimateClosedSurface(surface.mesh, options.triangles, progress);
     correctVolume(surface.mesh, surface.voxelVolumeMm3, map.indexToLps.linear());

@@ -39,6 +39,13 @@ constexpr double kOpaque = 0.9;
 /// Vertices of an organ that are looked at in a frame; more where its parts are named, so that no cell of the
 /// front is empty for lack of vertices.
 constexpr Eigen::Index kMostVertices = 3000, kMostVerticesForParts = 30'000;
+/// So many in each cell of the front that an organ covers, or what it hides would seem to lie between them.
+constexpr double kVerticesInCell = 6;
+/// An opaque organ of which less than that is in front is hidden: some of its vertices always lie between
+/// those of what covers it.
+constexpr double kSeenPart = 0.1;
+/// Of more organs, those that are seen most are named first.
+constexpr std::size_t kFewNames = 12;
 /// A vertex covers that part of the distance to its neighbours.
 constexpr double kSpacingPart = 0.6;
 constexpr int kDotCorners = 12;
@@ -82,6 +89,15 @@ public:
     return cell && std::isfinite(fronts_[*cell].depth) && fronts_[*cell].owner == owner;
   }
 
+  std::size_t cells() const { return fronts_.size(); }
+
+  /// In how many cells `owner` is in front.
+  std::size_t countOf(std::size_t owner) const {
+    return static_cast<std::size_t>(std::count_if(fronts_.begin(), fronts_.end(), [&](const Front& front) {
+      return front.owner == owner && std::isfinite(front.depth);
+    }));
+  }
+
   /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
   std::optional<std::array<double, 2>> middleOf(std::size_t owner) const {
     std::vector<std::array<double, 2>> seen;
@@ -104,13 +120,6 @@ public:
     return away(nearest) < cell_ ? mean : nearest;
   }
 
-private:
-  static constexpr double kNothing = std::numeric_limits<double>::infinity();
-  struct Front {
-    double depth = kNothing;
-    std::size_t owner = 0;
-    bool inside = false;
-  };
   std::optional<std::size_t> cellOf(const DisplayPoint& place) const {
     if (place.x < 0 || place.y < 0)
       return std::nullopt;
@@ -118,6 +127,14 @@ private:
     const auto row = static_cast<std::size_t>(place.y / cell_);
     return column < columns_ && row < rows_ ? std::optional(row * columns_ + column) : std::nullopt;
   }
+
+private:
+  static constexpr double kNothing = std::numeric_limits<double>::infinity();
+  struct Front {
+    double depth = kNothing;
+    std::size_t owner = 0;
+    bool inside = false;
+  };
   std::size_t cellsIn(double pixels) const {
     return static_cast<std::size_t>(std::max(1.0, std::ceil(pixels / cell_)));
   }
@@ -141,8 +158,22 @@ struct Sighting {
   double x = 0, y = 0; ///< The middle of its vertices.
   double bottom = std::numeric_limits<double>::infinity();
   double top = -std::numeric_limits<double>::infinity();
+  std::size_t cells = 0; ///< Of the front that its vertices lie in ...
+  std::size_t front = 0; ///< ... and those of them in which it is in front; all where it is translucent.
   bool seen = false;
 };
+
+/// How many vertices of an organ are looked at for its size in the view.
+Eigen::Index verticesFor(const OrganActor& organ, const ViewGeometry& view) {
+  const Bounds box = organ.bounds();
+  const double depth = view.project(box.center()).depth;
+  if (!(depth > 0))
+    return kMostVertices;
+  const double across = box.diagonal() / (view.worldPerPixel(depth) * kCell * view.pixelRatio);
+  const double wanted = kVerticesInCell * across * across / 2;
+  return static_cast<Eigen::Index>(
+      std::clamp(wanted, static_cast<double>(kMostVertices), static_cast<double>(kMostVerticesForParts)));
+}
 
 /// How much a vertex faces away from the reader: 1 entirely, -1 looks at him.
 double turnedAway(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
@@ -159,6 +190,7 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
   const double area = 2 * (box.x() * box.y() + box.y() * box.z() + box.z() * box.x());
   const double spacing = std::sqrt(area * static_cast<double>(stride) / static_cast<double>(points.rows()));
   Eigen::Index count = 0;
+  std::vector<bool> met(fronts.opaque.cells());
   for (Eigen::Index i = 0; i < points.rows(); i += stride) {
     if (organ.cutsAway(points.row(i).transpose()))
       continue;
@@ -169,6 +201,10 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
         std::max(kVertexReach * view.pixelRatio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
     sighting.covered.cover(place.x, place.y, reach);
     all.cover(place.x, place.y, reach);
+    if (const auto cell = fronts.opaque.cellOf(place); cell && !met[*cell]) {
+      met[*cell] = true;
+      ++sighting.cells;
+    }
     if (organ.opacity() >= kOpaque)
       fronts.opaque.add(place, owner);
     if (organ.isCut())
@@ -180,6 +216,7 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
     ++count;
   }
   sighting.seen = count > 0;
+  sighting.front = sighting.cells;
   sighting.x /= static_cast<double>(std::max<Eigen::Index>(1, count));
   sighting.y /= static_cast<double>(std::max<Eigen::Index>(1, count));
   return sighting;
@@ -206,6 +243,12 @@ std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting&
   part.x = place.x;
   part.y = place.y;
   return part;
+}
+
+/// Whether an opaque organ is behind others, all but a few cells.
+bool isCovered(const Sighting& organ) {
+  return organ.cells > 0 &&
+         static_cast<double>(organ.front) < std::max(1.0, kSeenPart * static_cast<double>(organ.cells));
 }
 
 /// The text in two lines of much the same length; as it is, when it is one word.
@@ -272,6 +315,7 @@ struct OrganLabels::Parts {
   bool stillFits(const ViewGeometry& geometry, const std::vector<std::optional<Sighting>>& sightings) const;
   LabelRequest requestFor(std::size_t row, const Sighting& organ, double ratio) const;
   void measure(std::size_t row, LabelRequest& wanted);
+  std::vector<std::size_t> rowsByImportance(const std::vector<std::optional<Sighting>>& sightings) const;
   void layOut(const ViewGeometry& geometry, const std::vector<std::optional<Sighting>>& sightings);
   void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
   void drawLine(const ScreenBox& box, double x, double y, double ratio, vtkCellArray* segments,
@@ -300,7 +344,7 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
     const auto named = std::find_if(items.begin(), items.end(),
                                     [&](const Item& item) { return item.organ == organ && item.vertex < 0; });
     Sighting sighting = sight(*organ, static_cast<std::size_t>(named - items.begin()), geometry,
-                              parts ? kMostVerticesForParts : kMostVertices, all, fronts);
+                              parts ? kMostVerticesForParts : verticesFor(*organ, geometry), all, fronts);
     if (sighting.seen)
       seen.emplace(organ.get(), std::move(sighting));
   }
@@ -313,6 +357,13 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
       continue;
     }
     sightings[i] = organ->second;
+    if (items[i].organ->opacity() >= kOpaque) {
+      sightings[i]->front = fronts.opaque.countOf(i);
+      if (isCovered(*sightings[i])) {
+        sightings[i].reset();
+        continue;
+      }
+    }
     const auto before = going ? layout->targets[i] : std::nullopt;
     if (before && fronts.opaque.isInFront(i, *before)) {
       sightings[i]->x = before->x;
@@ -390,22 +441,35 @@ void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   wanted.height = size[1];
 }
 
+/// Those that are seen, in the order in which they look for a place: as they were given, among many organs
+/// those first of which most is seen, and parts behind organs.
+std::vector<std::size_t>
+OrganLabels::Parts::rowsByImportance(const std::vector<std::optional<Sighting>>& sightings) const {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (sightings[i] && !layout->leftOut[i])
+      rows.push_back(i);
+  const auto firstPart =
+      std::stable_partition(rows.begin(), rows.end(), [&](std::size_t row) { return items[row].vertex < 0; });
+  if (static_cast<std::size_t>(firstPart - rows.begin()) > kFewNames)
+    std::stable_sort(rows.begin(), firstPart,
+                     [&](std::size_t a, std::size_t b) { return sightings[a]->front > sightings[b]->front; });
+  return rows;
+}
+
 void OrganLabels::Parts::layOut(const ViewGeometry& geometry,
                                 const std::vector<std::optional<Sighting>>& sightings) {
   const double ratio = theme.typeScale * geometry.pixelRatio;
   std::vector<LabelRequest> requests;
-  std::vector<std::size_t> rows;
   LabelSpace room = space(geometry);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto& box = layout->boxes[i];
-    if (!sightings[i] && box)
-      room.reserved.push_back(*box);
-    if (!sightings[i] || layout->leftOut[i])
-      continue;
-    requests.push_back(requestFor(i, *sightings[i], ratio));
-    requests.back().kept = box;
-    measure(i, requests.back());
-    rows.push_back(i);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!sightings[i] && layout->boxes[i])
+      room.reserved.push_back(*layout->boxes[i]);
+  const std::vector<std::size_t> rows = rowsByImportance(sightings);
+  for (const std::size_t row : rows) {
+    requests.push_back(requestFor(row, *sightings[row], ratio));
+    requests.back().kept = layout->boxes[row];
+    measure(row, requests.back());
   }
   const auto placed = placeLabels(requests, layout->swept, room);
   for (std::size_t k = 0; k < rows.size(); ++k) {

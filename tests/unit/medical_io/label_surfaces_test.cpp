@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -135,6 +137,74 @@ TEST(LabelSurfaces, AreSmoothedWithoutLosingTheirShape) {
   EXPECT_LT(roughness(1), 0.35);
   EXPECT_LT(roughness(1), 0.75 * roughness(0));
   EXPECT_LT(roughness(2), 0.55 * roughness(0));
+}
+
+/// Slices three times as thick as voxels are wide: each ends in a step that is many voxels long.
+TEST(LabelSurfaces, OfThickSlicesAreWithoutTerraces) {
+  const Vec3 voxel(1, 1, 3), middle(30, 30, 30);
+  LabelImage image = tests::emptyLabels({61, 61, 21});
+  image.indexToLps.linear() = voxel.asDiagonal();
+  for (int k = 0; k < 21; ++k)
+    for (int j = 0; j < 61; ++j)
+      for (int i = 0; i < 61; ++i)
+        if ((Vec3(i, j, k).cwiseProduct(voxel) - middle).norm() <= 24)
+          image.at(i, j, k) = 1;
+  const LabelMap map = mapOf(image);
+  /// How much, in degrees, triangles lean away from the ball's surface (root mean square by area).
+  const auto unevenness = [&](double smoothing) {
+    const LabelSurface surface = surfacesOf(map, {.segments = {}, .smoothing = smoothing}).at(0);
+    expectSound(surface);
+    const Points& points = surface.mesh.points;
+    double sum = 0, areas = 0;
+    for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
+      const auto corner = [&](int k) -> Vec3 { return points.row(surface.mesh.triangles(t, k)); };
+      const Vec3 across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      const Vec3 outward = (corner(0) + corner(1) + corner(2)) / 3 - middle;
+      const double angle = std::atan2(across.cross(outward).norm(), across.dot(outward));
+      sum += across.norm() * angle * angle;
+      areas += across.norm();
+    }
+    return std::sqrt(sum / areas) * 180 / std::numbers::pi;
+  };
+  const double usual = unevenness(LabelSurfaceOptions().smoothing);
+  EXPECT_LT(usual, 5);
+  EXPECT_LT(usual, 0.6 * unevenness(0.5)) << "a filter that takes the voxels' steps away leaves the slices'";
+  EXPECT_LT(unevenness(2), usual);
+}
+
+/// Beside a large organ of the same label: what all vertices move by for the volume cannot make up for it.
+TEST(LabelSurfaces, OfThinVesselsStayAsThickAsTheyAre) {
+  constexpr double kRadius = 1.6, kSlope = 0.2;
+  LabelImage image = tests::emptyLabels({60, 40, 100});
+  tests::addBall(image, Vec3(30, 20, 20), 16, 1);
+  const auto axis = [](double z) { return Vec3(30 + kSlope * (z - 60), 20, z); };
+  for (int k = 20; k < 95; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 60; ++i)
+        if ((Vec3(i, j, k) - axis(k)).norm() <= kRadius)
+          image.at(i, j, k) = 1;
+  const LabelMap map = mapOf(image);
+  /// The mean distance from the axis, and the end of the vessel.
+  const auto shape = [&](double smoothing) {
+    const LabelSurface surface = surfacesOf(map, {.segments = {}, .smoothing = smoothing}).at(0);
+    expectSound(surface);
+    double sum = 0, count = 0, end = 0;
+    for (const auto& point : surface.mesh.points.rowwise()) {
+      const double z = point.z();
+      end = std::max(end, z);
+      if (z < 45 || z > 85)
+        continue;
+      sum += (point.transpose() - axis(z)).norm();
+      ++count;
+    }
+    return std::array{sum / count, end};
+  };
+  const auto [radius, end] = shape(0);
+  for (const double smoothing : {0.5, LabelSurfaceOptions().smoothing, 2.0}) {
+    const auto [smoothRadius, smoothEnd] = shape(smoothing);
+    EXPECT_NEAR(smoothRadius, radius, 0.05) << smoothing;
+    EXPECT_NEAR(smoothEnd, end, 0.5) << smoothing;
+  }
 }
 
 TEST(LabelSurfaces, KeepAllPiecesOrTheLargestAndSaySo) {

@@ -112,7 +112,7 @@ const std::string kHead = "# vtk DataFile Version 2.0\nby hand\nASCII\nDATASET P
 const std::string kPointsText = "POINTS 4 float\n0 0 0 100 0 0\n0 100 0 0 0 100\n";
 const std::string kPolygonsText = "POLYGONS 4 16\n3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3\n";
 
-std::string problemOf(const std::string& name, const std::string& text) {
+std::string problemOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   try {
     readSurface(folder.put(name, text));
@@ -148,20 +148,20 @@ TEST(LegacyVtkText, UnknownValuesAtTheEndAreIgnoredWithAWarning) {
 }
 
 TEST(LegacyVtkText, LiesOfTheHeaderAreRefused) {
-  EXPECT_THAT(problemOf("a.vtk", kHead + "POINTS 999999999999999 float\n0 0 0\n"), HasSubstr("Line 5"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + "POINTS -1 float\n0 0 0\n"), HasSubstr("negative"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n9 0 1 2\n"),
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + "POINTS 999999999999999 float\n0 0 0\n"), HasSubstr("Line 5"));
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + "POINTS -1 float\n0 0 0\n"), HasSubstr("negative"));
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n9 0 1 2\n"),
               HasSubstr("claims 9 points"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n-3 0 1 2\n"),
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n-3 0 1 2\n"),
               HasSubstr("claims -3 points"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + "POLYGONS 2 4\n3 0 1 2\n"), HasSubstr("2 cells"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n3 0 1\n"), HasSubstr("cut off"));
-  EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + kPolygonsText + "POINT_DATA 5\n"),
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + kPointsText + "POLYGONS 2 4\n3 0 1 2\n"), HasSubstr("2 cells"));
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n3 0 1\n"), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfFile("a.vtk", kHead + kPointsText + kPolygonsText + "POINT_DATA 5\n"),
               HasSubstr("5 points"));
 }
 
 TEST(LegacyVtkText, OtherDatasetsAreRefusedByName) {
-  EXPECT_THAT(problemOf("a.vtk", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"),
+  EXPECT_THAT(problemOfFile("a.vtk", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"),
               HasSubstr("UNSTRUCTURED_GRID"));
 }
 
@@ -245,31 +245,32 @@ TEST(VtpFile, LiesOfTheHeaderAreRefused) {
   const TemporaryFolder folder;
   EXPECT_EQ(readSurface(folder.put("a.vtp", vtpText(good, points, polygons))).mesh.triangles.rows(), 1);
 
-  EXPECT_THAT(
-      problemOf("a.vtp", vtpText(R"(NumberOfPoints="9000000000000" NumberOfPolys="1")", points, polygons)),
-      HasSubstr("9000000000000 points"));
-  EXPECT_THAT(problemOf("a.vtp", vtpText(R"(NumberOfPoints="-3" NumberOfPolys="1")", points, polygons)),
+  EXPECT_THAT(problemOfFile("a.vtp",
+                            vtpText(R"(NumberOfPoints="9000000000000" NumberOfPolys="1")", points, polygons)),
+              HasSubstr("9000000000000 points"));
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(R"(NumberOfPoints="-3" NumberOfPolys="1")", points, polygons)),
               HasSubstr("NumberOfPoints"));
   // 0xffffffff bytes announced, none there.
-  EXPECT_THAT(problemOf("a.vtp", vtpText(good, R"("binary">/////w==)", polygons)),
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(good, R"("binary">/////w==)", polygons)),
               HasSubstr("4294967295 bytes"));
-  EXPECT_THAT(problemOf("a.vtp", vtpText(good, R"("binary">/////)", polygons)), HasSubstr("cut off"));
-  EXPECT_THAT(problemOf("a.vtp", vtpText(good, R"("appended" offset="9">)", polygons)), HasSubstr("cut off"));
-  EXPECT_THAT(problemOf("a.vtp", vtpText(good, points, "")), HasSubstr("connectivity"));
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(good, R"("binary">/////)", polygons)), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(good, R"("appended" offset="9">)", polygons)),
+              HasSubstr("cut off"));
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(good, points, "")), HasSubstr("connectivity"));
   const std::string wild = R"(<DataArray type="Int32" Name="connectivity" format="ascii">0 1 7</DataArray>)"
                            R"(<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray>)";
-  EXPECT_THAT(problemOf("a.vtp", vtpText(good, points, wild)), HasSubstr("point 7"));
+  EXPECT_THAT(problemOfFile("a.vtp", vtpText(good, points, wild)), HasSubstr("point 7"));
 }
 
 TEST(VtpFile, DeepXmlIsRefused) {
   std::string deep = "<VTKFile type=\"PolyData\">";
   for (int i = 0; i < 200000; ++i)
     deep += "<a>";
-  EXPECT_THAT(problemOf("a.vtp", deep), HasSubstr("XML"));
+  EXPECT_THAT(problemOfFile("a.vtp", deep), HasSubstr("XML"));
 }
 
 TEST(VtpFile, OtherVtkXmlIsNamed) {
-  EXPECT_THAT(problemOf("a.vtp", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid/></VTKFile>)"),
+  EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid/></VTKFile>)"),
               HasSubstr("no surface"));
 }
 

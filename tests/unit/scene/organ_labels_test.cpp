@@ -217,6 +217,89 @@ TEST_F(Labels, LinesEndWhereTheOrganIsSeenThoughAnotherOneIsInFrontOfIt) {
   EXPECT_NEAR(named("Right ventricle").targetX, covering[0], 12);
 }
 
+TEST(LabelsOfOrgans, AreLeftOutBehindAnOpaqueOneAndKeptBehindATranslucentOne) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  const auto muscle = window.addOrgan(tests::sphere(6, 100));
+  const auto inside = window.addOrgan(tests::sphere(3, 30, {10, 0, 20}));
+  const auto behind = window.addOrgan(tests::sphere(4, 40, {0, 180, 0}));
+  const auto beside = window.addOrgan(tests::sphere(3, 20, {130, 60, 0}));
+  labels.setItems({{"Inside", inside}, {"Behind", behind}, {"Beside", beside}, {"Muscle", muscle}});
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+  const auto names = [&] {
+    window.render();
+    std::vector<std::string> texts;
+    for (const auto& label : labels.drawn())
+      texts.push_back(label.text);
+    return texts;
+  };
+  EXPECT_EQ(names(), (std::vector<std::string>{"Beside", "Muscle"}));
+  inside->setOpacity(0.5);
+  EXPECT_EQ(names(), (std::vector<std::string>{"Inside", "Beside", "Muscle"}))
+      << "a translucent one keeps its";
+  inside->setOpacity(1);
+  muscle->setOpacity(0.3);
+  EXPECT_EQ(names().size(), 4U) << "one sees through it";
+}
+
+TEST(LabelsOfOrgans, StandWhereTheyWereWhenAnOpaqueOneHasPassedInFrontOfThem) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  const auto still = window.addOrgan(tests::sphere(3, 20));
+  const auto passing = window.addOrgan(tests::sphere(4, 40, {-100, -100, 0}));
+  labels.setItems({{"Still", still}});
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.5);
+  window.view.setMoving(true);
+  window.render();
+  ASSERT_EQ(labels.drawn().size(), 1U);
+  const auto moveTo = [&](double x) {
+    auto moved = std::make_shared<Points>(passing->mesh().points);
+    moved->col(0).array() += x + 100;
+    passing->setPoints(moved);
+    window.render();
+  };
+  for (const double x : {-50.0, 0.0, 50.0, 100.0, 50.0})
+    moveTo(x); // The name moves aside once for what comes.
+  moveTo(-100);
+  ASSERT_EQ(labels.drawn().size(), 1U);
+  const ScreenBox before = labels.drawn()[0].box;
+  moveTo(0);
+  EXPECT_TRUE(labels.drawn().empty());
+  moveTo(-100);
+  ASSERT_EQ(labels.drawn().size(), 1U);
+  EXPECT_EQ(labels.drawn()[0].box.left, before.left);
+  EXPECT_EQ(labels.drawn()[0].box.bottom, before.bottom);
+}
+
+/// In a low view there is room for some of twenty: those of which most is seen.
+TEST(LabelsOfOrgans, AmongManyThoseThatAreSeenMostAreNamedFirst) {
+  tests::ViewInWindow window(480, 200);
+  OrganLabels labels(window.view);
+  std::vector<OrganLabels::Item> items;
+  for (int i = 0; i < 20; ++i) {
+    const double radius = i < 16 ? 8 : 30; // The large ones come last.
+    const double x = i < 16 ? 25 * (i % 4) : 110 + 65 * (i % 2);
+    const double z = i < 16 ? 25 * (i / 4) : 65 * ((i - 16) / 2);
+    items.push_back({(i < 16 ? "Small organ " : "Large organ ") + std::to_string(i),
+                     window.addOrgan(tests::sphere(3, radius, {x, 0, z}))});
+  }
+  labels.setItems(std::move(items));
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.8);
+  window.render();
+  const auto drawn = labels.drawn();
+  EXPECT_LT(drawn.size(), 20U) << "else this shows nothing";
+  int large = 0;
+  for (const auto& label : drawn)
+    large += label.text.rfind("Large", 0) == 0 ? 1 : 0;
+  EXPECT_EQ(large, 4);
+}
+
 TEST_F(Labels, OfHiddenOrgansAreNotDrawnAndNoneWithoutAsking) {
   left->setVisible(false);
   window.render();

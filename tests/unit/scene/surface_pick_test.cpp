@@ -16,12 +16,12 @@
 namespace viscera::scene {
 namespace {
 
-OrganActor ball(double radius, const Vec3& center = Vec3::Zero()) {
+OrganActor ballOrgan(double radius, const Vec3& center = Vec3::Zero()) {
   return OrganActor(std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, radius, center)));
 }
 
 TEST(SurfacePick, AnswersPositionNormalAndVertexOnTheNearSide) {
-  OrganActor organ = ball(50);
+  OrganActor organ = ballOrgan(50);
   const Ray ray{Vec3(11, -200, 7), Vec3::UnitY()};
   const auto pick = pickSurface(ray, {&organ});
   ASSERT_TRUE(pick);
@@ -41,7 +41,7 @@ TEST(SurfacePick, AnswersPositionNormalAndVertexOnTheNearSide) {
 }
 
 TEST(SurfacePick, TakesTheNearestVisibleOrgan) {
-  OrganActor far = ball(20, {0, 100, 0}), near = ball(20);
+  OrganActor far = ballOrgan(20, {0, 100, 0}), near = ballOrgan(20);
   const Ray ray{Vec3(0.3, -200, 0.2), Vec3::UnitY()};
   EXPECT_EQ(pickSurface(ray, {&far, &near})->organ, &near);
   near.setVisible(false);
@@ -49,14 +49,14 @@ TEST(SurfacePick, TakesTheNearestVisibleOrgan) {
 }
 
 TEST(SurfacePick, MissesAndLooksOnlyForward) {
-  OrganActor organ = ball(20);
+  OrganActor organ = ballOrgan(20);
   EXPECT_FALSE(pickSurface({Vec3(30, -200, 0), Vec3::UnitY()}, {&organ}));
   EXPECT_FALSE(pickSurface({Vec3(0.1, 200, 0.1), Vec3::UnitY()}, {&organ}));
   EXPECT_FALSE(pickSurface({Vec3(0, -200, 0), Vec3::UnitY()}, {}));
 }
 
 TEST(SurfacePick, GoesThroughWhatTheClipPlaneCutsAway) {
-  OrganActor organ = ball(50);
+  OrganActor organ = ballOrgan(50);
   organ.setClipPlane(Vec3::Zero(), Vec3::UnitY());
   const auto pick = pickSurface({Vec3(0.3, -200, 0.2), Vec3::UnitY()}, {&organ});
   ASSERT_TRUE(pick);
@@ -64,7 +64,7 @@ TEST(SurfacePick, GoesThroughWhatTheClipPlaneCutsAway) {
 }
 
 TEST(SurfacePick, SeesThePosedSurface) {
-  OrganActor organ = ball(50);
+  OrganActor organ = ballOrgan(50);
   organ.setPoints(std::make_shared<Points>(0.5 * organ.mesh().points));
   EXPECT_NEAR(pickSurface({Vec3(0.1, -200, 0.1), Vec3::UnitY()}, {&organ})->position.y(), -25, 0.1);
 }

@@ -16,8 +16,8 @@ namespace viscera::medical_io {
 struct LabelSurfaceOptions {
   std::vector<std::size_t> segments; ///< Indices into `LabelMap::segments`, each once; empty: all.
   int triangles = 20'000;            ///< The approximate maximum for each surface; 0: no limit.
-  double smoothing = 1;              ///< 0: the voxels' steps stay; 1: they are smoothed away; up to 2.
-  bool largestPieceOnly = false;     ///< Drops the voxels that do not touch the largest piece by a face.
+  double smoothing = 1; ///< 0: the voxels' steps stay; 0.5: the terraces of slices stay; 1: none; up to 2.
+  bool largestPieceOnly = false; ///< Drops the voxels that do not touch the largest piece by a face.
 };
 
 /// The surface of one label, with its volume and remarks.
@@ -35,9 +35,10 @@ using SurfaceListener = std::function<void(const LabelSurface&)>;
 
 /// A closed surface around every label, in the order of `options.segments`: flying edges through the label's
 /// voxels with a margin, so that organs that the image cuts off are closed as well; windowed-sinc smoothing
-/// (Taubin et al. 1996, doi 10.1007/BFb0015551); `geometry::decimateClosedSurface`; then all vertices move
-/// along their normals, by a voxel at most, until the volume is the voxels' within `kVolumeTolerance`. A
-/// label that would lose its shape (thinner than a voxel) is smoothed less.
+/// (Taubin et al. 1996, doi 10.1007/BFb0015551) that keeps the volume around each vertex;
+/// `geometry::decimateClosedSurface`; then all vertices move along their normals, by a voxel at most, until
+/// the volume is the voxels' within `kVolumeTolerance`. A label that would lose its shape (thinner than a
+/// voxel) is smoothed less.
 ///
 /// Throws `UsageError` for a segment that the map does not have, `Cancelled`. In parallel over labels;
 /// results do not depend on the number of threads. O(v + m log m) for a box of v voxels and m triangles.

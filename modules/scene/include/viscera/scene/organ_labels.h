@@ -16,9 +16,9 @@ class OrganView;
 
 /// Draws labels beside the organs of a view and their parts, each with a line to what it names. Labels follow
 /// the camera; they overlap neither each other nor any organ, no line runs through another one, and one that
-/// finds no room is left out. While something moves (`OrganView::setMoving`) they stand still and only their
-/// lines follow, but for one that would be covered. Belongs to the thread that renders; the view has to live
-/// longer.
+/// finds no room, or whose opaque organ others hide, is left out; of many, those are named first of which
+/// most is seen. While something moves (`OrganView::setMoving`) they stand still and only their lines follow,
+/// but for one that would be covered. Belongs to the thread that renders; the view has to live longer.
 class OrganLabels {
 public:
   /// What is to be labelled.
