@@ -16,7 +16,7 @@
 namespace viscera::tests {
 namespace {
 
-QString contentsOf(const QString& file) {
+QString readPage(const QString& file) {
   QFile stream(file);
   return stream.open(QIODevice::ReadOnly) ? QString::fromUtf8(stream.readAll()) : QString();
 }
@@ -84,7 +84,7 @@ TEST_F(LessonOfTheHeart, IsWrittenWithItsMotionWhileTheWindowGoesOn) {
   settle();
   ASSERT_TRUE(QFileInfo::exists(file)) << message().toStdString();
   EXPECT_THAT(message().toStdString(), testing::HasSubstr("mm at most"));
-  const QString page = contentsOf(file);
+  const QString page = readPage(file);
   EXPECT_TRUE(page.contains(QStringLiteral("\"rates\":[60.0,75.0]")));
   EXPECT_TRUE(page.contains(QStringLiteral("Left ventricle")));
   EXPECT_FALSE(page.left(page.indexOf(QStringLiteral("id=\"arrays\""))).contains(QStringLiteral("/tmp")));

@@ -54,7 +54,7 @@ QStringList sourcesOf(const QString& folder) {
   return files;
 }
 
-QString contentsOf(const QString& file) {
+QString readSource(const QString& file) {
   QFile device(file);
   EXPECT_TRUE(device.open(QIODevice::ReadOnly)) << file.toStdString();
   return QString::fromUtf8(device.readAll());
@@ -125,15 +125,15 @@ TEST_P(Phrases, OfTheNumericalModulesAreTranslated) {
       translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
   std::set<QString> texts;
   for (const QString& file : sourcesOf(QStringLiteral("modules")) + sourcesOf(QStringLiteral("app/window")))
-    texts.merge(patternsIn(contentsOf(file)));
+    texts.merge(patternsIn(readSource(file)));
   EXPECT_GT(texts.size(), 80u);
   for (const QString& file : sourcesOf(QStringLiteral("app/window")))
-    texts.merge(errorsIn(contentsOf(file)));
+    texts.merge(errorsIn(readSource(file)));
   for (const char* module : kSpeaking)
     for (const QString& file : sourcesOf(QStringLiteral("modules/") + QLatin1String(module)))
       if (std::none_of(std::begin(kSilent), std::end(kSilent),
                        [&](const char* silent) { return file.contains(QLatin1String(silent)); }))
-        texts.merge(textsIn(contentsOf(file)));
+        texts.merge(textsIn(readSource(file)));
   EXPECT_GT(texts.size(), 500u);
   // Lessons have their texts in viscera_*.ts, since their page is written in any of the languages.
   const auto known = [&](const char* context, const QString& text) {
