@@ -26,7 +26,7 @@ constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
 /// A narrower window leaves the panels less than these widths.
 constexpr int kWidthForPanels = 1200;
-constexpr int kDockedChartHeight = 140;
+constexpr int kDockedChartHeight = 160;
 constexpr int kHandlesHeight = 260;
 /// Of the column of organs and handles: the organs have more.
 constexpr double kHandlesPart = 0.42;

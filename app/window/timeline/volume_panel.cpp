@@ -431,6 +431,7 @@ void VolumePanel::refresh() {
 void VolumePanel::draw() {
   if (!isVisible())
     return;
+  chart_->update(); // Its size may have changed.
   chartWidget_->renderWindow()->Render();
   placeCursor();
 }

@@ -52,6 +52,10 @@ constexpr double kChartRoom = 0.08;
 /// Curves that vary by less of their value are drawn flat: what is left of a locked volume is rounding.
 constexpr double kFlat = 1e-3;
 constexpr int kMostChartTicks = 6;
+/// A chart that is lower, in logical pixels, has no title below it and fewer numbers beside it: the curves
+/// need the room.
+constexpr double kLowChart = 140;
+constexpr int kMostTicksOfALowChart = 4;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
 constexpr std::array kAxes = {vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::RIGHT};
@@ -146,6 +150,7 @@ int cornerOf(const Curve& curve) {
 
 struct VolumeChart::Parts {
   char decimalMark = '.';
+  std::string xTitle, xUnit;
   vtkNew<vtkRenderer> renderer;
   vtkNew<ChartActor> actor;
   vtkNew<LabelledChart> chart;
@@ -168,9 +173,34 @@ struct VolumeChart::Parts {
   ValueRange valueRange(bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
+  /// Whether the chart is too low for a title below it.
+  bool isLow() const;
+  void fillAxis(int which, ValueRange range);
   /// Has the chart write the names of the curves that are seen, and the captions of their bands.
   void nameCurves(double ratio);
 };
+
+bool VolumeChart::Parts::isLow() const {
+  return window && window->GetSize()[1] < kLowChart * pixelRatioOf(window);
+}
+
+/// In a low chart the last number at the bottom has the unit, which the title has otherwise.
+void VolumeChart::Parts::fillAxis(int which, ValueRange range) {
+  const bool low = isLow(), bottom = which == vtkAxis::BOTTOM;
+  auto* axis = chart->GetAxis(which);
+  axis->SetRange(range.low, range.high);
+  const auto ticks = niceTicks(range, low && !bottom ? kMostTicksOfALowChart : kMostChartTicks);
+  const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (const double tick : ticks) {
+    const bool last = tick == ticks.back();
+    positions->InsertNextValue(tick);
+    labels->InsertNextValue(tickLabel(tick, spacing, decimalMark) +
+                            (low && bottom && last && !xUnit.empty() ? " " + xUnit : std::string()));
+  }
+  axis->SetCustomTickPositions(positions, labels);
+}
 
 void VolumeChart::Parts::build() {
   chart->SetAutoSize(true);
@@ -379,7 +409,9 @@ void VolumeChart::setAxes(const std::string& xTitle, const std::string& xUnit, c
   const auto joined = [](const std::string& title, const std::string& unit) {
     return unit.empty() ? title : title + " (" + unit + ")";
   };
-  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(joined(xTitle, xUnit));
+  parts_->xTitle = joined(xTitle, xUnit);
+  parts_->xUnit = xUnit;
+  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(parts_->xTitle);
   parts_->chart->GetAxis(vtkAxis::LEFT)->SetTitle(joined(yTitle, yUnit));
 }
 
@@ -490,20 +522,10 @@ void VolumeChart::update() {
   for (auto& curve : p.curves)
     p.fillCurve(*curve, times);
   p.fillCursor(values);
-  for (const auto& [which, range] : {std::pair{vtkAxis::BOTTOM, times}, std::pair{vtkAxis::LEFT, values},
-                                     std::pair{vtkAxis::RIGHT, right}}) {
-    auto* axis = p.chart->GetAxis(which);
-    axis->SetRange(range.low, range.high);
-    const auto ticks = niceTicks(range, kMostChartTicks);
-    const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
-    vtkNew<vtkDoubleArray> positions;
-    vtkNew<vtkStringArray> labels;
-    for (const double tick : ticks) {
-      positions->InsertNextValue(tick);
-      labels->InsertNextValue(tickLabel(tick, spacing, p.decimalMark));
-    }
-    axis->SetCustomTickPositions(positions, labels);
-  }
+  p.fillAxis(vtkAxis::BOTTOM, times);
+  p.fillAxis(vtkAxis::LEFT, values);
+  p.fillAxis(vtkAxis::RIGHT, right);
+  p.chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(p.isLow() ? std::string() : p.xTitle);
   p.nameCurves(ratio);
   const auto atRight = [](const auto& curve) { return curve->line.rightAxis; };
   p.chart->GetAxis(vtkAxis::RIGHT)->SetVisible(std::any_of(p.curves.begin(), p.curves.end(), atRight));

@@ -23,11 +23,11 @@ constexpr int kMost = 4; ///< Corrections.
 
 /// The corrections, or how far the volumes then are from what they should be (ml): left and right ventricle,
 /// left and right atrium where they are known.
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
+using Corrections = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
 using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
 
 /// The state with these corrections.
-HeartState corrected(HeartState state, const Values& corrections) {
+HeartState corrected(HeartState state, const Corrections& corrections) {
   state.leftGain = corrections[0];
   state.rightShift = corrections[1];
   if (corrections.size() == kMost) {
@@ -42,7 +42,7 @@ struct AffineHandles {
   Points base;
   std::vector<Points> along;
 
-  Points at(const Values& corrections) const {
+  Points at(const Corrections& corrections) const {
     Points pose = base;
     for (std::size_t i = 0; i < along.size(); ++i)
       pose += corrections[static_cast<Eigen::Index>(i)] * along[i];
@@ -53,16 +53,16 @@ struct AffineHandles {
 AffineHandles affineHandles(const HeartMotion& motion, const PoseCompensation& compensation,
                             const Points& rest, const HeartState& state, Eigen::Index count) {
   AffineHandles handles;
-  const auto posed = [&](const Values& corrections) {
+  const auto posed = [&](const Corrections& corrections) {
     Points pose;
     motion.pose(corrected(state, corrections), pose);
     compensation.apply(rest, pose);
     return pose;
   };
   // The handles are affine in the corrections: base at zero, and along_i from zero to the i-th unit vector.
-  handles.base = posed(Values::Zero(count));
+  handles.base = posed(Corrections::Zero(count));
   for (Eigen::Index i = 0; i < count; ++i)
-    handles.along.push_back(posed(Values::Unit(count, i)) - handles.base);
+    handles.along.push_back(posed(Corrections::Unit(count, i)) - handles.base);
   return handles;
 }
 
@@ -84,20 +84,21 @@ public:
   /// Starts with `found` where that is of as many cavities.
   FoundCavities run(const FoundCavities* found) const {
     const bool warm = found && found->corrections.size() == wanted_.count();
-    Values corrections = warm ? Values(found->corrections) : Values(Values::Unit(wanted_.count(), 0));
-    Values error = errorAt(corrections);
+    Corrections corrections =
+        warm ? Corrections(found->corrections) : Corrections(Corrections::Unit(wanted_.count(), 0));
+    Corrections error = errorAt(corrections);
     Derivatives jacobian = warm ? Derivatives(found->jacobian) : derivatives(corrections, error);
     for (int step = 0; !fits(error); ++step) {
       if (step == kMostSteps)
         throwUnreached(error);
       if (step > 0 && step % 8 == 0)
         jacobian = derivatives(corrections, error);
-      Values change = -jacobian.partialPivLu().solve(error);
+      Corrections change = -jacobian.partialPivLu().solve(error);
       const double size = change.cwiseAbs().maxCoeff();
       if (!(size < 1e6))
         throwUnreached(error);
       change *= std::min(1.0, kLargestStep / size);
-      const Values next = errorAt(corrections + change);
+      const Corrections next = errorAt(corrections + change);
       corrections += change;
       // Broyden: the least change of J with which J s is the change of the error that was seen.
       jacobian += (next - error - jacobian * change) * change.transpose() / change.squaredNorm();
@@ -107,13 +108,13 @@ public:
   }
 
 private:
-  static bool fits(const Values& error) { return error.cwiseAbs().maxCoeff() < CavityFit::kToleranceMl; }
+  static bool fits(const Corrections& error) { return error.cwiseAbs().maxCoeff() < CavityFit::kToleranceMl; }
 
-  Values errorAt(const Values& corrections) const {
+  Corrections errorAt(const Corrections& corrections) const {
     const Points pose = handles_.at(corrections);
     const CavityVolumes measured = wanted_.measure(pose);
     const CavityVolumes& ventricles = wanted_.instant.volumes;
-    Values error(wanted_.count());
+    Corrections error(wanted_.count());
     error[0] = measured.leftMl - ventricles.leftMl;
     error[1] = measured.rightMl - ventricles.rightMl;
     if (wanted_.measureAtria) {
@@ -126,10 +127,10 @@ private:
     return error;
   }
 
-  Derivatives derivatives(const Values& corrections, const Values& error) const {
+  Derivatives derivatives(const Corrections& corrections, const Corrections& error) const {
     Derivatives jacobian(error.size(), error.size());
     for (Eigen::Index i = 0; i < error.size(); ++i) {
-      Values probe = corrections;
+      Corrections probe = corrections;
       probe[i] += kProbe;
       jacobian.col(i) = (errorAt(probe) - error) / kProbe;
     }
@@ -146,7 +147,7 @@ private:
                   ml(ventricles.leftMl), ml(ventricles.rightMl), ml(atria.leftMl), ml(atria.rightMl));
   }
 
-  [[noreturn]] void throwUnreached(const Values& error) const {
+  [[noreturn]] void throwUnreached(const Corrections& error) const {
     const auto ml = [&](Eigen::Index cavity) { return fixed(error[cavity], 2); };
     throw DataError(
         wanted_.measureAtria

@@ -39,13 +39,14 @@ int count(vtkImageData* picture, int channel, int left, int right) {
   return found;
 }
 
-/// A chart in a picture of its own, 200 pixels high.
+/// A chart in a picture of its own.
 struct DrawnChart {
   SurfacelessWindow surface;
   VolumeChart chart;
 
-  DrawnChart(std::vector<ChartLine> lines, double seconds, int width = 500, const Theme& theme = darkTheme())
-      : surface(width, 200) {
+  DrawnChart(std::vector<ChartLine> lines, double seconds, int width = 500, const Theme& theme = darkTheme(),
+             int height = 200)
+      : surface(width, height) {
     chart.setWindow(surface.window());
     chart.setTheme(theme);
     chart.setLines(std::move(lines));
@@ -118,6 +119,23 @@ TEST(VolumeChart, DrawsItsLinesInTheirColours) {
   const auto both = drawn.picture();
   EXPECT_GT(count(both, 0, 60, 400), 150);
   EXPECT_GT(count(both, 1, 60, 400), 150);
+}
+
+/// The height of the plot, as a part of the picture's.
+double plotHeight(int height, const char* title) {
+  DrawnChart drawn({kRed}, 1, 500, darkTheme(), height);
+  drawn.chart.setAxes(title, "s", "Volume", "ml");
+  drawn.chart.append(0, Values::Constant(1, 60));
+  drawn.chart.append(1, Values::Constant(1, 150));
+  drawn.picture();
+  const auto cursor = drawn.chart.placeOf(0.5);
+  return cursor ? cursor->high - cursor->low : 0;
+}
+
+TEST(VolumeChart, GivesTheRoomOfTheTitleBelowItToTheCurvesWhereItIsLow) {
+  EXPECT_GT(plotHeight(120, "Time"), 0.6);
+  EXPECT_EQ(plotHeight(120, "Time"), plotHeight(120, ""));
+  EXPECT_LT(plotHeight(200, "Time"), plotHeight(200, ""));
 }
 
 TEST(VolumeChart, WhatRoundingLeavesOfALockedVolumeIsDrawnFlat) {
