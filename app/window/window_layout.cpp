@@ -21,11 +21,13 @@ namespace {
 
 constexpr int kWindowWidth = 1440;
 constexpr int kWindowHeight = 900;
-constexpr int kLeftWidth = 256;
+constexpr int kLeftWidth = 304;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
 /// A narrower window leaves the panels less than these widths.
-constexpr int kWidthForPanels = 1200;
+constexpr int kWidthForRight = 1200;
+/// The names of a segmented patient's organs are whole from here on.
+constexpr int kWidthForLeft = 1280;
 constexpr int kDockedChartHeight = 160;
 constexpr int kHandlesHeight = 260;
 /// Of the column of organs and handles: the organs have more.
@@ -115,7 +117,7 @@ void WindowLayout::place(const Panels& panels) {
   window_.resizeDocks({organs, handles}, {3, 2}, Qt::Vertical);
   window_.resizeDocks({chart}, {kDockedChartHeight}, Qt::Vertical);
   heights_ = {{chart, kDockedChartHeight}, {handles, kHandlesHeight}};
-  widths_ = {{organs, {kLeftWidth, kWidthForPanels}}, {properties_, {kRightWidth, kWidthForPanels}}};
+  widths_ = {{organs, {kLeftWidth, kWidthForLeft}}, {properties_, {kRightWidth, kWidthForRight}}};
   window_.installEventFilter(this);
   auto* slides = addDock(tr("Slides"), "slides", Qt::LeftDockWidgetArea, panels.slides, false);
   slides->hide();
@@ -405,7 +407,8 @@ void WindowLayout::bringBack() {
   chosen_.clear();
   kept_.clear();
   for (auto known = widths_.begin(); known != widths_.end(); ++known)
-    known.value() = {known.key() == properties_ ? kRightWidth : kLeftWidth, kWidthForPanels};
+    known.value() =
+        known.key() == properties_ ? Width{kRightWidth, kWidthForRight} : Width{kLeftWidth, kWidthForLeft};
   window_.restoreState(standard_);
   arrange();
   if (importing_)

@@ -3747,7 +3747,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <name>viscera::app::PersonBox</name>
     <message>
         <source>Women and men</source>
-        <translation>Frauen und Männer</translation>
+        <translation>Frauen, Männer</translation>
     </message>
     <message>
         <source>Women</source>

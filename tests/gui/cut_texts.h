@@ -203,6 +203,8 @@ inline void collectCutEntries(const QWidget& window, const std::string& where, C
 inline void collectCutTabs(const QWidget& window, const std::string& where, CutTexts& cut) {
   for (const auto* bar : window.findChildren<QTabBar*>())
     for (int tab = 0; bar->isVisible() && tab < bar->count(); ++tab) {
+      if (bar->count() == 1)
+        continue; // Qt draws no tab for a panel that is alone.
       QStyleOptionTab option;
       option.initFrom(bar);
       option.rect = bar->tabRect(tab);

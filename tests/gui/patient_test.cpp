@@ -111,8 +111,8 @@ TEST_F(PatientTest, TheScanBendsAlongAndComesBackWithThePose) {
   settle();
   EXPECT_GT(valueAt(1, Vec3(0, 0, 55)), 60) << "the ball's tissue went there";
   EXPECT_LT(valueAt(1, Vec3(0, 0, -25)), 0) << "and is gone from here";
-  EXPECT_TRUE(
-      QString::fromStdString(window().slices().presenter().picture(1).note).contains(QStringLiteral("Warped")));
+  EXPECT_TRUE(QString::fromStdString(window().slices().presenter().picture(1).note)
+                  .contains(QStringLiteral("Warped")));
   const geometry::PlaneCut* contour = window().slices().presenter().cut(1, document().organs().front()->id);
   ASSERT_TRUE(contour);
   EXPECT_NEAR(contour->points.col(2).maxCoeff(), 70, 2) << "as its contour says";

@@ -34,6 +34,10 @@ const std::vector<Vec3>& groupColors() {
   return colors;
 }
 
+/// Of the surfaces that a motion is fitted to. `betweenSlices` leaves no terraces, and more smoothing would
+/// take the surface further from the measured voxels.
+constexpr double kLabelSmoothing = 0.5;
+
 /// The surface around a mask, `triangles` at most.
 TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, int triangles,
                            std::vector<std::string>& warnings, Progress& progress, Threads threads) {
@@ -52,6 +56,7 @@ TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, 
   map.segments.push_back(segment);
   medical_io::LabelSurfaceOptions options;
   options.triangles = triangles;
+  options.smoothing = kLabelSmoothing;
   options.largestPieceOnly = true;
   auto surface = std::move(medical_io::labelSurfaces(map, options, progress, threads).front());
   for (const std::string& warning : surface.warnings)

@@ -151,7 +151,7 @@ TEST(SlicePresenter, WritesDecimalsWithTheMarkOfTheLanguage) {
   EXPECT_EQ(formatMeasured(document::MeasurementKind::sphere, 41.3, "HU"), "41.3 HU");
 }
 
-TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
+TEST(SlicePresenter, WarpsTheScanByTheRestPositionsItIsGiven) {
   ScannedBall ball;
   ball.view.scan.warped = true;
   Warping warping = shifted(Vec3(-20, 0, 0), 1);
@@ -159,7 +159,7 @@ TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
   ball.slices.update(scene, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(45, 0, 5)), 150) << "what was at 25 mm is 20 mm farther on";
   EXPECT_LT(ball.greyAt(0, Vec3(-20, 0, 5)), 110);
-  EXPECT_NE(ball.slices.picture(0).note.find("Bent"), std::string::npos);
+  EXPECT_NE(ball.slices.picture(0).note.find("Warped"), std::string::npos);
   warping = shifted(Vec3::Zero(), 2);
   ball.slices.update(scene, {{0, 200, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(-20, 0, 5)), 150);

@@ -124,7 +124,7 @@ TEST(VolumeChart, DrawsItsLinesInTheirColours) {
 /// The height of the plot, as a part of the picture's.
 double plotHeight(int height, const char* title) {
   DrawnChart drawn({kRed}, 1, 500, darkTheme(), height);
-  drawn.chart.setAxes(title, "s", "Volume", "ml");
+  drawn.chart.setAxes(title, "", "Volume", "ml");
   drawn.chart.append(0, Values::Constant(1, 60));
   drawn.chart.append(1, Values::Constant(1, 150));
   drawn.picture();

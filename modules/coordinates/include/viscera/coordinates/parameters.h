@@ -17,8 +17,8 @@ struct Parameter {
   std::string help = {}; ///< One line.
   bool integer = false;
   std::vector<std::string> choices = {}; ///< Not empty: the value is the index of one of these names.
-  /// Accepted from who expects it, though no value of it changes a coordinate: the window has no control for
-  /// it.
+  /// Accepted so that existing commands and sessions work, although no value changes a coordinate: the window
+  /// has no control for it.
   bool withoutEffect = false;
 };
 
