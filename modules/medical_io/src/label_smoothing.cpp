@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/geometry/normals.h"
+#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -89,9 +90,16 @@ Coefficients filterOf(int iterations, double passBand) {
   return filter;
 }
 
+int iterationsOf(double smoothing) {
+  return kFewestIterations + static_cast<int>(kIterationsPerUnit * smoothing);
+}
+
+double passBandOf(double smoothing) {
+  return std::max(kNarrowestPassBand, std::pow(kPassBandPerUnit, smoothing));
+}
+
 Coefficients filterOf(double smoothing) {
-  return filterOf(kFewestIterations + static_cast<int>(kIterationsPerUnit * smoothing),
-                  std::max(kNarrowestPassBand, std::pow(kPassBandPerUnit, smoothing)));
+  return filterOf(iterationsOf(smoothing), passBandOf(smoothing));
 }
 
 /// The mean of `field`, a row a vertex, around each vertex.
@@ -153,12 +161,10 @@ TriangleMesh smoothSteps(const TriangleMesh& contour, const Eigen::Matrix3d& vox
   TriangleMesh mesh = contour;
   if (smoothing <= 0)
     return mesh;
+  if (smoothing <= kGentle)
+    return smoothSurface(contour, iterationsOf(smoothing), passBandOf(smoothing));
   const VertexRings rings = ringsOf(contour);
   const Coefficients strong = filterOf(smoothing);
-  if (smoothing <= kGentle) {
-    mesh.points = filtered(contour.points, rings, {strong}).front();
-    return mesh;
-  }
   const std::vector<Points> both = filtered(contour.points, rings, {filterOf(kGentle), strong});
   mesh.points = both[0];
   const Points normals = normalsOf(mesh);

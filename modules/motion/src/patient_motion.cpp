@@ -36,7 +36,7 @@ const std::vector<Vec3>& groupColors() {
 
 /// Of the surfaces that a motion is fitted to. `betweenSlices` leaves no terraces, and more smoothing would
 /// take the surface further from the measured voxels.
-constexpr double kLabelSmoothing = 0.4;
+constexpr double kLabelSmoothing = 0.5;
 
 /// The surface around a mask, `triangles` at most.
 TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, int triangles,
