@@ -94,7 +94,7 @@ make_fresh_system() {
   [ ! -s /etc/resolv.conf ] || cp /etc/resolv.conf "$fresh/etc/resolv.conf"
   # It is thrown away, so nothing waits for the disk.
   echo force-unsafe-io >"$fresh/etc/dpkg/dpkg.cfg.d/quick"
-  mkdir -p "$fresh/packages/paraview" "$fresh/root/tries"
+  mkdir -p "$fresh/packages/paraview" "$fresh/var/tmp/tries"
   cp "${debs[@]}" "$fresh/packages/"
   ! compgen -G "$fresh/packages/viscera-paraview_*.deb" >/dev/null ||
     mv "$fresh"/packages/viscera-paraview_*.deb "$fresh/packages/paraview/"
@@ -133,7 +133,7 @@ try_program() {
 # Reads, through man, the page of the program and that of a command, without a warning of what sets them.
 try_manual() {
   say "== The manual"
-  inside 'cd /root/tries
+  inside 'cd /var/tmp/tries
     for page in viscera viscera-play; do
       MANWIDTH=100 man --warnings --pager=cat "$page" >page 2>warnings
       [ ! -s warnings ] || { cat warnings; exit 1; }
@@ -145,8 +145,8 @@ try_manual() {
 
 try_completion() {
   say "== Completion"
-  cp "$root/tests/contract/packages/try_completion.sh" "$fresh/root/tries/"
-  inside 'bash --norc /root/tries/try_completion.sh'
+  cp "$root/tests/contract/packages/try_completion.sh" "$fresh/var/tmp/tries/"
+  inside 'bash --norc /var/tmp/tries/try_completion.sh'
   inside 'found=$(zsh -fc "autoload -U compinit && compinit -u -D && print -r -- \$_comps[viscera]")
     [ "$found" = _viscera ] || { echo "zsh finds no completion: $found"; exit 1; }'
 }
@@ -154,8 +154,8 @@ try_completion() {
 # The installed files by their validators, and the system's own database of types.
 try_desktop() {
   say "== Desktop entry, AppStream and file types"
-  cp "$root/tests/contract/desktop/validate.sh" "$fresh/root/tries/"
-  inside 'mkdir /root/tries/desktop && cd /root/tries/desktop
+  cp "$root/tests/contract/desktop/validate.sh" "$fresh/var/tmp/tries/"
+  inside 'mkdir /var/tmp/tries/desktop && cd /var/tmp/tries/desktop
     cp /usr/share/applications/org.viscera.Viscera.desktop /usr/share/metainfo/org.viscera.Viscera.metainfo.xml .
     cp /usr/share/mime/packages/org.viscera.Viscera.xml org.viscera.Viscera.mime.xml
     for kind in desktop metainfo mime translations; do
@@ -167,8 +167,8 @@ try_desktop() {
 # A project that knows the installed packages alone.
 try_development() {
   say "== A project that uses libviscera-dev"
-  cp -r "$root/tests/contract/install/consumer" "$fresh/root/tries/"
-  inside 'cd /root/tries && cmake -S consumer -B consumer/build >configured && cmake --build consumer/build && consumer/build/consumer
+  cp -r "$root/tests/contract/install/consumer" "$fresh/var/tmp/tries/"
+  inside 'cd /var/tmp/tries && cmake -S consumer -B consumer/build >configured && cmake --build consumer/build && consumer/build/consumer
     ldd consumer/build/consumer | grep -q "libviscera_deformation.so.* => /.*usr/lib\|libviscera_deformation.so.* => /lib"'
 }
 

@@ -96,7 +96,6 @@ bool excused(const std::string& file, const std::string& line,
 
 } // namespace
 
-/// To be enabled once the pages and headers are rewritten: take DISABLED_ away.
 TEST(PlainWords, AreUsedInHeadersPagesAndTheWindow) {
   std::set<std::pair<std::string, std::string>> used;
   std::ostringstream left;
