@@ -57,6 +57,7 @@ public:
     auto* tabs = new QTabBar(this);
     tabs->setElideMode(Qt::ElideRight);
     tabs->addTab(QStringLiteral("name of a tab"));
+    tabs->addTab(QStringLiteral("another tab")); // No tab is drawn for a panel that is alone.
     auto* tree = new QTreeWidget(this);
     tree->setHeaderLabels({QStringLiteral("name of a column")});
     tree->header()->setStretchLastSection(true);

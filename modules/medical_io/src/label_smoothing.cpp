@@ -102,41 +102,50 @@ Coefficients filterOf(double smoothing) {
   return filterOf(iterationsOf(smoothing), passBandOf(smoothing));
 }
 
-/// The mean of `field`, a row a vertex, around each vertex.
-template <class Field>
-Field meansAround(const Field& field, const VertexRings& rings) {
-  Field means = Field::Zero(field.rows(), field.cols());
-  for (Eigen::Index v = 0; v < field.rows(); ++v) {
-    const std::size_t begin = rings.begin[static_cast<std::size_t>(v)];
-    const std::size_t end = rings.begin[static_cast<std::size_t>(v) + 1];
-    if (begin == end) {
-      means.row(v) = field.row(v);
-      continue;
-    }
-    for (std::size_t i = begin; i < end; ++i)
-      means.row(v) += field.row(rings.vertices[i]);
-    means.row(v) /= static_cast<double>(end - begin);
-  }
-  return means;
+/// A row a vertex. Three coordinates stand in four columns, so that a row is whole registers.
+template <int Columns>
+using Field = Eigen::Array<double, Eigen::Dynamic, Columns, Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+Field<4> fieldOf(const Points& points) {
+  Field<4> field = Field<4>::Zero(points.rows(), 4);
+  field.leftCols<3>() = points.array();
+  return field;
+}
+
+/// The mean of `field` around a vertex; at one that has none around it, its own value.
+template <int Columns>
+Eigen::Array<double, 1, Columns> meanAround(const Field<Columns>& field, const VertexRings& rings,
+                                            Eigen::Index vertex) {
+  const std::size_t begin = rings.begin[static_cast<std::size_t>(vertex)];
+  const std::size_t end = rings.begin[static_cast<std::size_t>(vertex) + 1];
+  if (begin == end)
+    return field.row(vertex);
+  Eigen::Array<double, 1, Columns> sum = Eigen::Array<double, 1, Columns>::Zero();
+  for (std::size_t i = begin; i < end; ++i)
+    sum += field.row(rings.vertices[i]);
+  return sum / static_cast<double>(end - begin);
 }
 
 /// `field` after each of the filters: all of them share the polynomials, which take the time.
-template <class Field>
-std::vector<Field> filtered(const Field& field, const VertexRings& rings,
-                            const std::vector<Coefficients>& filters) {
-  std::vector<Field> results;
+template <int Columns>
+std::vector<Field<Columns>> filtered(const Field<Columns>& field, const VertexRings& rings,
+                                     const std::vector<Coefficients>& filters) {
+  std::vector<Field<Columns>> results;
   std::size_t count = 0;
   for (const Coefficients& filter : filters) {
     results.emplace_back(filter[0] * field);
     count = std::max(count, filter.size());
   }
-  Field before = field;
-  Field now = 0.5 * (field + meansAround(field, rings));
+  Field<Columns> before = field, now = field;
+  for (Eigen::Index v = 0; v < field.rows(); ++v)
+    now.row(v) = 0.5 * (field.row(v) + meanAround(field, rings, v));
   for (std::size_t i = 1; i < count; ++i) {
     for (std::size_t f = 0; f < filters.size(); ++f)
       if (i < filters[f].size())
         results[f] += filters[f][i] * now;
-    before = now + meansAround(now, rings) - before;
+    // The Chebyshev recurrence of (1 + mean) / 2, in the place of the polynomial before the last.
+    for (Eigen::Index v = 0; v < field.rows(); ++v)
+      before.row(v) = now.row(v) + meanAround(now, rings, v) - before.row(v);
     before.swap(now);
   }
   return results;
@@ -165,18 +174,20 @@ TriangleMesh smoothSteps(const TriangleMesh& contour, const Eigen::Matrix3d& vox
     return smoothSurface(contour, iterationsOf(smoothing), passBandOf(smoothing));
   const VertexRings rings = ringsOf(contour);
   const Coefficients strong = filterOf(smoothing);
-  const std::vector<Points> both = filtered(contour.points, rings, {filterOf(kGentle), strong});
-  mesh.points = both[0];
+  const std::vector<Field<4>> both = filtered(fieldOf(contour.points), rings, {filterOf(kGentle), strong});
+  mesh.points = both[0].leftCols<3>();
   const Points normals = normalsOf(mesh);
-  const Values outward = (both[1] - both[0]).cwiseProduct(normals).rowwise().sum();
-  const Values around = filtered(outward, rings, {strong}).front();
+  const Points moved = (both[1] - both[0]).leftCols<3>();
+  const Field<1> outward = moved.cwiseProduct(normals).rowwise().sum().array();
+  const Field<1> around = filtered(outward, rings, {strong}).front();
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
     // A vertex between degenerate triangles has no normal, and nothing along it is moved.
     const double extent = std::max((normals.row(v) * voxel).lpNorm<1>(), std::numeric_limits<double>::min());
     const double wanted = limited(outward[v] - around[v], kMostShift * smoothing * extent);
-    mesh.points.row(v) = both[1].row(v) + (wanted - outward[v]) * normals.row(v);
+    mesh.points.row(v) += moved.row(v) + (wanted - outward[v]) * normals.row(v);
   }
-  mesh.points = filtered(mesh.points, rings, {filterOf(kLastIterations, kLastPassBand)}).front();
+  const std::vector<Coefficients> last = {filterOf(kLastIterations, kLastPassBand)};
+  mesh.points = filtered(fieldOf(mesh.points), rings, last).front().leftCols<3>();
   return mesh;
 }
 

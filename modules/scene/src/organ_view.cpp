@@ -146,6 +146,7 @@ struct OrganView::Parts {
   void prepareWindow();
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
+  bool anyTranslucent() const;
   Eigen::Index verticesSeen() const;
   int partDrawn() const;
   void smoothEdges();
@@ -179,9 +180,7 @@ void OrganView::Parts::smoothEdges() {
   if (!window)
     return;
   const bool smooth = !hurries();
-  const bool peels = std::any_of(organs.begin(), organs.end(),
-                                 [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
-  const int samples = smooth && !peels ? kOrganViewSamples : 0;
+  const int samples = smooth && !anyTranslucent() ? kOrganViewSamples : 0;
   if (window->GetMultiSamples() != samples)
     window->SetMultiSamples(samples);
   renderer->SetUseFXAA(smooth && samples == 0);
@@ -202,6 +201,11 @@ void OrganView::Parts::prepareFrame() {
     organ->setMeshLook({meshLook.edges && part == 1, meshLook.flat});
   }
   peelOrOrder(eye);
+}
+
+bool OrganView::Parts::anyTranslucent() const {
+  return std::any_of(organs.begin(), organs.end(),
+                     [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
 }
 
 Eigen::Index OrganView::Parts::verticesSeen() const {
@@ -535,7 +539,8 @@ void OrganView::setShortcuts(const Shortcuts& shortcuts) {
 }
 
 bool OrganView::isSlow() const {
-  return parts_->software && parts_->verticesSeen() > kAllDrawnInMotion;
+  const auto& p = *parts_;
+  return p.software && (p.verticesSeen() > kAllDrawnInMotion || (p.shortcuts.blending && p.anyTranslucent()));
 }
 
 void OrganView::setMeshLook(const MeshLook& look) {

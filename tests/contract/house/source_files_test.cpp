@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <map>
+#include <regex>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -7,7 +10,15 @@
 namespace viscera::house {
 namespace {
 constexpr std::size_t kMostLines = 600;
+
+/// The name of the type that a line at the outer level declares; empty when it declares none.
+std::string typeDeclaredBy(const std::string& line) {
+  static const std::regex declaration(
+      R"(^(?:struct|class|enum|enum class|using) (\w+)(?: final)?(?: : .*| =.*| \{.*)$)");
+  std::smatch found;
+  return std::regex_match(line, found, declaration) ? found[1].str() : std::string();
 }
+} // namespace
 
 TEST(SourceFiles, AreShortEnoughToRead) {
   for (const std::string folder : {"app", "modules", "tests"})
@@ -22,6 +33,27 @@ TEST(SourceFiles, HeadersAreIncludedOnce) {
         continue;
       const auto lines = linesOf(file);
       EXPECT_NE(std::find(lines.begin(), lines.end(), "#pragma once"), lines.end()) << shortName(file);
+    }
+}
+
+/// Several files may be compiled as one. There a file's own type would hide that of core in all files after
+/// it.
+TEST(SourceFiles, NameNoTypeLikeOneOfCore) {
+  std::map<std::string, std::string> ofCore;
+  for (const std::filesystem::path& file : sourcesUnder("modules/core/include"))
+    for (const std::string& line : linesOf(file))
+      if (const std::string type = typeDeclaredBy(line); !type.empty())
+        ofCore[type] = shortName(file);
+  ASSERT_TRUE(ofCore.contains("Values") && ofCore.contains("JobQueue"));
+  for (const std::string folder : {"app", "modules"})
+    for (const std::filesystem::path& file : sourcesUnder(folder)) {
+      if (shortName(file).starts_with("modules/core/"))
+        continue;
+      for (const std::string& line : linesOf(file)) {
+        const auto type = ofCore.find(typeDeclaredBy(line));
+        EXPECT_TRUE(type == ofCore.end())
+            << shortName(file) << " declares " << type->first << ", which " << type->second << " has, too";
+      }
     }
 }
 

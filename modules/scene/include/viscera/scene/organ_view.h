@@ -120,8 +120,8 @@ public:
   void setFastDrawing(bool quick);
   /// Which shortcuts are taken then; all of them to begin with. From the next frame on.
   void setShortcuts(const Shortcuts& shortcuts);
-  /// Whether a whole, smooth frame takes long enough to be waited for: a software renderer draws more than
-  /// 50,000 vertices. Never before the first frame. O(organs).
+  /// Whether a whole, smooth frame takes so long that a quick one is drawn first: a software renderer draws
+  /// more than 50,000 vertices, or peels translucent organs. Never before the first frame. O(organs).
   bool isSlow() const;
 
   /// How the triangles of all organs are seen. A quick frame that leaves some of them out has no edges.
