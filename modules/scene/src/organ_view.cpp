@@ -45,7 +45,7 @@ constexpr int kOrganViewSamples = 4;
 constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
-constexpr Eigen::Index kAllDrawnInMotion = 50000;
+constexpr Eigen::Index kAllDrawnInMotion = 30000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
 /// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;

@@ -34,7 +34,7 @@ std::string nameOf(StandardView view);
 /// By what a software renderer draws sooner while something moves (`OrganView::setMoving`). Each is there to
 /// be switched off by a benchmark, which tells then within one run what it saves.
 struct Shortcuts {
-  bool fewerTriangles = true; ///< Of organs that have more than 50,000 vertices together.
+  bool fewerTriangles = true; ///< Of organs that have more than 30,000 vertices together.
   bool blending = true;       ///< Of translucent organs, in place of peeling them.
 };
 
@@ -110,7 +110,7 @@ public:
   /// Sets whether something moves. Meanwhile a software renderer does not smooth edges, which takes as long
   /// as all the rest, blends translucent organs in order of their distance instead of peeling them, which
   /// takes four times as long, and draws one in two, four, ... vertices of the organs if they have more than
-  /// 50,000 together. The view detects motion by the mouse itself; code that plays a sequence calls this, and
+  /// 30,000 together. The view detects motion by the mouse itself; code that plays a sequence calls this, and
   /// renders once more at the end.
   void setMoving(bool moving);
   bool moving() const;
@@ -121,7 +121,7 @@ public:
   /// Which shortcuts are taken then; all of them to begin with. From the next frame on.
   void setShortcuts(const Shortcuts& shortcuts);
   /// Whether a whole, smooth frame takes so long that a quick one is drawn first: a software renderer draws
-  /// more than 50,000 vertices, or peels translucent organs. Never before the first frame. O(organs).
+  /// more than 30,000 vertices, or peels translucent organs. Never before the first frame. O(organs).
   bool isSlow() const;
 
   /// How the triangles of all organs are seen. A quick frame that leaves some of them out has no edges.
