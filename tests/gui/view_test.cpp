@@ -61,6 +61,7 @@ public:
   struct Frame {
     int samples = 0;
     bool allTriangles = false;
+    bool smoothAsPeeled = false; ///< The edges of organs that are peeled are smoothed afterwards.
   };
 
   explicit Frames(app::ViewWidget& view) : view_(view) {
@@ -79,7 +80,8 @@ private:
   void add() {
     const auto& organ = *view_.view().organs().front();
     drawn.push_back({view_.renderWindow()->GetMultiSamples(),
-                     organ.polyData()->GetNumberOfPolys() == organ.mesh().triangles.rows()});
+                     organ.polyData()->GetNumberOfPolys() == organ.mesh().triangles.rows(),
+                     view_.view().renderer()->GetUseFXAA()});
   }
 
   app::ViewWidget& view_;
@@ -109,6 +111,22 @@ TEST_F(ViewTest, WhatHappensToALargeOrganIsDrawnQuicklyFirstAndSmoothWhenNothing
     EXPECT_GT(frames.drawn.back().samples, 1) << name;
     EXPECT_TRUE(frames.drawn.back().allTriangles) << name;
   }
+}
+
+TEST_F(ViewTest, AChangeOfATranslucentOrganIsDrawnQuicklyFirstAndPeeledWhenNothingElseHappens) {
+  if (!scene::rendersInSoftware(view().renderWindow()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  document::OrganLook look = document().organs().front()->look;
+  look.opacity = 0.5;
+  window().workspace().perform(document::setOrganLook(document().organs().front()->id, look));
+  settle();
+  Frames frames(view());
+  QTest::keyClick(&window(), Qt::Key_3);
+  ASSERT_TRUE(waitUntil([&] { return !frames.drawn.empty(); }));
+  EXPECT_FALSE(frames.drawn.front().smoothAsPeeled);
+  EXPECT_TRUE(frames.drawn.front().allTriangles) << "it has few";
+  ASSERT_TRUE(waitUntil([this] { return view().atRest(); }));
+  EXPECT_TRUE(frames.drawn.back().smoothAsPeeled);
 }
 
 TEST_F(ViewTest, ASmallOrganIsDrawnSmoothAtOnceAndOnceForAClick) {
