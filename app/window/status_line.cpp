@@ -55,6 +55,7 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
 
 void StatusLine::makeJob() {
   auto* row = makeLayout<QHBoxLayout>(job_, 8, {0, 0, 4, 0});
+  step_->setObjectName(QStringLiteral("jobStep"));
   progress_->setTextVisible(false);
   progress_->setFixedWidth(120);
   auto* cancel = makeIconButton("close", tr("Cancel this task"), job_, 12);

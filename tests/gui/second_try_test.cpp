@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -210,6 +212,23 @@ TEST_F(PaintedOrgans, HaveTheirColoursInTheTilesAndTheCurvesOfTheChart) {
                        [&](const Paint& paint) { return pixelsOf(picture, paint) > 8; });
   };
   EXPECT_TRUE(waitUntil(drawn)) << "a curve has another colour than its organ";
+}
+
+/// Alone at the left it would look as if one were missing.
+TEST_F(PaintedOrgans, TheLastTileOfAnOddNumberHasTheWholeRow) {
+  key(Qt::Key_3);
+  settle();
+  auto& panel = *window().findChild<app::VolumePanel*>();
+  const auto values = panel.findChildren<QLabel*>(QStringLiteral("tileValue"));
+  ASSERT_EQ(values.size(), 3);
+  const auto boxOf = [&](int tile) { return values[tile]->parentWidget()->geometry(); };
+  EXPECT_EQ(boxOf(0).top(), boxOf(1).top());
+  EXPECT_GT(boxOf(2).top(), boxOf(0).bottom());
+  EXPECT_EQ(boxOf(2).left(), boxOf(0).left());
+  EXPECT_EQ(boxOf(2).right(), boxOf(1).right());
+  const auto* detail = values[2]->parentWidget()->findChild<QLabel*>(QStringLiteral("muted"));
+  EXPECT_EQ(detail->y(), values[2]->y()) << "beside the value";
+  EXPECT_EQ(detail->x(), boxOf(1).left() - boxOf(0).left()) << "in the second column";
 }
 
 /// Tables of label maps have pure colours, on which light and shade are lost.
@@ -472,6 +491,29 @@ TEST_F(SmallFaults, AMenuFramesTheIconOfWhatIsOn) {
     for (int x = 0; x < off.width(); ++x)
       changed += off.pixel(x, y) != on.pixel(x, y);
   EXPECT_GT(changed, 250) << "more than the lines of the icon";
+}
+
+TEST_F(SmallFaults, ALongTaskIsCutInTheMiddleAndWholeInItsTip) {
+  const QString name =
+      QStringLiteral("Reading ") + QString(200, QLatin1Char('m')) + QStringLiteral(".nii.gz");
+  const auto& step = find<QLabel>("jobStep");
+  bool ended = false;
+  window().workspace().jobs().submit<int>(
+      name.toStdString(), {},
+      [](Progress& progress) {
+        while (!progress.cancelled())
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return 0;
+      },
+      [&](const JobResult<int>&) { ended = true; });
+  ASSERT_TRUE(waitUntil([&] { return step.isVisible(); }));
+  EXPECT_LT(step.text().size(), name.size());
+  EXPECT_TRUE(step.text().startsWith(QLatin1String("Reading"))) << step.text().toStdString();
+  EXPECT_TRUE(step.text().contains(QChar(0x2026)) && step.text().endsWith(QLatin1String(".nii.gz")));
+  EXPECT_GE(step.width(), step.fontMetrics().horizontalAdvance(step.text())) << "no letter is cut off";
+  EXPECT_EQ(step.toolTip(), name);
+  find<QToolButton>("cancelJob").click();
+  EXPECT_TRUE(waitUntil([&] { return ended && !step.isVisible(); }));
 }
 
 TEST_F(SmallFaults, AChartOfNothingFoldsAway) {

@@ -31,6 +31,7 @@ namespace {
 constexpr double kShownVolumeSeconds = 5;
 constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
+constexpr int kTileGap = 8; ///< Between two columns.
 constexpr int kLineSwatch = 10;
 constexpr int kVolumeChartHeight = 160; ///< Above a table.
 
@@ -169,7 +170,7 @@ void VolumePanel::rebuild() {
   tiles_.clear();
   tileBox_ = new QWidget(tileArea_);
   auto* grid = makeLayout<QGridLayout>(tileBox_, -1, {4, 0, 4, 0});
-  grid->setHorizontalSpacing(8);
+  grid->setHorizontalSpacing(kTileGap);
   grid->setVerticalSpacing(6);
   std::vector<scene::ChartLine> lines;
   const auto isCavity = [](const VolumeMonitor::Line& line) { return line.cavity; };
@@ -295,17 +296,22 @@ void VolumePanel::drawMeasured(double length) {
   }
 }
 
+/// The last of an odd number has the whole row, its detail in the second column: alone at the left it would
+/// look as if one were missing.
 VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   auto* grid = static_cast<QGridLayout*>(tileBox_->layout());
   const int index = static_cast<int>(tiles_.size());
+  const bool wholeRow = index % 2 == 0 && tiles_.size() + 1 == monitor_.lines().size();
+  const int width = wholeRow ? 2 * kTileWidth + kTileGap : kTileWidth;
   const QString called = monitor_.nameOf(line);
   auto* box = new QWidget(tileBox_);
-  auto* column = makeLayout<QVBoxLayout>(box, 0);
+  auto* parts = makeLayout<QGridLayout>(box, 0);
+  parts->setHorizontalSpacing(kTileGap);
   auto* name = new QToolButton(box);
   name->setObjectName(QStringLiteral("tileName"));
   // A long name must not push the second column out of sight.
-  box->setFixedWidth(kTileWidth);
-  name->setText(name->fontMetrics().elidedText(called, Qt::ElideRight, kTileWidth - 2 * kLineSwatch - 8));
+  box->setFixedWidth(width);
+  name->setText(name->fontMetrics().elidedText(called, Qt::ElideRight, width - 2 * kLineSwatch - 8));
   name->setIcon(swatch(line.color));
   name->setIconSize(QSize(kLineSwatch, kLineSwatch));
   name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -320,10 +326,10 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
     label->ensurePolished();
     label->setFixedSize(kTileWidth, label->sizeHint().height());
   }
-  column->addWidget(name);
-  column->addWidget(tile.value);
-  column->addWidget(tile.detail);
-  grid->addWidget(box, index / 2, index % 2);
+  parts->addWidget(name, 0, 0, 1, wholeRow ? 2 : 1);
+  parts->addWidget(tile.value, 1, 0);
+  parts->addWidget(tile.detail, wholeRow ? 1 : 2, wholeRow ? 1 : 0);
+  grid->addWidget(box, index / 2, index % 2, 1, wholeRow ? 2 : 1);
   return tile;
 }
 
