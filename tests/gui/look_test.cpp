@@ -233,6 +233,7 @@ TEST_F(WindowTest, AFaultInAnEventBecomesAMessageAndTheWindowGoesOn) {
   };
   EXPECT_TRUE(throwing([] { throw std::logic_error("row 7 of 5"); }).contains(QStringLiteral("Row 7 of 5")));
   EXPECT_TRUE(throwing([] { throw std::bad_alloc(); }).contains(QStringLiteral("not enough memory")));
+  EXPECT_TRUE(throwing([] { throw 7; }).contains(QStringLiteral("unknown kind")));
   application.setGuard({});
   key(Qt::Key_3);
   EXPECT_EQ(window().mode(), "deform");

@@ -434,7 +434,7 @@ private:
   template <class Make>
   std::optional<Organ> orMissing(SurfaceFinding& finding, Make make) {
     try {
-      return make();
+      return explainingShortMemory({}, make);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {

@@ -97,7 +97,8 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
                           absolute.string()));
   try {
-    ScanItem scan = openScanFile(*file, options, progress);
+    ScanItem scan =
+        explainingShortMemory(file->string(), [&] { return openScanFile(*file, options, progress); });
     scan.name = name;
     if (!hash.empty() && hash != scan.hash)
       opened.warnings.push_back(

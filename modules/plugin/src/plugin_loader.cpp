@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -65,9 +64,9 @@ private:
       return call();
     } catch (const Error&) {
       throw;
-    } catch (const std::bad_alloc&) {
-      throw; // No fault of the plugin.
     } catch (const std::exception& error) {
+      if (reportsShortMemory(error)) // No fault of the plugin.
+        throw;
       throw Error(kInternalError, phrase("system \"%1\" failed: %2", id_, error.what()), file_,
                   "choose another system");
     } catch (...) {
@@ -135,7 +134,7 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
     }
     addSystems(*plugin, registry, report);
   } catch (const std::exception& error) {
-    report.problem = phrase("it failed while loading: %1", error.what());
+    report.problem = phrase("it failed while loading: %1", explanationOf(error));
   } catch (...) {
     report.problem = "it failed while loading";
   }
