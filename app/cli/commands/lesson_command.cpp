@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "cli/played_sequence.h"
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
+#include "viscera/core/text.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
@@ -57,7 +57,7 @@ std::string contentsOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw NoInputError("It cannot be read", file, "check the path");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return restOf(stream, file);
 }
 
 nlohmann::ordered_json surfacesJson(const lesson::LessonPlan& plan, const document::DocumentState& state) {
