@@ -117,7 +117,8 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
   PluginReport report;
   report.file = file;
   try {
-    if (!fs::exists(file)) {
+    std::error_code unreachable;
+    if (!fs::exists(file, unreachable)) {
       report.problem = "there is no such file";
       return report;
     }
