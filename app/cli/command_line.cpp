@@ -5,7 +5,6 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -126,15 +125,10 @@ int guarded(std::ostream& err, const std::function<int()>& work) {
     return work();
   } catch (const Error& error) {
     return complain(err, error.exitCode(), error.what());
-  } catch (const std::bad_alloc&) {
-    return complain(err, kInternalError, "out of memory (try a smaller model, or close other programs)");
-  } catch (const std::system_error& error) { // Thrown when there is no memory for a thread's stack.
-    const bool room = error.code() == std::errc::resource_unavailable_try_again;
-    return complain(err, kInternalError,
-                    room ? "out of memory for another thread (close other programs)"
-                         : std::string("internal error: ") + error.what());
   } catch (const std::exception& error) {
-    return complain(err, kInternalError, std::string("internal error: ") + error.what());
+    return complain(err, kInternalError,
+                    reportsShortMemory(error) ? notEnoughMemory().what()
+                                              : std::string("internal error: ") + error.what());
   } catch (...) {
     return complain(err, kInternalError, "internal error of unknown kind");
   }

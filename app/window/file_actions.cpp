@@ -56,7 +56,8 @@ std::shared_ptr<const document::ScanItem> takeReadableScan(std::vector<std::file
   for (auto file = files.begin(); file != files.end();) {
     std::vector<std::filesystem::path> one = {*file};
     try {
-      if (auto scan = document::takeScan(one, progress)) {
+      const auto take = [&] { return document::takeScan(one, progress); };
+      if (auto scan = explainingShortMemory(file->string(), take)) {
         files.erase(file);
         return std::make_shared<const document::ScanItem>(std::move(*scan));
       }

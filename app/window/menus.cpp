@@ -21,6 +21,11 @@ namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
 
+/// A text that comes from a file or a user, for a menu: there a single & underlines the letter behind it.
+QString withItsAmpersands(QString text) {
+  return text.replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
 /// Gives an entry whose mnemonic is already used in the menu (or bar) another letter (none, if it is in
 /// several menus): the first of a word, else any, else none. With two entries of one letter a key only marks
 /// the first of them.
@@ -29,7 +34,7 @@ void giveLetters(const QWidget& menu) {
   for (QAction* action : menu.actions()) {
     QString label = action->text();
     const int mark = label.indexOf(QLatin1Char('&'));
-    if (mark < 0 || mark + 1 >= label.size())
+    if (mark < 0 || mark + 1 >= label.size() || label[mark + 1] == QLatin1Char('&'))
       continue;
     if (!taken.contains(label[mark + 1].toLower())) {
       taken.insert(label[mark + 1].toLower());
@@ -82,8 +87,10 @@ void Menus::addEditActions() {
   actions.onSync([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
-    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(messageInWords(steps.undoName())) : tr("&Undo"));
-    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(messageInWords(steps.redoName())) : tr("&Redo"));
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(withItsAmpersands(messageInWords(steps.undoName())))
+                                  : tr("&Undo"));
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(withItsAmpersands(messageInWords(steps.redoName())))
+                                  : tr("&Redo"));
   });
 }
 
@@ -189,7 +196,7 @@ void Menus::makeLastMenus() {
 void Menus::fillRecent() {
   recent_->clear();
   for (const QString& recent : parts_.settings.recentFiles()) {
-    QAction* action = recent_->addAction(QFileInfo(recent).fileName(), this,
+    QAction* action = recent_->addAction(withItsAmpersands(QFileInfo(recent).fileName()), this,
                                          [this, recent] { parts_.files.open({recent}); });
     action->setToolTip(recent);
   }
@@ -215,7 +222,7 @@ void Menus::fillSteps(QMenu* menu) {
     action->setFont(font);
   };
   for (std::size_t step = last; step > first; --step)
-    add(messageInWords(names[step - 1]), step);
+    add(withItsAmpersands(messageInWords(names[step - 1])), step);
   if (first > 0)
     menu->addAction(tr("%n earlier steps", nullptr, static_cast<int>(first)))->setEnabled(false);
   else

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "available_systems.h"
+#include "viscera/core/error.h"
 #include "viscera/scene/text_font.h"
 #include "window/application.h"
 #include "window/import/import_controller.h"
@@ -152,7 +153,7 @@ void keepWithoutDisplay(SessionFiles& sessions) noexcept {
                stderr);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "viscera: the display has gone, and unsaved work cannot be kept: %s\n",
-                 error.what());
+                 reportsShortMemory(error) ? "there is not enough memory" : error.what());
   }
 }
 

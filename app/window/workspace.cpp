@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <utility>
 
 #include "viscera/presentation/space_parts.h"
@@ -57,11 +56,13 @@ bool Workspace::guarded(const std::function<void()>& work) {
     return false;
   } catch (const Error& error) {
     report(error);
-  } catch (const std::bad_alloc&) {
-    report(Error(70, "there is not enough memory for this", {},
-                 "close other programs, or work with fewer organs or coarser surfaces"));
   } catch (const std::exception& error) {
-    report(Error(70, error.what(), {}, "this is a fault of the program; please report it"));
+    report(reportsShortMemory(error)
+               ? notEnoughMemory()
+               : Error(kInternalError, error.what(), {}, "this is a fault of the program; please report it"));
+  } catch (...) { // A library's or a plugin's own kind.
+    report(Error(kInternalError, "Internal error of an unknown kind", {},
+                 "this is a fault of the program; please report it"));
   }
   return false;
 }

@@ -3906,10 +3906,6 @@
         <translation>tanqueu altres programes, o feu servir menys tiradors o òrgans més petits</translation>
     </message>
     <message>
-        <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>tanqueu altres programes, o treballeu amb menys òrgans o superfícies més bastes</translation>
-    </message>
-    <message>
         <source>compare it with the example in docs/lessons.md</source>
         <translation>compareu-lo amb l’exemple de docs/lessons.md</translation>
     </message>
@@ -6338,10 +6334,6 @@
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
         <translation>no existeix la manera «%1» de fer grups</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for this</source>
-        <translation>no hi ha prou memòria per a això</translation>
     </message>
     <message>
         <source>thinning out the surface</source>

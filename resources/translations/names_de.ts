@@ -3906,10 +3906,6 @@
         <translation>schließen Sie andere Programme, oder verwenden Sie weniger Griffe oder kleinere Organe</translation>
     </message>
     <message>
-        <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>schließen Sie andere Programme, oder arbeiten Sie mit weniger Organen oder gröberen Oberflächen</translation>
-    </message>
-    <message>
         <source>compare it with the example in docs/lessons.md</source>
         <translation>vergleichen Sie sie mit dem Beispiel in docs/lessons.md</translation>
     </message>
@@ -6338,10 +6334,6 @@
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
         <translation>es gibt keine Art „%1“, Gruppen zu bilden</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for this</source>
-        <translation>dafür reicht der Speicher nicht</translation>
     </message>
     <message>
         <source>thinning out the surface</source>

@@ -3906,10 +3906,6 @@
         <translation>cierre otros programas, o use menos tiradores u órganos más pequeños</translation>
     </message>
     <message>
-        <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>cierre otros programas, o trabaje con menos órganos o superficies más toscas</translation>
-    </message>
-    <message>
         <source>compare it with the example in docs/lessons.md</source>
         <translation>compárelo con el ejemplo de docs/lessons.md</translation>
     </message>
@@ -6338,10 +6334,6 @@
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
         <translation>no existe la manera «%1» de formar grupos</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for this</source>
-        <translation>no hay memoria suficiente para esto</translation>
     </message>
     <message>
         <source>thinning out the surface</source>

@@ -3906,10 +3906,6 @@
         <translation>fermez d’autres programmes, ou utilisez moins de poignées ou des organes plus petits</translation>
     </message>
     <message>
-        <source>close other programs, or work with fewer organs or coarser surfaces</source>
-        <translation>fermez d’autres programmes, ou travaillez avec moins d’organes ou des surfaces plus grossières</translation>
-    </message>
-    <message>
         <source>compare it with the example in docs/lessons.md</source>
         <translation>comparez-le avec l’exemple de docs/lessons.md</translation>
     </message>
@@ -6338,10 +6334,6 @@
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
         <translation>il n’y a pas de façon « %1 » de former des groupes</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for this</source>
-        <translation>il n’y a pas assez de mémoire pour cela</translation>
     </message>
     <message>
         <source>thinning out the surface</source>

@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
@@ -18,6 +19,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <functional>
@@ -233,9 +235,49 @@ TEST_F(WindowTest, AFaultInAnEventBecomesAMessageAndTheWindowGoesOn) {
   };
   EXPECT_TRUE(throwing([] { throw std::logic_error("row 7 of 5"); }).contains(QStringLiteral("Row 7 of 5")));
   EXPECT_TRUE(throwing([] { throw std::bad_alloc(); }).contains(QStringLiteral("not enough memory")));
+  EXPECT_TRUE(throwing([] { throw 7; }).contains(QStringLiteral("unknown kind")));
   application.setGuard({});
   key(Qt::Key_3);
   EXPECT_EQ(window().mode(), "deform");
+}
+
+/// A name of an organ, as it may stand in a file of somebody else.
+const char* const kNameWithTags = "<h1>liver</h1><img src=\"/etc/hostname\">";
+
+TEST(TextsOfFiles, AreShownWithTheirTagsInLabelsAndMessageBoxes) {
+  const QString name = QLatin1String(kNameWithTags);
+  QLabel plain(QStringLiteral("liver")), tagged(name);
+  tagged.show();
+  EXPECT_EQ(tagged.textFormat(), Qt::PlainText);
+  EXPECT_EQ(tagged.text(), name);
+  EXPECT_LT(tagged.sizeHint().height(), 2 * plain.sizeHint().height()) << "one line, no heading";
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Save?"), name);
+  box.setInformativeText(name);
+  box.show();
+  for (const QLabel* label : box.findChildren<QLabel*>())
+    EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->objectName().toStdString();
+  QLabel formatted(QStringLiteral("<b>beat</b>"));
+  formatted.setTextFormat(Qt::RichText);
+  formatted.show();
+  EXPECT_EQ(formatted.textFormat(), Qt::RichText) << "tags of the program's own";
+}
+
+TEST_F(WindowTest, TagsInTheNameOfAnOrganAreShownInItsTooltip) {
+  QToolTip::showText(window().mapToGlobal(QPoint(50, 50)), QLatin1String(kNameWithTags), &window());
+  int tips = 0;
+  for (const QWidget* widget : QApplication::topLevelWidgets()) {
+    const auto* tip = qobject_cast<const QLabel*>(widget);
+    if (!tip || !tip->inherits("QTipLabel") || tip->text() != QLatin1String(kNameWithTags))
+      continue;
+    ++tips;
+    EXPECT_EQ(tip->textFormat(), Qt::PlainText);
+  }
+  EXPECT_EQ(tips, 1);
+  QToolTip::hideText();
+}
+
+TEST_F(WindowTest, TheLegendOfACirculationKeepsItsColours) {
+  EXPECT_EQ(find<QLabel>("circulationLegend").textFormat(), Qt::RichText);
 }
 
 TEST_F(WindowTest, QuestionMarkShowsTheShortcutsAndEscapeHidesThem) {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +16,8 @@
 #include "cli/played_sequence.h"
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
+#include "viscera/core/text.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
@@ -57,7 +59,7 @@ std::string contentsOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw NoInputError("It cannot be read", file, "check the path");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return restOf(stream, file);
 }
 
 nlohmann::ordered_json surfacesJson(const lesson::LessonPlan& plan, const document::DocumentState& state) {
@@ -161,7 +163,10 @@ Outcome LessonCommand::run(CommandContext& context) {
 }
 
 Outcome LessonCommand::writeReady(CommandContext& context) {
-  std::filesystem::create_directories(output_);
+  std::error_code error;
+  std::filesystem::create_directories(output_, error);
+  if (error || !std::filesystem::is_directory(output_, error))
+    throw CannotCreateError("the folder cannot be made", output_, "choose another one");
   Outcome all;
   all.json = {{"folder", output_}, {"lessons", nlohmann::ordered_json::array()}};
   for (const motion::SampleSequence& sequence : motion::sampleSequences()) {
@@ -254,9 +259,8 @@ Outcome LessonCommand::write(const std::filesystem::path& file, CommandContext& 
     const lesson::Lesson made =
         lesson::makeLesson(plan, material.source, organs, context.progress, context.threads);
     lesson::writePage(file, made);
-    outcome.json.update({{"bytes", std::filesystem::file_size(file)},
-                         {"frames", made.instants()},
-                         {"modes", made.modes.size()}});
+    outcome.json.update(
+        {{"bytes", fileBytes(file)}, {"frames", made.instants()}, {"modes", made.modes.size()}});
     error = made.largestErrorMm;
   }
   outcome.json["largestErrorMm"] = error;

@@ -12,6 +12,7 @@
 #include "cli/listing.h"
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/report/report_file.h"
 
@@ -71,7 +72,7 @@ public:
     outcome.json = {{"file", output_},
                     {"pages", pages},
                     {"pictures", made.pictures()},
-                    {"bytes", std::filesystem::file_size(output_)},
+                    {"bytes", fileBytes(output_)},
                     {"title", made.title},
                     {"sections", nlohmann::ordered_json::array()}};
     for (const report::Section& section : made.sections)

@@ -48,6 +48,7 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
   auto* column = makeLayout<QVBoxLayout>(nullptr, 2);
   legend_->setObjectName(QStringLiteral("circulationLegend"));
   legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  legend_->setTextFormat(Qt::RichText);
   legend_->setWordWrap(true);
   column->addWidget(legend_);
   column->addWidget(chart_, 1);

@@ -80,7 +80,7 @@ QWidget* LessonDialog::makeTexts() {
     kind->setFlags(Qt::ItemIsEnabled);
     texts_->setItem(row, kKind, kind);
     texts_->setItem(row, kText, new QTableWidgetItem(text(*all[i].text)));
-    texts_->item(row, kText)->setToolTip(text(*all[i].text).toHtmlEscaped());
+    texts_->item(row, kText)->setToolTip(text(*all[i].text));
   }
   return texts_;
 }

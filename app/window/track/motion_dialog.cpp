@@ -247,9 +247,9 @@ void MotionDialog::fillItems() {
     motion::SeriesItem& item = contents_.items[static_cast<std::size_t>(row)];
     auto* name = new QTableWidgetItem(text(item.name));
     name->setFlags(contents_.labels ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::ItemIsEnabled);
-    name->setToolTip(contents_.labels ? tr("Label %1; a double click gives the surface another name")
-                                            .arg(text(item.label).toHtmlEscaped())
-                                      : text(item.name).toHtmlEscaped());
+    name->setToolTip(contents_.labels
+                         ? tr("Label %1; a double click gives the surface another name").arg(text(item.label))
+                         : text(item.name));
     items_->setItem(row, kItemName, name);
     auto* part = new QComboBox(items_);
     if (contents_.labels)

@@ -263,7 +263,7 @@ void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     item->setForeground(good ? theme_.text : red ? theme_.error : theme_.warning);
-    item->setToolTip(reasons.join(QLatin1Char('\n')).toHtmlEscaped());
+    item->setToolTip(reasons.join(QLatin1Char('\n')));
     table_->setItem(row, column, item);
   }
 }

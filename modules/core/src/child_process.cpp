@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -31,6 +32,18 @@ constexpr std::size_t kMessagesKept = 2000;
 
 [[noreturn]] void failed(const std::string& what) {
   throw Error(kInternalError, phrase("%1: %2", what, std::strerror(errno)), "child process");
+}
+
+/// A file without a folder, so that a full or read-only /tmp keeps no program from starting; one in /tmp
+/// where the system has none. Null: the machine has no more files.
+std::FILE* fileForMessages() {
+  const int file = memfd_create("messages", MFD_CLOEXEC);
+  if (file < 0)
+    return std::tmpfile();
+  std::FILE* stream = fdopen(file, "r+");
+  if (!stream)
+    ::close(file);
+  return stream;
 }
 
 /// A file descriptor that is closed.
@@ -110,7 +123,7 @@ private:
 } // namespace
 
 ChildProcess::ChildProcess(std::vector<std::string> arguments, int input, int output)
-    : messages_(std::tmpfile()) {
+    : messages_(fileForMessages()) {
   if (!messages_)
     failed("No file for a program's messages");
   posix_spawn_file_actions_t actions;

@@ -1,5 +1,7 @@
 #include "viscera/core/error.h"
 
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace viscera {
@@ -38,9 +40,21 @@ CannotCreateError::CannotCreateError(std::string what, std::string where, std::s
 
 Cancelled::Cancelled() : Error(130, "cancelled") {}
 
-Error notEnoughMemory() {
-  return Error(kInternalError, "There is not enough memory", "",
+Error notEnoughMemory(std::string where) {
+  return Error(kInternalError, "There is not enough memory", std::move(where),
                "close other programs, or use fewer handles or smaller organs");
+}
+
+bool reportsShortMemory(const std::exception& exception) noexcept {
+  if (dynamic_cast<const std::bad_alloc*>(&exception) || dynamic_cast<const std::length_error*>(&exception))
+    return true;
+  const auto* ofSystem = dynamic_cast<const std::system_error*>(&exception);
+  return ofSystem && (ofSystem->code() == std::errc::not_enough_memory ||
+                      ofSystem->code() == std::errc::resource_unavailable_try_again);
+}
+
+std::string explanationOf(const std::exception& exception) {
+  return reportsShortMemory(exception) ? notEnoughMemory().what() : exception.what();
 }
 
 } // namespace viscera

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "viscera/core/phrase.h"
@@ -12,11 +14,12 @@
 namespace viscera {
 namespace {
 
+/// Between two attempts to post a result for which there was no memory.
+constexpr std::chrono::milliseconds kPauseForMemory{20};
+
 std::shared_ptr<const Error> asError(const std::exception& exception) {
   if (const auto* known = dynamic_cast<const Error*>(&exception))
     return std::make_shared<const Error>(*known);
-  if (dynamic_cast<const std::bad_alloc*>(&exception))
-    return std::make_shared<const Error>(notEnoughMemory());
   return std::make_shared<const Error>(kInternalError, phrase("Internal error: %1", exception.what()));
 }
 
@@ -41,6 +44,8 @@ struct JobQueue::Shared : std::enable_shared_from_this<JobQueue::Shared> {
   using JobPointer = std::shared_ptr<Job>;
 
   Post post;
+  /// Made in advance: to report that memory is short must not need any.
+  const std::shared_ptr<const Error> shortMemory = std::make_shared<const Error>(notEnoughMemory());
   std::mutex mutex;
   std::condition_variable wake;
   std::deque<JobPointer> waiting;
@@ -54,6 +59,7 @@ struct JobQueue::Shared : std::enable_shared_from_this<JobQueue::Shared> {
   std::vector<std::thread> workers;
 
   void run();
+  std::shared_ptr<void> resultOf(Job& job, std::shared_ptr<const Error>& error) const;
   void finish(const JobPointer& job, std::shared_ptr<void> value, std::shared_ptr<const Error> error);
   void deliver(const JobPointer& job, std::shared_ptr<void> value, std::shared_ptr<const Error> error);
   void drop(const JobPointer& job);
@@ -73,29 +79,49 @@ void JobQueue::Shared::run() {
     }
     job->running = true;
     postChange();
-    std::shared_ptr<void> value;
     std::shared_ptr<const Error> error;
-    try {
-      job->progress->throwIfCancelled();
-      value = job->work(*job->progress);
-    } catch (const Cancelled&) {
-      // Neither a value nor an error: that is what a cancelled job ends with.
-    } catch (const std::exception& exception) {
-      error = asError(exception);
-    } catch (...) {
-      error = std::make_shared<const Error>(kInternalError, "Internal error of an unknown kind");
-    }
+    std::shared_ptr<void> value = resultOf(*job, error);
     job->work = nullptr; // Frees here what the work held.
     finish(job, std::move(value), std::move(error));
   }
 }
 
+/// Does the work of a job. It throws nothing: `error` becomes what the work has thrown. A cancelled job has
+/// neither a value nor an error.
+std::shared_ptr<void> JobQueue::Shared::resultOf(Job& job, std::shared_ptr<const Error>& error) const {
+  try {
+    try {
+      job.progress->throwIfCancelled();
+      return job.work(*job.progress);
+    } catch (const Cancelled&) {
+      return nullptr;
+    } catch (const std::exception& exception) {
+      error = reportsShortMemory(exception) ? shortMemory : asError(exception);
+    } catch (...) {
+      error = std::make_shared<const Error>(kInternalError, "Internal error of an unknown kind");
+    }
+  } catch (const std::bad_alloc&) { // Not even the error's text fits into memory.
+    error = shortMemory;
+  }
+  return nullptr;
+}
+
+/// Tries until there is memory for it: whoever waits for a job without a result waits for ever.
 void JobQueue::Shared::finish(const JobPointer& job, std::shared_ptr<void> value,
                               std::shared_ptr<const Error> error) {
-  post([weak = weak_from_this(), job, value = std::move(value), error = std::move(error)] {
-    if (const auto alive = weak.lock())
-      alive->deliver(job, value, error);
-  });
+  for (;;) {
+    try {
+      return post([weak = weak_from_this(), job, value, error] {
+        if (const auto alive = weak.lock())
+          alive->deliver(job, value, error);
+      });
+    } catch (const std::bad_alloc&) {
+      std::this_thread::sleep_for(kPauseForMemory);
+    }
+    const std::lock_guard lock(mutex);
+    if (stopping) // Nobody wants it any more.
+      return;
+  }
 }
 
 void JobQueue::Shared::deliver(const JobPointer& job, std::shared_ptr<void> value,
@@ -127,17 +153,22 @@ void JobQueue::Shared::drop(const JobPointer& job) {
     finish(job, nullptr, nullptr);
 }
 
-/// Any thread: at most one notice is under way at a time, however fast a job reports.
+/// Any thread: at most one notice is under way at a time, however fast a job reports. One for which there is
+/// no memory is left out.
 void JobQueue::Shared::postChange() {
   if (changePosted.exchange(true))
     return;
-  post([weak = weak_from_this()] {
-    if (const auto alive = weak.lock()) {
-      alive->changePosted = false;
-      if (!alive->closed)
-        alive->changed.emit();
-    }
-  });
+  try {
+    post([weak = weak_from_this()] {
+      if (const auto alive = weak.lock()) {
+        alive->changePosted = false;
+        if (!alive->closed)
+          alive->changed.emit();
+      }
+    });
+  } catch (const std::bad_alloc&) {
+    changePosted = false;
+  }
 }
 
 JobQueue::JobQueue(Post post, int workers) : shared_(std::make_shared<Shared>()) {

@@ -3,7 +3,10 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <istream>
 #include <system_error>
+
+#include "viscera/core/error.h"
 
 namespace viscera {
 namespace {
@@ -73,6 +76,25 @@ std::string toUtf8(std::string text) {
     rest.remove_prefix(length > 0 ? length : 1);
   }
   return valid;
+}
+
+std::string restOf(std::istream& stream, const std::string& where) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
+  std::string text;
+  // `read` notes what the buffer throws; the iterators of stream buffers would let it through.
+  while (stream) {
+    const std::size_t before = text.size();
+    text.resize(before + kBlock);
+    stream.read(text.data() + before, static_cast<std::streamsize>(kBlock));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  requireReadToEnd(stream, where);
+  return text;
+}
+
+void requireReadToEnd(const std::istream& stream, const std::string& where) {
+  if (stream.bad())
+    throw NoInputError("It cannot be read to its end", where, "check the disk or the connection");
 }
 
 } // namespace viscera

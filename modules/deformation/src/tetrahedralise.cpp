@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -219,9 +220,11 @@ std::filesystem::path installedTetgenWorker() {
   if (dladdr(reinterpret_cast<void*>(&installedTetgenWorker), &library) == 0 || !library.dli_fname)
     return kWorkerName;
   // The loader may have found the library through a link, as /lib is one to /usr/lib.
-  const auto folder = std::filesystem::weakly_canonical(library.dli_fname).parent_path();
+  std::error_code unreachable;
+  const auto real = std::filesystem::weakly_canonical(library.dli_fname, unreachable);
+  const auto folder = (unreachable ? std::filesystem::path(library.dli_fname) : real).parent_path();
   for (const char* beside : {VISCERA_LIBEXEC_FROM_LIBDIR, "../bin"})
-    if (std::filesystem::exists(folder / beside / kWorkerName))
+    if (std::filesystem::exists(folder / beside / kWorkerName, unreachable))
       return (folder / beside / kWorkerName).lexically_normal();
   return (folder / VISCERA_LIBEXEC_FROM_LIBDIR / kWorkerName).lexically_normal();
 }

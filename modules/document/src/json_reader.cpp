@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <system_error>
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -25,12 +25,9 @@ std::string readText(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, error))
     throw NoInputError("It is not a file that can be read", file.string(), "check the name");
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  // An empty file sets the failbit of `text`, which is not what is asked here.
-  if (!stream.is_open() || stream.bad())
+  if (!stream.is_open())
     throw NoInputError("It cannot be read", file.string(), "check its permissions");
-  return std::move(text).str();
+  return restOf(stream, file.string());
 }
 
 void JsonReader::fail(const std::string& problem, const std::string& place) const {

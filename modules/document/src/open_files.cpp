@@ -288,7 +288,8 @@ OpenedFiles openEach(const std::vector<std::filesystem::path>& named, Progress& 
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
     try {
-      addFile(opened, files[i], progress, arrives, sessions);
+      const auto add = [&] { addFile(opened, files[i], progress, arrives, sessions); };
+      explainingShortMemory(files[i].string(), add);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {

@@ -9,6 +9,7 @@
 #include <QFile>
 
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 
@@ -51,9 +52,7 @@ std::optional<fs::path> sameInFolder(const fs::path& folder, const FileSource& s
 }
 
 fs::path absoluteOf(const fs::path& file) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(file, error);
-  return (error ? file : absolute).lexically_normal();
+  return absolutePath(file).lexically_normal();
 }
 
 } // namespace

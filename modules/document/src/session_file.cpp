@@ -14,6 +14,7 @@
 #include "stored_surface.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/validate.h"
@@ -187,7 +188,7 @@ class SessionOpener {
 public:
   SessionOpener(const fs::path& file, const sample_organs::SampleLibrary& samples, Progress& progress,
                 std::vector<fs::path> alsoIn)
-      : reader_(file.string()), folder_(fs::absolute(file).parent_path()), alsoIn_(std::move(alsoIn)),
+      : reader_(file.string()), folder_(absolutePath(file).parent_path()), alsoIn_(std::move(alsoIn)),
         maker_(samples), progress_(progress) {}
 
   OpenedSession read(const std::string& text) {
@@ -434,7 +435,7 @@ private:
   template <class Make>
   std::optional<Organ> orMissing(SurfaceFinding& finding, Make make) {
     try {
-      return make();
+      return explainingShortMemory({}, make);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -480,7 +481,7 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   if (!isSessionFile(file))
     throw CannotCreateError("the name of a session file ends in .viscera", file.string(),
                             phrase("name it %1", file.filename().string() + kSessionEnding));
-  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::path folder = absolutePath(file).parent_path();
   const DocumentState& state = contents.state;
   validate(state);
   ordered_json root{{"format", kSessionFormat},

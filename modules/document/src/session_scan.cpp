@@ -5,6 +5,7 @@
 
 #include "stored_scan.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::document {
@@ -32,7 +33,7 @@ std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absol
   std::error_code error;
   for (const fs::path& place : places)
     if (place.is_absolute() && fs::exists(place, error))
-      return fs::absolute(place, error).lexically_normal();
+      return absolutePath(place).lexically_normal();
   return std::nullopt;
 }
 
@@ -42,7 +43,7 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
   std::error_code error;
   ordered_json json{{"name", item.name}};
   if (!item.file.empty()) {
-    const fs::path absolute = fs::absolute(item.file, error).lexically_normal();
+    const fs::path absolute = absolutePath(item.file).lexically_normal();
     json["relative"] = absolute.lexically_relative(folder).generic_string();
     json["absolute"] = absolute.generic_string();
   }
@@ -97,7 +98,8 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
                           absolute.string()));
   try {
-    ScanItem scan = openScanFile(*file, options, progress);
+    ScanItem scan =
+        explainingShortMemory(file->string(), [&] { return openScanFile(*file, options, progress); });
     scan.name = name;
     if (!hash.empty() && hash != scan.hash)
       opened.warnings.push_back(

@@ -1,7 +1,6 @@
 #include "bound_organ.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -117,10 +116,8 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
     result.failure = BindingStatus{State::failed, error.what()};
     if (!usesGivenCage(target)) // Adding handles that are not corners of the cage would not help.
       result.failure->outsideHull = countOutside(target.handles.positions, organ.mesh->points);
-  } catch (const std::bad_alloc&) {
-    result.failure = BindingStatus{State::failed, notEnoughMemory().what()};
   } catch (const std::exception& error) {
-    result.failure = BindingStatus{State::failed, error.what()};
+    result.failure = BindingStatus{State::failed, explanationOf(error)};
   }
   if (result.failure)
     result.failure->givenCage = usesGivenCage(target);

@@ -1,6 +1,7 @@
 #include "viscera/live/live_stress.h"
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "bound_organ.h"
@@ -249,9 +250,9 @@ void LiveStress::Impl::refreshBinding() {
   try {
     Progress ignored;
     takeBound(bindTo(*target, mesh->points, options.threads, ignored));
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     dropBinding();
-    setState(StressState::failed, error.what());
+    setState(StressState::failed, explanationOf(error));
   }
 }
 

@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::motion {
 namespace {
@@ -128,11 +130,13 @@ private:
 
 sequences::Curve readVolumeCurve(const std::filesystem::path& file, double periodSeconds) {
   std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file) || !stream)
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(file, unreachable) || !stream)
     throw NoInputError("is not a file that can be read", file.string(), "check the name");
   CurveReader reader(file.string(), periodSeconds);
   for (std::string line; std::getline(stream, line);)
     reader.take(std::move(line));
+  requireReadToEnd(stream, file.string());
   return reader.curve();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -24,60 +23,67 @@ namespace fs = std::filesystem;
 const QString kIid = QStringLiteral(VISCERA_COORDINATE_SYSTEM_PLUGIN_IID);
 const QString kIidName = kIid.section('/', 0, 0);
 
-/// A plugin's system behind a wall: whatever it throws that is not one of our errors arrives as one, with the
-/// plugin's name, so that a foreign mistake never ends the program.
-class GuardedSystem final : public coordinates::CoordinateSystem {
+/// Calls a function of a plugin's system: whatever it throws that is not one of our errors arrives as one,
+/// with the plugin's name, so that a foreign mistake never ends the program.
+template <class Call>
+auto behindWall(const std::string& id, const std::string& file, const Call& call) -> decltype(call()) {
+  try {
+    return call();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (reportsShortMemory(error)) // No fault of the plugin.
+      throw;
+    throw Error(kInternalError, phrase("system \"%1\" failed: %2", id, error.what()), file,
+                "choose another system");
+  } catch (...) {
+    throw Error(kInternalError, phrase("system \"%1\" failed", id), file, "choose another system");
+  }
+}
+
+coordinates::SystemDescription describedBy(const coordinates::CoordinateSystem& system,
+                                           const std::string& file) {
+  const std::string id = behindWall("?", file, [&] { return system.id(); });
+  return behindWall(id, file, [&] {
+    return coordinates::SystemDescription{id, system.name(), system.summary(), system.traits(),
+                                          system.parameters()};
+  });
+}
+
+/// A plugin's system behind a wall. Its description is asked once, when it is loaded: one that says something
+/// else later, or fails, confuses neither lists nor sessions nor the registry.
+class GuardedSystem final : public coordinates::DescribedSystem {
 public:
   GuardedSystem(std::shared_ptr<const coordinates::CoordinateSystem> system, std::string file)
-      : system_(std::move(system)), file_(std::move(file)), id_(system_->id()) {}
-
-  std::string id() const override { return id_; }
-  std::string name() const override { return system_->name(); }
-  std::string summary() const override { return system_->summary(); }
-  coordinates::Traits traits() const override { return system_->traits(); }
-  std::vector<coordinates::Parameter> parameters() const override { return system_->parameters(); }
+      : DescribedSystem(describedBy(*system, file)), system_(std::move(system)), file_(std::move(file)) {}
 
   std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet& handles, const Points& points,
                                              const coordinates::BindOptions& options,
                                              Progress& progress) const override {
-    auto binding = behindWall([&] { return system_->bind(handles, points, options, progress); });
-    if (!binding || binding->pointCount() != points.rows() ||
-        binding->handleCount() != handles.positions.rows())
-      throw Error(kInternalError, phrase("system \"%1\" returned no binding of the right size", id_), file_);
-    return binding;
+    return behindWall(id(), file_, [&] {
+      auto binding = system_->bind(handles, points, options, progress);
+      if (!binding || binding->pointCount() != points.rows() ||
+          binding->handleCount() != handles.positions.rows())
+        throw Error(kInternalError, phrase("system \"%1\" returned no binding of the right size", id()),
+                    file_);
+      return binding;
+    });
   }
 
   coordinates::CoordinateGradients gradients(const coordinates::HandleSet& handles, const Points& points,
                                              const coordinates::BindOptions& options,
                                              Progress& progress) const override {
-    return behindWall([&] { return system_->gradients(handles, points, options, progress); });
+    return behindWall(id(), file_, [&] { return system_->gradients(handles, points, options, progress); });
   }
 
   coordinates::SpaceLayout layout(const coordinates::HandleSet& handles,
                                   const coordinates::ParameterValues& parameters) const override {
-    return behindWall([&] { return system_->layout(handles, parameters); });
+    return behindWall(id(), file_, [&] { return system_->layout(handles, parameters); });
   }
 
 private:
-  template <class Call>
-  auto behindWall(const Call& call) const -> decltype(call()) {
-    try {
-      return call();
-    } catch (const Error&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      throw; // No fault of the plugin.
-    } catch (const std::exception& error) {
-      throw Error(kInternalError, phrase("system \"%1\" failed: %2", id_, error.what()), file_,
-                  "choose another system");
-    } catch (...) {
-      throw Error(kInternalError, phrase("system \"%1\" failed", id_), file_, "choose another system");
-    }
-  }
-
   std::shared_ptr<const coordinates::CoordinateSystem> system_;
   std::string file_;
-  std::string id_;
 };
 
 PluginManifest manifestOf(const QJsonObject& metaData) {
@@ -106,8 +112,11 @@ void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, Plugin
   for (const auto& system : plugin.systems()) {
     try {
       const std::string file = report.file.string();
-      registry.add(system ? std::make_shared<GuardedSystem>(system, file) : system, file);
-      report.systems.push_back(system->id());
+      std::shared_ptr<const coordinates::CoordinateSystem> guarded;
+      if (system)
+        guarded = std::make_shared<const GuardedSystem>(system, file);
+      registry.add(guarded, file);
+      report.systems.push_back(guarded->id());
     } catch (const Error& error) {
       report.problem = error.what();
     }
@@ -118,7 +127,8 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
   PluginReport report;
   report.file = file;
   try {
-    if (!fs::exists(file)) {
+    std::error_code unreachable;
+    if (!fs::exists(file, unreachable)) {
       report.problem = "there is no such file";
       return report;
     }
@@ -135,7 +145,7 @@ PluginReport loadOne(const fs::path& file, Registry& registry) {
     }
     addSystems(*plugin, registry, report);
   } catch (const std::exception& error) {
-    report.problem = phrase("it failed while loading: %1", error.what());
+    report.problem = phrase("it failed while loading: %1", explanationOf(error));
   } catch (...) {
     report.problem = "it failed while loading";
   }

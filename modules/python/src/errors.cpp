@@ -58,6 +58,10 @@ void translateErrors() {
         std::rethrow_exception(thrown);
     } catch (const Error& error) {
       raise(error);
+    } catch (const std::exception& error) {
+      if (!reportsShortMemory(error))
+        throw; // To the translator of the standard library's exceptions.
+      PyErr_SetString(PyExc_MemoryError, notEnoughMemory().what());
     }
   });
 }

@@ -10,6 +10,7 @@
 
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/core/text.h"
 #include "viscera/document/open_files.h"
 #include "viscera/motion/motion_recipe.h"
@@ -258,7 +259,7 @@ std::vector<std::string> Writer::bound(std::vector<std::string> words) const {
 
 /// Whether the organ's file is still what was read.
 bool isInItsFile(const document::Organ& organ) {
-  if (organ.file.empty() || organ.origin.fileHash.empty() || !std::filesystem::exists(organ.file))
+  if (organ.file.empty() || organ.origin.fileHash.empty() || fileBytes(organ.file) == 0)
     return false;
   try {
     const document::Organ now = document::readOrgan(organ.file);
@@ -278,13 +279,13 @@ std::optional<std::string> Writer::nameOf(const document::Organ& organ) {
     name = "sample:" + sample.substr(0, at) +
            (organ.origin.surface.empty() ? "" : "/" + organ.origin.surface) + sample.substr(at);
   else if (isInItsFile(organ))
-    name = std::filesystem::absolute(organ.file).string();
+    name = absolutePath(organ.file).string();
   else if (!source_.session.empty()) {
     const auto same = std::count_if(state_.organs->begin(), state_.organs->end(),
                                     [&](const auto& other) { return other->name == organ.name; });
     const auto place = std::find_if(state_.organs->begin(), state_.organs->end(),
                                     [&](const auto& other) { return other->id == organ.id; });
-    name = std::filesystem::absolute(source_.session).string() + '/' +
+    name = absolutePath(source_.session).string() + '/' +
            (same == 1 ? organ.name : std::to_string(place - state_.organs->begin() + 1));
   }
   names_[organ.id] = name;
@@ -435,7 +436,7 @@ bool Writer::playSession(const std::string& reason, const std::string& table, bo
     return false;
   }
   say(reason + ": the session itself is played.");
-  std::vector<std::string> words = {"play", std::filesystem::absolute(source_.session).string()};
+  std::vector<std::string> words = {"play", absolutePath(source_.session).string()};
   if (!driven && source_.view.playing && source_.view.playing->ratePerMinute > 0)
     words.insert(words.end(), {"--rate", numberText(source_.view.playing->ratePerMinute)});
   words.insert(words.end(), {"--csv", table});
@@ -465,7 +466,7 @@ void Writer::writeKeySequence() {
 void Writer::writePicture() {
   if (!source_.session.empty()) {
     paragraph("The picture, as the session shows it.");
-    return command({"render", std::filesystem::absolute(source_.session).string(), "-o", "picture.png"});
+    return command({"render", absolutePath(source_.session).string(), "-o", "picture.png"});
   }
   std::vector<std::string> words = {"render"};
   for (const auto& organ : *state_.organs)

@@ -29,7 +29,7 @@ Result made(const Item& item, const Bench& bench, Progress& progress) {
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
-    result.problem = error.what();
+    result.problem = explanationOf(error);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -128,9 +128,10 @@ SampleLibrary standardLibrary() {
 std::vector<std::string> sampleNames(const SampleLibrary& library) {
   std::error_code error;
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(library.definitions, error))
-    if (entry.path().extension() == ".json" && entry.path().stem().extension().empty())
-      names.push_back(entry.path().stem().string());
+  for (fs::directory_iterator entry(library.definitions, error), end; !error && entry != end;
+       entry.increment(error))
+    if (const fs::path& file = entry->path(); file.extension() == ".json" && file.stem().extension().empty())
+      names.push_back(file.stem().string());
   if (error)
     throw NoInputError(phrase("the sample organs cannot be listed: %1", error.message()),
                        library.definitions.string(),

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <fstream>
 #include <iomanip>
-#include <iterator>
 #include <ostream>
 #include <sstream>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
+#include "viscera/core/text.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -55,9 +55,14 @@ std::size_t fill(Array& array, std::uint64_t rows, const std::string& bytes, std
   return from + size;
 }
 
+/// Empty when the file is not there or cannot be read: the surface is generated again then.
 std::string readAll(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  try {
+    return restOf(file, path.string());
+  } catch (const NoInputError&) {
+    return {};
+  }
 }
 
 } // namespace

@@ -23,6 +23,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/child_process.h"
 #include "viscera/core/error.h"
+#include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
 #include "viscera/scene/picture.h"
 
@@ -42,7 +43,7 @@ public:
   explicit PngFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code failure;
     madeFolder_ = fs::create_directories(folder_, failure);
-    if (failure || !fs::is_directory(folder_) || access(folder_.c_str(), W_OK) != 0)
+    if (failure || !fs::is_directory(folder_, failure) || access(folder_.c_str(), W_OK) != 0)
       throw CannotCreateError("the folder for the frames cannot be written", folder_.string());
   }
   void write(vtkImageData* frame) override {
@@ -292,7 +293,7 @@ private:
                    "-movflags", "+faststart",
                    "-f",        "mp4"};
     list.insert(list.end(), coding.begin(), coding.end());
-    list.push_back("file:" + fs::absolute(file_->temporary()).string());
+    list.push_back("file:" + absolutePath(file_->temporary()).string());
     return list;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <system_error>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -80,7 +81,8 @@ void savePicture(vtkRenderWindow* window, const std::filesystem::path& file) {
 }
 
 vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file))
+  std::error_code unreachable;
+  if (!std::filesystem::exists(file, unreachable))
     throw NoInputError("the picture does not exist", file.string());
   vtkNew<vtkPNGReader> reader;
   if (!reader->CanReadFile(file.c_str()))

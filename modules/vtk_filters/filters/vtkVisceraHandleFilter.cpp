@@ -4,6 +4,7 @@
 #include <map>
 
 #include "src/filter_job.h"
+#include "viscera/core/error.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -113,7 +114,7 @@ int vtkVisceraHandleFilter::RequestData(vtkInformation*, vtkInformationVector** 
     this->Work(job);
   } catch (const std::exception& error) {
     // The same on every rank; one is enough to say it, but a log of any of them is to show it.
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< viscera::explanationOf(error));
     return 0;
   }
   return 1;

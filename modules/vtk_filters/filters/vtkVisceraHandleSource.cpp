@@ -4,6 +4,7 @@
 
 #include "src/leaves.h"
 #include "src/rig.h"
+#include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
@@ -98,7 +99,7 @@ int vtkVisceraHandleSource::RequestData(vtkInformation*, vtkInformationVector** 
       handles = viscera::deformation::placeHandles(mesh, {this->Count, this->Enclosing != 0});
     }
   } catch (const std::exception& error) {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< viscera::explanationOf(error));
     return 0;
   }
   if (this->MovedHandle >= 0 && this->MovedHandle < handles.rows())

@@ -58,6 +58,7 @@ TEST_F(CliLesson, SaysWhatIsWrong) {
   const std::string cube = put("cube.off", cubeOff(30));
   expectFailure({"lesson", cube, "-o", path("l.pdf")}, kUsage, ".html or .glb");
   expectFailure({"lesson", "-o", path("l.html")}, kUsage, "name a sequence");
+  expectFailure({"lesson", "--ready", "-o", cube}, kCannotCreate, "folder cannot be made");
   expectFailure({"lesson", path("missing.stl"), "-o", path("l.html")}, kNoInput, "missing.stl");
   expectFailure({"lesson", cube, "-o", path("no/folder/l.html")}, kCannotCreate, "folder");
   expectFailure({"lesson", cube, "-o", path("l.html"), "--spec", put("bad.json", "[]")}, kBadData,

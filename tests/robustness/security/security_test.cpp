@@ -17,9 +17,9 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The program and the shared libraries of the modules that this build has.
+/// The program, TetGen's worker, the plugin, and the shared libraries of the modules that this build has.
 std::vector<std::filesystem::path> binaries() {
-  std::vector<std::filesystem::path> found = {VISCERA_PROGRAM};
+  std::vector<std::filesystem::path> found = {VISCERA_PROGRAM, VISCERA_TETGEN_PROGRAM, VISCERA_PLUGIN_FILE};
   for (const auto& entry : std::filesystem::directory_iterator(VISCERA_LIBRARIES))
     if (entry.is_regular_file() && entry.path().filename().string().starts_with("libviscera_"))
       found.push_back(entry.path());
@@ -83,6 +83,8 @@ TEST(Hardening, IsInEveryBinary) {
     imported.merge(importedBy(binary));
   }
   EXPECT_TRUE(imported.contains("__stack_chk_fail")) << "No function guards its stack.";
+  EXPECT_TRUE(importedBy(VISCERA_TETGEN_PROGRAM).contains("__stack_chk_fail"))
+      << "It reads surfaces of files.";
   bool fortified = false;
   for (const std::string& name : imported)
     fortified = fortified || name.ends_with("_chk");

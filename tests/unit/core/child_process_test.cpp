@@ -39,6 +39,27 @@ TEST(ChildProcess, IsFoundInThePathAndKeepsItsMessages) {
   EXPECT_EQ(child.messages(5), "first");
 }
 
+TEST(ChildProcess, KeepsItsMessagesInMemoryAndNotInAFolderThatMayBeFull) {
+  ChildProcess child({"sh", "-c", "readlink /proc/self/fd/2 >&2"}, STDIN_FILENO, -1);
+  ASSERT_EQ(child.startError(), 0);
+  ChildResult result;
+  EXPECT_TRUE(child.ended(result, true));
+  EXPECT_EQ(child.messages(100).rfind("/memfd:", 0), 0u) << child.messages(100);
+}
+
+TEST(ChildProcess, WritesNoMoreMessagesThanItMay) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ChildProcess child({"sh", "-c", "read line; exec yes >&2"}, ends[0], -1);
+  child.limit({});
+  ASSERT_EQ(write(ends[1], "\n", 1), 1); // Not before: the limits come after the start.
+  ChildResult result;
+  EXPECT_TRUE(child.ended(result, true));
+  EXPECT_EQ(child.messages(std::size_t{8} << 20).size(), std::size_t{1} << 20);
+  close(ends[0]);
+  close(ends[1]);
+}
+
 TEST(ChildProcess, IsEndedWithAllOfItsGroupWhenItGoes) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);

@@ -1,5 +1,11 @@
 #include "viscera/core/error.h"
 
+#include <cerrno>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
 #include <gtest/gtest.h>
 
 namespace viscera {
@@ -28,6 +34,38 @@ TEST(Error, CarriesTheExitCodesOfSysexits) {
   EXPECT_EQ(NoInputError("").exitCode(), 66);
   EXPECT_EQ(CannotCreateError("").exitCode(), 73);
   EXPECT_EQ(Cancelled().exitCode(), 130);
+}
+
+TEST(ShortMemory, IsReportedByEveryExceptionOfTheStandardLibraryThatMeansIt) {
+  EXPECT_TRUE(reportsShortMemory(std::bad_alloc()));
+  EXPECT_TRUE(reportsShortMemory(std::bad_array_new_length()));
+  EXPECT_TRUE(reportsShortMemory(std::length_error("vector::_M_default_append")));
+  EXPECT_TRUE(reportsShortMemory(std::system_error(ENOMEM, std::generic_category())));
+  EXPECT_TRUE(reportsShortMemory(std::system_error(EAGAIN, std::system_category()))) << "as a thread does";
+  EXPECT_FALSE(reportsShortMemory(std::out_of_range("vector::_M_range_check")));
+  EXPECT_FALSE(reportsShortMemory(DataError("the file is truncated")));
+  EXPECT_FALSE(reportsShortMemory(
+      std::filesystem::filesystem_error("status", "a.stl", std::make_error_code(std::errc::io_error))));
+}
+
+TEST(ShortMemory, IsExplainedInPlainWords) {
+  EXPECT_EQ(explanationOf(std::bad_alloc()), notEnoughMemory().what());
+  EXPECT_EQ(explanationOf(std::bad_alloc()).find("bad_alloc"), std::string::npos);
+  EXPECT_EQ(explanationOf(std::out_of_range("row 7 of 5")), "row 7 of 5");
+}
+
+TEST(ShortMemory, BecomesAnErrorThatNamesWhatNeedsTheMemory) {
+  EXPECT_EQ(explainingShortMemory("liver.stl", [] { return 7; }), 7);
+  try {
+    explainingShortMemory("liver.stl", [] { throw std::bad_alloc(); });
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "liver.stl");
+    EXPECT_EQ(error.problem(), "There is not enough memory");
+    EXPECT_EQ(error.exitCode(), 70);
+  }
+  EXPECT_THROW(explainingShortMemory("liver.stl", [] { throw DataError("torn"); }), DataError);
+  EXPECT_THROW(explainingShortMemory("liver.stl", [] { throw std::out_of_range("7"); }), std::out_of_range);
 }
 
 } // namespace viscera

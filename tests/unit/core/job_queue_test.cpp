@@ -1,7 +1,9 @@
 #include "viscera/core/job_queue.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -105,6 +107,23 @@ TEST(JobQueue, TurnsExceptionsIntoResults) {
   EXPECT_THAT(errors[1]->what(), HasSubstr("odd"));
   EXPECT_EQ(errors[2]->exitCode(), 70);
   EXPECT_THAT(errors[3]->what(), HasSubstr("memory"));
+}
+
+TEST(JobQueue, BringsItsResultWhenThereWasNoMemoryToPostItAtFirst) {
+  ManualEventLoop box;
+  std::atomic<int> refusals{3}; // Of the notice that the job has begun, then of the result.
+  JobQueue jobs([post = box.post(), &refusals](std::function<void()> function) {
+    if (refusals-- > 0)
+      throw std::bad_alloc();
+    post(std::move(function));
+  });
+  std::shared_ptr<const Error> error;
+  jobs.submit<int>(
+      "Large", "", [](Progress&) -> int { throw std::bad_alloc(); },
+      [&error](const JobResult<int>& result) { error = result.error; });
+  box.runUntil([&jobs] { return jobs.idle(); });
+  ASSERT_NE(error, nullptr);
+  EXPECT_STREQ(error->what(), notEnoughMemory().what());
 }
 
 TEST(JobQueue, CancelsAJobThatRunsAndOneThatWaits) {

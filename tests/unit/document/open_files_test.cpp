@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -138,6 +139,20 @@ TEST_F(OpenFiles, TellAllThatFailedToWhoHasSomethingElseToShow) {
   ASSERT_EQ(opened.failures.size(), 2u);
   EXPECT_THAT(opened.failures[0].what(), HasSubstr("empty.stl"));
   EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "empty.stl", folder_ / "missing.stl"));
+}
+
+TEST_F(OpenFiles, LeaveOutOneThatDoesNotFitIntoMemoryAndSayWhich) {
+  Progress progress;
+  const ArrivingOrganListener hungry = [](const ArrivingOrgan& organ) {
+    if (organ.name == "liver")
+      throw std::bad_alloc();
+  };
+  const OpenedFiles opened =
+      openFiles({surface("liver.vtp", 30), surface("kidney.vtp", 20)}, progress, hungry);
+  ASSERT_EQ(opened.organs.size(), 1u);
+  EXPECT_EQ(opened.organs[0].organ.name, "kidney");
+  ASSERT_EQ(opened.failures.size(), 1u);
+  EXPECT_THAT(opened.failures[0].what(), AllOf(HasSubstr("liver.vtp"), HasSubstr("not enough memory")));
 }
 
 TEST_F(OpenFiles, LeaveOutASessionAndASecondHandleFileAmongOthers) {

@@ -436,5 +436,35 @@ TEST_F(DicomScan, LeavesOutADamagedFileAndSaysSo) {
   EXPECT_THROW(readScan(folder_ / "slice1.dcm", {}, progress_), DataError);
 }
 
+/// Another program takes away a file, or writes half of it, after all headers have been read.
+TEST_F(DicomScan, NamesASliceThatVanishesOrIsCutOffBetweenItsHeaderAndItsPixels) {
+  const LabelImage image = smallPhantom();
+  write(image);
+  const std::filesystem::path file = folder_ / "slice4.dcm";
+  const std::string whole = tests::contentsOf(file);
+  for (const bool vanishes : {true, false}) {
+    int headers = 0;
+    Progress progress([&](double, const std::string& step) {
+      if (step != "headers" || ++headers < image.size[2])
+        return;
+      if (vanishes)
+        std::filesystem::remove(file);
+      else
+        folder_.put("slice4.dcm", whole.substr(0, whole.size() / 2));
+    });
+    try {
+      readScan(folder_.path(), {}, progress);
+      FAIL() << "the scan has a hole";
+    } catch (const DataError& error) {
+      EXPECT_EQ(error.where(), file.string());
+      EXPECT_THAT(error.what(),
+                  testing::AllOf(HasSubstr("A slice cannot be read"), HasSubstr("take it out")));
+    }
+    EXPECT_EQ(headers, image.size[2]);
+    folder_.put("slice4.dcm", whole);
+    EXPECT_EQ(read().size[2], image.size[2]) << "the others are as they were";
+  }
+}
+
 } // namespace
 } // namespace viscera::medical_io

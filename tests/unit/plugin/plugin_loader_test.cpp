@@ -146,6 +146,36 @@ TEST_F(PluginLoaderTest, ThatMemoryIsShortIsNoFaultOfAPlugin) {
       << "the program has a sentence for it";
 }
 
+TEST_F(PluginLoaderTest, AsksASystemForItsDescriptionOnlyOnce) {
+  EXPECT_THAT(load(kFaulty / "plugin_forgetful.so").systems, ElementsAre("forgetful"));
+  for (int times = 0; times < 2; ++times) {
+    const auto system = registry_.find("forgetful");
+    EXPECT_EQ(system->name(), "Forgetful");
+    EXPECT_EQ(system->summary(), "Describes itself once.");
+    EXPECT_TRUE(system->traits().positive);
+    ASSERT_EQ(system->parameters().size(), 1u);
+    EXPECT_EQ(system->parameters()[0].name, "steepness");
+  }
+}
+
+TEST_F(PluginLoaderTest, ASystemThatCannotBeDescribedIsLeftOutAloneWithItsPluginsName) {
+  const auto report = load(kFaulty / "plugin_forgetful.so");
+  EXPECT_FALSE(registry_.contains("nameless"));
+  EXPECT_TRUE(registry_.contains("forgetful"));
+  EXPECT_THAT(report.problem, testing::AllOf(HasSubstr("plugin_forgetful"), HasSubstr("nameless")));
+}
+
+TEST_F(PluginLoaderTest, WhatIsNoExceptionAtAllArrivesAsAnErrorToo) {
+  load(kFaulty / "plugin_forgetful.so");
+  Progress progress;
+  try {
+    registry_.find("forgetful")->bind({}, Points(0, 3), {}, progress);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("plugin_forgetful"), HasSubstr("forgetful")));
+  }
+}
+
 TEST_F(PluginLoaderTest, OneBadPluginDoesNotKeepTheOthersOut) {
   fs::copy_file(kFaulty / "plugin_throws.so", folder_ / "a_throws.so");
   std::ofstream(folder_ / "b_text.so") << "no library";

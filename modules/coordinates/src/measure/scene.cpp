@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/text.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -50,6 +51,7 @@ HandleSet handlesOfTable(std::istream& table, const std::string& where) {
       throw DataError("It is not a row of a fiducial table", where + ", line " + std::to_string(number),
                       "it has to begin with id,x,y,z");
   }
+  requireReadToEnd(table, where);
   return {pointsOf(rows), {}, {}};
 }
 

@@ -189,7 +189,7 @@ SceneProperties measureOn(const CoordinateSystem& system, const Scene& scene, co
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
-    found.refusal = error.what();
+    found.refusal = explanationOf(error);
   } catch (...) {
     found.refusal = "an error of unknown kind";
   }

@@ -200,11 +200,12 @@ void convertSlice(const DicomPixels& pixels, const DicomFrame& frame, const Samp
   }
 }
 
-/// A slice that cannot be unpacked ends the reading: a scan must not have a hole that the user does not
-/// expect.
-DicomPixels readPixels(DicomPixelReader& reader, const DicomHeader& header, const DicomFrame& frame) {
+/// Calls `read`, which reads from the file of `header`. A slice that cannot be unpacked, or whose file has
+/// vanished since it was listed, ends the reading: a scan must not have a hole that the user does not expect.
+template <class Read>
+auto ofSlice(const DicomHeader& header, const Read& read) -> decltype(read()) {
   try {
-    return reader.read(frame.frame);
+    return read();
   } catch (const DataError& error) {
     throw DataError(phrase("A slice cannot be read, so the series is not opened: %1", error.problem()),
                     header.file.string(),
@@ -234,11 +235,11 @@ Scan::Samples readSamples(const FrameList& list, const SliceStack& stack, const 
   }
   forAll(byFile.size(), progress, kHeaders, 1, "slices", [&](std::size_t number) {
     const DicomHeader& header = list.files[byFile[number].first];
-    DicomPixelReader reader(header);
+    DicomPixelReader reader = ofSlice(header, [&] { return DicomPixelReader(header); });
     for (const std::size_t k : byFile[number].second) {
       progress.throwIfCancelled();
       const DicomFrame& frame = list.frames[stack.frames[k]];
-      const DicomPixels pixels = readPixels(reader, header, frame);
+      const DicomPixels pixels = ofSlice(header, [&] { return reader.read(frame.frame); });
       Sample* out = samples.data() + k * slice;
       if (pixels.format.allocated == 8)
         convertSlice<std::uint8_t>(pixels, frame, form, out);

@@ -1,12 +1,13 @@
 #include "definition/organ_definition.h"
 
 #include <fstream>
-#include <iterator>
 #include <set>
+#include <system_error>
 
 #include "definition/fields.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
+#include "viscera/core/text.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -18,11 +19,10 @@ constexpr int kMostTriangles = 5'000'000;
 
 std::string readText(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad())
+  if (!file.is_open())
     throw NoInputError("the organ definition cannot be read", path.string(),
                        "check that the file exists and that you may read it");
-  return text;
+  return restOf(file, path.string());
 }
 
 json parse(const std::string& text, const std::string& where) {
@@ -44,7 +44,9 @@ public:
 private:
   void readFile(const std::filesystem::path& path, bool main) {
     const std::string where = path.filename().string();
-    if (!files_.insert(std::filesystem::weakly_canonical(path)).second)
+    std::error_code unreachable;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, unreachable);
+    if (!files_.insert(unreachable ? path.lexically_normal() : real).second) // Reading says why.
       throw DataError("the file is included twice, or includes itself", where, "remove one of the includes");
     const std::string text = readText(path);
     definition_.contentHash = contentHash(text, definition_.contentHash);

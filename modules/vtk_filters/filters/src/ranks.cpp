@@ -53,7 +53,7 @@ void Ranks::together(const std::function<void()>& part) const {
   try {
     part();
   } catch (const std::exception& error) {
-    failure = error.what();
+    failure = explanationOf(error);
     if (failure.empty())
       failure = "it failed without a message";
   }

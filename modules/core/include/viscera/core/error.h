@@ -1,7 +1,9 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 /// The exceptions for errors that a user can do something about. A caller's mistake is an assertion instead.
 namespace viscera {
@@ -59,8 +61,30 @@ public:
   Cancelled();
 };
 
-/// The error that replaces `std::bad_alloc`, with a text for the user. Its exit code is that of an internal
-/// error.
-Error notEnoughMemory();
+/// The error that replaces an exception of `reportsShortMemory`, with a text for the user; `where` is the
+/// file or organ that needs the memory. Its exit code is that of an internal error.
+Error notEnoughMemory(std::string where = {});
+
+/// Whether an exception says that memory is short: `std::bad_alloc`, `std::length_error` (a size that no
+/// container holds), or a `std::system_error` of a system without memory, also for another thread's stack.
+/// From any thread.
+bool reportsShortMemory(const std::exception& exception) noexcept;
+
+/// What to tell a user of an exception: `what()`, or the text of `notEnoughMemory` where that is the reason.
+/// From any thread.
+std::string explanationOf(const std::exception& exception);
+
+/// Calls `work` and returns its result. When memory is too short for it, throws `notEnoughMemory(where)`
+/// instead of what `work` has thrown, and everything else unchanged.
+template <class Work>
+auto explainingShortMemory(const std::string& where, Work&& work) -> decltype(work()) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::exception& exception) {
+    if (!reportsShortMemory(exception))
+      throw;
+  }
+  throw notEnoughMemory(where); // Here, because what `work` has allocated is free again.
+}
 
 } // namespace viscera

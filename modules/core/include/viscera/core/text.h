@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -28,5 +29,12 @@ bool isUtf8(std::string_view text);
 /// Text from a file, from the command line or from the system, as UTF-8. Bytes that are not UTF-8 are read as
 /// Latin-1, so that different texts stay different. O(n).
 std::string toUtf8(std::string text);
+
+/// All bytes of a stream from its present place to its end; nothing from one that was never opened. O(n).
+/// Throws `NoInputError` with `where`, the name of the file, when reading fails before the end (a disk or a
+/// connection that is gone), so that no file is taken for a shorter one.
+std::string restOf(std::istream& stream, const std::string& where);
+/// Throws as `restOf` when reading of a stream has failed before its end, for readers of single lines.
+void requireReadToEnd(const std::istream& stream, const std::string& where);
 
 } // namespace viscera
