@@ -172,6 +172,7 @@ void VolumePanel::rebuild() {
   auto* grid = makeLayout<QGridLayout>(tileBox_, -1, {4, 0, 4, 0});
   grid->setHorizontalSpacing(kTileGap);
   grid->setVerticalSpacing(6);
+  grid->setColumnStretch(2, 1); // Tiles keep their width in a wider box.
   std::vector<scene::ChartLine> lines;
   const auto isCavity = [](const VolumeMonitor::Line& line) { return line.cavity; };
   const bool cavities = std::any_of(monitor_.lines().begin(), monitor_.lines().end(), isCavity);
