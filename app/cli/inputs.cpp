@@ -36,10 +36,7 @@ void requireSize(const document::Organ& organ, const std::string& where) {
 document::Organ organOf(const sample_organs::SampleOrgan& sample,
                         const sample_organs::SampleSurface& surface) {
   const bool outer = &surface == &sample.surfaces.front();
-  document::Organ organ =
-      document::makeOrgan(outer ? sample.name : sample.name + "/" + surface.name, surface.mesh);
-  organ.look.color = surface.color;
-  return organ;
+  return document::organFrom(surface, outer ? sample.name : sample.name + "/" + surface.name);
 }
 
 /// A label map and the labels to read from it.

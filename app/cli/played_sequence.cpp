@@ -10,6 +10,7 @@
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/session_file.h"
@@ -63,8 +64,7 @@ private:
 Surfaces surfacesOf(const sample_organs::SampleOrgan& sample) {
   Surfaces surfaces;
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
-    document::Organ organ = document::makeOrgan(surface.name, surface.mesh);
-    organ.look.color = surface.color;
+    document::Organ organ = document::organFrom(surface, surface.name);
     organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     organ.origin.surface = surface.name;
     surfaces.add(surface.name, std::move(organ));

@@ -394,6 +394,14 @@ medical_io::HandleFile handleFile(const NewRig& rig) {
   return handleFile(*replaceRig(rig).apply(DocumentState(), ids).rig);
 }
 
+Organ organFrom(const sample_organs::SampleSurface& surface, std::string name) {
+  Organ organ = makeOrgan(std::move(name), surface.mesh);
+  organ.look.color = surface.color;
+  organ.look.vertexColors =
+      true; // A cavity has one paint, which is its blood's, while `color` is the tissue's.
+  return organ;
+}
+
 std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
   std::vector<NewOrgan> list;
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
@@ -401,9 +409,7 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
     const bool own = outer || !surface.organ.empty();
     const std::string name =
         !surface.organ.empty() ? surface.organ : displayName(outer ? sample.name : surface.name);
-    NewOrgan item{makeOrgan(name, surface.mesh), own ? -1 : 0};
-    item.organ.look.color = surface.color;
-    item.organ.look.vertexColors = true;
+    NewOrgan item{organFrom(surface, name), own ? -1 : 0};
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
     item.organ.places = surface.places;

@@ -1,3 +1,7 @@
+#include <QColor>
+#include <QImage>
+#include <QString>
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -257,6 +261,21 @@ TEST_F(CliPlay, PutsAllFramesOnOneSheet) {
   // Width and height stand big-endian behind the signature: four frames, three beside each other.
   EXPECT_EQ(static_cast<unsigned char>(png[19]), 192);
   EXPECT_EQ(static_cast<unsigned char>(png[23]), 96);
+}
+
+/// The right ventricle is violet behind its wall; in the tissue's colour nothing of the picture is.
+TEST_F(CliPlay, DrawsTheBloodInTheHeartInItsOwnColours) {
+  runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "2", "--size", "160x120", "--sheet",
+           path("sheet.png")});
+  const QImage sheet(QString::fromStdString(path("sheet.png")));
+  ASSERT_FALSE(sheet.isNull());
+  int violet = 0;
+  for (int y = 0; y < sheet.height(); ++y)
+    for (int x = 0; x < sheet.width(); ++x) {
+      const QColor color = sheet.pixelColor(x, y);
+      violet += color.red() > color.green() + 30 && color.blue() > color.green() + 15;
+    }
+  EXPECT_GT(violet, sheet.width() * sheet.height() / 100);
 }
 
 TEST_F(CliPlay, OutputsThatCannotBeWrittenAreSaidFirst) {

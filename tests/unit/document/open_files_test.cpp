@@ -278,6 +278,18 @@ TEST(SampleOrgans, BecomeAnOrganWithItsCavities) {
   EXPECT_EQ(document.organs()[1]->look.color, Vec3(0.7, 0.2, 0.2));
 }
 
+/// Of a file one paint becomes the organ's colour; a sample's colour is that of the tissue around the blood.
+TEST(SampleOrgans, ShowTheirPaintAlsoWhereItIsOneColour) {
+  geometry::TriangleMesh blood = tests::sphere(1);
+  blood.colors = Colors::Constant(blood.points.rows(), 3, 90);
+  const sample_organs::SampleSurface surface{
+      "lv", std::make_shared<const geometry::TriangleMesh>(blood), {0.7, 0.2, 0.2}, {}};
+  EXPECT_FALSE(makeOrgan("lv", surface.mesh).look.vertexColors);
+  const Organ organ = organFrom(surface, "lv");
+  EXPECT_TRUE(organ.look.vertexColors);
+  EXPECT_EQ(organ.look.color, Vec3(0.7, 0.2, 0.2));
+}
+
 TEST(SampleOrgans, WithNamesOfTheirOwnStandBesideTheFirst) {
   sample_organs::SampleOrgan system{"digestive_system", sample_organs::Resolution::low, {}};
   const auto mesh = std::make_shared<const geometry::TriangleMesh>(tests::sphere(1));

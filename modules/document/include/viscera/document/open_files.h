@@ -106,6 +106,9 @@ medical_io::HandleFile handleFile(const Rig& rig);
 /// The same of a rig that is not in a document.
 medical_io::HandleFile handleFile(const NewRig& rig);
 
+/// One surface of a sample organ, painted as the sample is.
+Organ organFrom(const sample_organs::SampleSurface& surface, std::string name);
+
 /// A sample organ's surfaces: the outer one, with the others as its cavities.
 std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample);
 
