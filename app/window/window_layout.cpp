@@ -28,7 +28,7 @@ constexpr int kImportWidth = 360;
 constexpr int kWidthForRight = 1200;
 /// The names of a segmented patient's organs are whole from here on.
 constexpr int kWidthForLeft = 1280;
-constexpr int kDockedChartHeight = 160;
+constexpr int kDockedChartHeight = 176; ///< Three rows of tiles: a heart and its four cavities.
 constexpr int kHandlesHeight = 260;
 /// Of the column of organs and handles: the organs have more.
 constexpr double kHandlesPart = 0.42;
