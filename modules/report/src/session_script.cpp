@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -259,7 +261,9 @@ std::vector<std::string> Writer::bound(std::vector<std::string> words) const {
 
 /// Whether the organ's file is still what was read.
 bool isInItsFile(const document::Organ& organ) {
-  if (organ.file.empty() || organ.origin.fileHash.empty() || fileBytes(organ.file) == 0)
+  std::error_code unreachable;
+  if (organ.file.empty() || organ.origin.fileHash.empty() ||
+      !std::filesystem::exists(organ.file, unreachable))
     return false;
   try {
     const document::Organ now = document::readOrgan(organ.file);
