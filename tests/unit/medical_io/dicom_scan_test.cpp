@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "dicom_slices.h"
 #include "packed_dicom.h"
@@ -434,6 +436,41 @@ TEST_F(DicomScan, LeavesOutADamagedFileAndSaysSo) {
   folder_.put("slice1.dcm", whole.substr(0, whole.size() - 100));
   EXPECT_EQ(count(read(), Kind::damaged), 1) << "its pixels end too early";
   EXPECT_THROW(readScan(folder_ / "slice1.dcm", {}, progress_), DataError);
+}
+
+/// Lets this process open no more than `count` further files while it lives.
+class FewFiles {
+public:
+  explicit FewFiles(int count) {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    const int next = ::dup(STDERR_FILENO);
+    ::close(next);
+    rlimit few = before_;
+    few.rlim_cur = rlim_t(next + count);
+    ::setrlimit(RLIMIT_NOFILE, &few);
+  }
+  ~FewFiles() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  FewFiles(const FewFiles&) = delete;
+  FewFiles& operator=(const FewFiles&) = delete;
+
+private:
+  rlimit before_{};
+};
+
+TEST_F(DicomScan, OfAFolderThatCannotBeListedToItsEndIsRejectedInsteadOfShortened) {
+  std::filesystem::create_directory(folder_ / "series");
+  write(smallPhantom(), {}, {}, "1.2.3.4", "series/slice");
+  {
+    const FewFiles onlyTheOuterFolder(1);
+    try {
+      read();
+      FAIL() << "the inner folder could be listed";
+    } catch (const NoInputError& error) {
+      EXPECT_EQ(error.where(), folder_.path().string());
+      EXPECT_THAT(error.what(), HasSubstr("It cannot be opened"));
+    }
+  }
+  EXPECT_EQ(read().size[2], smallPhantom().size[2]);
 }
 
 /// Another program takes away a file, or writes half of it, after all headers have been read.

@@ -43,8 +43,8 @@ bool beforeByName(const std::filesystem::path& a, const std::filesystem::path& b
 
 } // namespace
 
-void visitFiles(const std::filesystem::path& folder,
-                const std::function<bool(const std::filesystem::path&)>& visit) {
+std::error_code visitFiles(const std::filesystem::path& folder,
+                           const std::function<bool(const std::filesystem::path&)>& visit) {
   using Walk = std::filesystem::recursive_directory_iterator;
   std::error_code error;
   for (Walk entry(folder, std::filesystem::directory_options::skip_permission_denied, error), end;
@@ -53,8 +53,9 @@ void visitFiles(const std::filesystem::path& folder,
     if (entry.depth() >= kDeepestFolder)
       entry.disable_recursion_pending();
     if (entry->is_regular_file(ignored) && !visit(entry->path()))
-      return;
+      return {};
   }
+  return error;
 }
 
 std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& fileOrFolder) {
@@ -74,12 +75,15 @@ std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& file
     return true;
   };
   if (isFolder) {
-    visitFiles(folder, add);
+    error = visitFiles(folder, add);
   } else {
     for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
          !error && entry != end; entry.increment(error))
       add(entry->path());
   }
+  if (error)
+    throw NoInputError(phrase("It cannot be opened: %1", error.message()), folder.string(),
+                       "check that you may read it");
   if (list.empty())
     throw DataError(isFolder ? "It has no DICOM files with images" : "It is a DICOM file without an image",
                     fileOrFolder.string(), "name the folder of a CT or MR series, or one of its files");
