@@ -7882,8 +7882,8 @@
         <translation>1815 persones sense malaltia renal, per ressonància magnètica; la desviació és la dels quartils</translation>
     </message>
     <message>
-        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
-        <translation>dispersió: doi 10.1111/j.1365-2982.2010.01660.x; mitjana: «Simplifying the measurement of gastric accommodation using SPECT»</translation>
+        <source>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and &quot;Simplifying the measurement of gastric accommodation using SPECT&quot; (mean)</source>
+        <translation>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (dispersió), i «Simplifying the measurement of gastric accommodation using SPECT» (mitjana)</translation>
     </message>
     <message>
         <source>customary at the bedside</source>

@@ -7882,8 +7882,8 @@
         <translation>1815 Menschen ohne Nierenkrankheit, mit Magnetresonanz; die Abweichung ist die der Quartile</translation>
     </message>
     <message>
-        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
-        <translation>Streuung: doi 10.1111/j.1365-2982.2010.01660.x; Mittelwert: „Simplifying the measurement of gastric accommodation using SPECT“</translation>
+        <source>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and &quot;Simplifying the measurement of gastric accommodation using SPECT&quot; (mean)</source>
+        <translation>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (Streuung), und „Simplifying the measurement of gastric accommodation using SPECT“ (Mittelwert)</translation>
     </message>
     <message>
         <source>customary at the bedside</source>

@@ -7882,8 +7882,8 @@
         <translation>1815 personas sin enfermedad renal, por resonancia magnética; la desviación es la de los cuartiles</translation>
     </message>
     <message>
-        <source>spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: &quot;Simplifying the measurement of gastric accommodation using SPECT&quot;</source>
-        <translation>dispersión: doi 10.1111/j.1365-2982.2010.01660.x; media: «Simplifying the measurement of gastric accommodation using SPECT»</translation>
+        <source>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and &quot;Simplifying the measurement of gastric accommodation using SPECT&quot; (mean)</source>
+        <translation>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (dispersión), y «Simplifying the measurement of gastric accommodation using SPECT» (media)</translation>
     </message>
     <message>
         <source>customary at the bedside</source>

@@ -17,6 +17,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/sequences/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
@@ -201,6 +202,20 @@ TEST_F(PlayedCirculation, NeitherSourceIsMarkedWhileARecordedMotionIsPlayed) {
   ASSERT_TRUE(settled()) << message().toStdString();
   EXPECT_TRUE(circulation.isChecked());
   EXPECT_FALSE(textbook.isChecked());
+}
+
+TEST_F(PlayedCirculation, NoSourceIsMarkedOfADocumentWithoutAHeart) {
+  auto& textbook = find<QAbstractButton>("textbookBeat");
+  ASSERT_TRUE(textbook.isChecked());
+  std::vector<document::OrganId> all;
+  for (const auto& organ : document().organs())
+    all.push_back(organ->id);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(all)));
+  settle();
+  EXPECT_FALSE(textbook.isChecked() || find<QAbstractButton>("circulationBeat").isChecked());
+  window().workspace().undo().undo();
+  settle();
+  EXPECT_TRUE(textbook.isChecked());
 }
 
 TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhenItRests) {

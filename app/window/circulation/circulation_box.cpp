@@ -195,11 +195,11 @@ bool CirculationBox::movedOtherwise() const {
   return motion.sequence && !motion::sampleHeartOf(motion.recipe) && model_.hasHeart();
 }
 
-/// Marks what moves the heart: none of the two where that is another motion.
+/// Marks what moves the heart: neither of the two where that is another motion, or where there is no heart.
 void CirculationBox::markSource(bool drives) {
   const bool otherwise = movedOtherwise();
   textbook_->group()->setExclusive(false); // An exclusive group keeps one of its marks.
-  textbook_->setChecked(!drives && !otherwise);
+  textbook_->setChecked(!drives && !otherwise && model_.hasHeart());
   circulation_->setChecked(drives && !otherwise);
   textbook_->group()->setExclusive(true);
 }

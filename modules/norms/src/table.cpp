@@ -17,8 +17,8 @@ constexpr auto kShipKidneyPeople =
     "1815 people without kidney disease, by magnetic resonance; the deviation is "
     "that of the quartiles";
 constexpr auto kSpect =
-    "spread: doi 10.1111/j.1365-2982.2010.01660.x; middle: \"Simplifying the measurement of "
-    "gastric accommodation using SPECT\"";
+    "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
+    "gastric accommodation using SPECT\" (mean)";
 constexpr auto kCustomary = "customary at the bedside";
 constexpr auto kPressures =
     "Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower "

@@ -25,6 +25,16 @@ TEST(Norms, EveryRowHasANameAPeopleASourceAndARange) {
   }
 }
 
+TEST(Norms, SourcesOfVolumesBeginWithAShortNameThatFitsIntoAChart) {
+  for (const Norm& norm : table()) {
+    if (norm.unit != "ml")
+      continue;
+    const std::string name = norm.source.substr(0, norm.source.find(", doi"));
+    EXPECT_LT(name.size(), 40U) << norm.id << ": " << name;
+    EXPECT_EQ(name.find("doi"), std::string::npos) << norm.id << ": " << name;
+  }
+}
+
 TEST(Norms, OfEitherSexReachFromTheLowerToTheUpperBoundOfTwoDeviations) {
   const Norm& fraction = norm("lv.ef");
   EXPECT_DOUBLE_EQ(rangeOf(fraction).low, 58 - 2 * 5);
