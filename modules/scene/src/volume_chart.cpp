@@ -42,10 +42,8 @@ constexpr float kCurveWidth = 2;
 constexpr float kChartCursorWidth = 1.5;
 constexpr float kChartDotSize = 7; ///< Across, pixels.
 constexpr unsigned char kBandAlpha = 36;
-/// Bands may make the axis so many times as long as the curves do, whose own length is at least this part of
-/// their values.
-constexpr double kBandsStretch = 4;
-constexpr double kFlatPart = 0.25;
+/// Bands may make the axis so many times as long as the curves do, but always as long as from zero.
+constexpr double kBandsStretch = 1.5;
 constexpr int kChartFontSize = 12;
 /// Room above and below the curves, as a part of their range.
 constexpr double kChartRoom = 0.08;
@@ -54,7 +52,7 @@ constexpr double kFlat = 1e-3;
 constexpr int kMostChartTicks = 6;
 /// A chart that is lower, in logical pixels, has no title below it and fewer numbers beside it: the curves
 /// need the room.
-constexpr double kLowChart = 140;
+constexpr double kLowChart = 170;
 constexpr int kMostTicksOfALowChart = 4;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
@@ -171,6 +169,8 @@ struct VolumeChart::Parts {
   ValueRange timeRange() const;
   /// Of the curves at the left axis, or at the right one.
   ValueRange valueRange(bool right) const;
+  /// Of the curves with as much of their bands as does not flatten them.
+  ValueRange withBands(ValueRange curves, bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
   /// Whether the chart is too low for a title below it.
@@ -313,20 +313,38 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
       continue;
     std::for_each(curve->values.begin(), curve->values.end(), include);
   }
-  // What is normal is in the picture where the curves are not flattened by it.
-  const double most = kBandsStretch * std::max(high - low, kFlatPart * std::abs(high));
-  for (const auto& curve : curves)
-    for (const ChartBand& stripe : curve->line.bands)
-      if (curve->line.rightAxis == right &&
-          (low > high || std::max(high, stripe.range.high) - std::min(low, stripe.range.low) <= most)) {
-        include(stripe.range.low);
-        include(stripe.range.high);
-      }
+  const ValueRange seen = withBands({low, high}, right);
+  low = seen.low;
+  high = seen.high;
   if (low > high)
     return {0, 1};
   const bool flat = high - low <= kFlat * std::max(std::abs(low), std::abs(high));
   const double room = flat ? std::max(1.0, 0.05 * std::abs(high)) : kChartRoom * (high - low);
   return {low >= 0 ? std::max(0.0, low - room) : low - room, high + room};
+}
+
+ValueRange VolumeChart::Parts::withBands(ValueRange of, bool right) const {
+  const bool empty = of.low > of.high;
+  const double most =
+      empty ? std::numeric_limits<double>::infinity()
+            : std::max(kBandsStretch * (of.high - of.low), std::max(std::abs(of.low), std::abs(of.high)));
+  ValueRange whole = of;
+  for (const auto& curve : curves)
+    for (const ChartBand& band : curve->line.bands)
+      if (curve->line.rightAxis == right)
+        whole = {std::min(whole.low, band.range.low), std::max(whole.high, band.range.high)};
+  if (empty || whole.high - whole.low <= most)
+    return whole;
+  // Longer bands run out of the picture, where they reach into it.
+  const double reach = 0.5 * (most - (of.high - of.low));
+  const ValueRange within = {of.low - reach, of.high + reach};
+  ValueRange seen = of;
+  for (const auto& curve : curves)
+    for (const ChartBand& band : curve->line.bands)
+      if (curve->line.rightAxis == right && band.range.low < within.high && band.range.high > within.low)
+        seen = {std::min(seen.low, std::max(within.low, band.range.low)),
+                std::max(seen.high, std::min(within.high, band.range.high))};
+  return seen;
 }
 
 void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {

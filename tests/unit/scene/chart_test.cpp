@@ -241,6 +241,26 @@ TEST(VolumeChart, ABandThatWouldFlattenItsCurveIsLeftOutOfThePicture) {
   EXPECT_GT(comparePictures(without, drawn.picture(), 4).differing, 0.1);
 }
 
+TEST(VolumeChart, CurvesThatVaryHaveMostOfTheHeightBesideLongBands) {
+  DrawnChart drawn({kRed}, 1);
+  for (int i = 0; i <= 40; ++i)
+    drawn.chart.append(i / 40.0, Values::Constant(1, i <= 20 ? 130 : 55));
+  drawn.chart.setBands(0, {{{82, 230}, {}}, {{27, 101}, {}}});
+  const auto picture = drawn.picture();
+  int lowest = 200, highest = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 60; x < 440; ++x) {
+      const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      if (p[0] > 180 && p[1] < 90 && p[2] < 90) {
+        lowest = std::min(lowest, y);
+        highest = std::max(highest, y);
+      }
+    }
+  const auto place = drawn.chart.placeOf(0.5);
+  ASSERT_TRUE(place);
+  EXPECT_GT(highest - lowest, 0.45 * 200 * (place->high - place->low));
+}
+
 /// The rows in which letters of a pure colour, as names have it, stand right of the curves.
 std::set<int> nameRows(vtkImageData* picture, int channel) {
   std::set<int> rows;
