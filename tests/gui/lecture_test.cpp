@@ -264,6 +264,25 @@ TEST_F(Room, KeyBDarkensTheScreenOfALectureAndLightensIt) {
   EXPECT_FALSE(dark.isVisible()) << "and does not come back with the next one";
 }
 
+/// Remotes send a B or a full stop, which shows the next frame outside a lecture.
+TEST_F(Room, TheFullStopOfARemoteDarkensALectureOnly) {
+  auto& dark = find<QWidget>("lectureDark");
+  window().playback().pause();
+  window().playback().seek(0.25);
+  settle();
+  key(Qt::Key_F5);
+  const double instant = window().playback().player().fraction();
+  key(Qt::Key_Period);
+  EXPECT_TRUE(dark.isVisible());
+  key(Qt::Key_Period);
+  EXPECT_FALSE(dark.isVisible());
+  EXPECT_EQ(window().playback().player().fraction(), instant) << "no frame forward";
+  key(Qt::Key_Escape);
+  key(Qt::Key_Period);
+  EXPECT_FALSE(dark.isVisible());
+  EXPECT_GT(window().playback().player().fraction(), instant);
+}
+
 TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {
   window().playback().pause();
   window().playback().seek(0.25);

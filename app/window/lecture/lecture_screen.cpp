@@ -31,8 +31,9 @@ constexpr double kLeastView = 0.5;
 } // namespace
 
 LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* parent)
-    : QObject(parent), parts_(parts), strip_(new QWidget(&parts.area)), card_(new QFrame(strip_)),
-      caption_(new QLabel(card_)), numbers_(new QLabel(card_)), dark_(new QWidget(&parts.area)) {
+    : QObject(parent), parts_(parts), actions_(actions), strip_(new QWidget(&parts.area)),
+      card_(new QFrame(strip_)), caption_(new QLabel(card_)), numbers_(new QLabel(card_)),
+      dark_(new QWidget(&parts.area)) {
   makeCard();
   dark_->setObjectName(QStringLiteral("lectureDark"));
   dark_->setAttribute(Qt::WA_StyledBackground);
@@ -45,14 +46,14 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
        tr("The view alone on the whole screen, in large letters; Page Down shows the next slide, "
           "Escape ends it")},
       false, [this](bool on) { on ? begin() : void(end()); });
-  QAction* dark =
+  darken_ =
       actions.add("lecture.dark", {tr("&Darken the screen"), nullptr, {QKeySequence(Qt::Key_B)}, {}}, [this] {
         dark_->setGeometry(parts_.area.rect());
         dark_->setVisible(dark_->isHidden());
         dark_->raise();
       });
   actions.enableWhile({"lecture.dark"}, [this] { return on(); });
-  dark->setEnabled(false);
+  darken_->setEnabled(false);
   connect(this, &QObject::destroyed, dark_, &QObject::deleteLater);
   connect(&parts_.slides, &Slides::changed, this, &LectureScreen::sync);
   connect(&parts_.volumes, &VolumeMonitor::shown, this, &LectureScreen::sync);
@@ -87,8 +88,15 @@ void LectureScreen::makeCard() {
   parts_.area.installEventFilter(this);
 }
 
+void LectureScreen::takeFullStop(bool taken) {
+  const QKeySequence fullStop(Qt::Key_Period), b(Qt::Key_B);
+  actions_["play.forward"]->setShortcuts(taken ? QList<QKeySequence>{} : QList<QKeySequence>{fullStop});
+  darken_->setShortcuts(taken ? QList<QKeySequence>{b, fullStop} : QList<QKeySequence>{b});
+}
+
 void LectureScreen::begin() {
   parts_.layout.setBare(true);
+  takeFullStop(true);
   shown_->setChecked(true);
   strip_->show();
   parts_.area.messages()->setHeldBack(true);
@@ -103,6 +111,7 @@ bool LectureScreen::end() {
   if (!on())
     return false;
   parts_.layout.setBare(false);
+  takeFullStop(false);
   shown_->setChecked(false);
   strip_->hide();
   parts_.area.reserveBelow(0);

@@ -17,7 +17,8 @@ namespace viscera::app {
 /// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
 /// them a strip of the screen, so that they cover no part of an organ. Messages wait until it ends. While it
 /// is `on`, the window gives the views the theme of a lecture. The keys of a presentation remote
-/// go through the slides (Page Down, Page Up), darken the screen (B) and end it (Escape).
+/// go through the slides (Page Down, Page Up), darken the screen (B or the full stop, which shows the next
+/// frame otherwise) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 
@@ -44,6 +45,8 @@ protected:
 
 private:
   void sync();
+  /// Whether the full stop darkens the screen instead of showing the next frame.
+  void takeFullStop(bool taken);
   void makeCard();
   void placeCard();
   void fitNumbers();
@@ -54,7 +57,9 @@ private:
   int widestRow(int side, const QFontMetrics& type) const;
 
   Parts parts_;
+  Actions& actions_;
   QAction* shown_;
+  QAction* darken_;
   QWidget* strip_;              ///< Below the view, with the card in it.
   int height_ = 0;              ///< Of the strip: as much as the slide has needed so far.
   double numbersPart_ = 1;      ///< Of the largest type of the numbers: as little as they have needed so far.
