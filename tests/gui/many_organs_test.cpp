@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSlider>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -21,6 +22,7 @@
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
 #include "window/view/picture.h"
+#include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
 namespace {
@@ -362,6 +364,26 @@ TEST_F(ManyOrgans, ThatAreChosenGetOneColourInOneStep) {
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(organ("spleen").look.color, old);
   EXPECT_EQ(organ("liver").look.color, old);
+}
+
+TEST_F(ManyOrgans, ThatAreChosenGetOneOpacityInOneStep) {
+  choose({QStringLiteral("spleen"), QStringLiteral("liver")});
+  const std::size_t before = steps();
+  auto& opacity = find<app::ValueSlider>("opacity");
+  auto& slider = *opacity.findChild<QSlider*>();
+  const double old = organ("aorta").look.opacity;
+  slider.setSliderDown(true);
+  for (const int percent : {80, 60, 35})
+    slider.setValue(percent);
+  slider.setSliderDown(false);
+  settle();
+  EXPECT_DOUBLE_EQ(organ("spleen").look.opacity, 0.35);
+  EXPECT_DOUBLE_EQ(organ("liver").look.opacity, 0.35);
+  EXPECT_DOUBLE_EQ(organ("aorta").look.opacity, old);
+  EXPECT_EQ(steps(), before + 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_DOUBLE_EQ(organ("spleen").look.opacity, old);
+  EXPECT_DOUBLE_EQ(organ("liver").look.opacity, old);
 }
 
 TEST_F(ManyOrgans, ThatAreChosenAreLockedAndUnlockedInOneStepEach) {

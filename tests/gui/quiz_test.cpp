@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <cmath>
 
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
@@ -30,6 +31,13 @@ protected:
       names.push_back(label.text);
     return names;
   }
+  scene::OrganLabels::Drawn drawn(const std::string& part) {
+    for (const auto& label : window().picture().presenter().labels().drawn())
+      if (label.text == part)
+        return label;
+    ADD_FAILURE() << part << " has no name in the picture";
+    return {};
+  }
   bool isNamed(const std::string& part) {
     const auto names = named();
     return std::find(names.begin(), names.end(), part) != names.end();
@@ -52,6 +60,21 @@ TEST_F(Parts, AreNamedWhereTheyCanBeSeenAndFollowTheBeat) {
   EXPECT_TRUE(isNamed("Apex"));
   EXPECT_TRUE(isNamed("Right atrium"));
   EXPECT_FALSE(isNamed("Left atrium")) << "it is behind the heart";
+  const scene::OrganLabels::Drawn atRest = drawn("Apex");
+  window().setMode("play");
+  window().playback().seek(0.4);
+  settle();
+  const scene::OrganLabels::Drawn atTheEndOfSystole = drawn("Apex");
+  EXPECT_EQ(atTheEndOfSystole.box.left, atRest.box.left) << "the name stands still";
+  EXPECT_EQ(atTheEndOfSystole.box.bottom, atRest.box.bottom);
+  const QPoint moved = placeOf("Apex");
+  const double ratio = view().devicePixelRatioF();
+  EXPECT_NEAR(atTheEndOfSystole.targetX / ratio, moved.x(), 2) << "its line follows the beat";
+  EXPECT_NEAR(view().height() - 1 - atTheEndOfSystole.targetY / ratio, moved.y(), 2);
+  EXPECT_GT(
+      std::hypot(atTheEndOfSystole.targetX - atRest.targetX, atTheEndOfSystole.targetY - atRest.targetY), 1);
+  window().setMode("explore");
+  settle();
   window().actions()["view.posterior"]->trigger();
   settle();
   EXPECT_TRUE(isNamed("Left atrium"));

@@ -109,6 +109,23 @@ TEST_F(SharedRoom, OrgansHaveMoreHeightThanHandles) {
   }
 }
 
+TEST_F(SharedRoom, NamesOfOrgansHaveTheirWidthWhateverTheirVolumesBecome) {
+  resizeTo(kStandard);
+  auto& list = find<QTreeWidget>("organList");
+  constexpr int kName = 1;
+  ASSERT_EQ(list.topLevelItem(0)->text(kName), QStringLiteral("Heart"));
+  window().playback().seek(0);
+  settle();
+  const int width = list.columnWidth(kName);
+  for (const double fraction : {0.1, 0.3, 0.6}) {
+    window().playback().seek(fraction);
+    settle();
+    EXPECT_EQ(list.columnWidth(kName), width) << fraction;
+  }
+  key(Qt::Key_3);
+  EXPECT_EQ(list.columnWidth(kName), width) << "at rest";
+}
+
 TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
   key(Qt::Key_3);
   EXPECT_FALSE(shown("volumes")) << "nothing was dragged";

@@ -70,6 +70,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
       search_(new QLineEdit(this)), menu_(new OrganMenu(
                                         workspace, poses, [this] { return chosen(); }, this)) {
   setObjectName(QStringLiteral("panel"));
+  opacity_->setObjectName(QStringLiteral("opacity"));
   (new ListKeys(list_))->add(Qt::Key_Delete, [this] { remove(chosen()); });
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(

@@ -1,4 +1,7 @@
+#include <limits>
 #include <set>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,6 +57,129 @@ INSTANTIATE_TEST_SUITE_P(OfOrgan, NamedPlaces,
                            std::erase_if(name, [](char c) { return c == '_' || c == '/'; });
                            return name;
                          });
+
+/// A place of a surface, by its name.
+Vec3 placeOf(const std::string& organ, const std::string& surface, const std::string& name) {
+  for (const auto& place : sample_organs::namedPlaces(projectLibrary(), organ, surface))
+    if (place.name == name)
+      return place.at;
+  ADD_FAILURE() << organ << " has no part " << name;
+  return Vec3::Zero();
+}
+
+/// Where a part lies of another one, in the patient (LPS).
+enum class Side { left, right, anterior, posterior, superior, inferior };
+
+double along(Side side, const Vec3& way) {
+  switch (side) {
+  case Side::left:
+    return way.x();
+  case Side::right:
+    return -way.x();
+  case Side::posterior:
+    return way.y();
+  case Side::anterior:
+    return -way.y();
+  case Side::superior:
+    return way.z();
+  default:
+    return -way.z();
+  }
+}
+
+struct Neighbours {
+  const char *organ, *surface, *part;
+  Side side;
+  const char* other;
+};
+
+TEST(NamedPlacesOfTheBody, LieOfEachOtherAsTheOrgansDo) {
+  using enum Side;
+  const Neighbours all[] = {
+      {"heart", "outer", "Aortic arch", superior, "Ascending aorta"},
+      {"heart", "outer", "Pulmonary trunk", anterior, "Ascending aorta"},
+      {"heart", "outer", "Pulmonary trunk", left, "Ascending aorta"},
+      {"heart", "outer", "Left pulmonary artery", superior, "Pulmonary trunk"},
+      {"heart", "outer", "Superior vena cava", superior, "Inferior vena cava"},
+      {"heart", "outer", "Superior vena cava", right, "Ascending aorta"},
+      {"heart", "outer", "Left atrium", posterior, "Right atrium"},
+      {"heart", "outer", "Left atrium", left, "Right atrium"},
+      {"heart", "outer", "Left auricle", anterior, "Left atrium"},
+      {"heart", "outer", "Pulmonary vein", posterior, "Left auricle"},
+      {"heart", "outer", "Left anterior descending artery", left, "Right coronary artery"},
+      {"heart", "outer", "Apex", left, "Left anterior descending artery"},
+      {"heart", "outer", "Apex", inferior, "Left anterior descending artery"},
+      {"stomach", "outer", "Oesophagus", superior, "Cardia"},
+      {"stomach", "outer", "Fundus", left, "Cardia"},
+      {"stomach", "outer", "Fundus", superior, "Body"},
+      {"stomach", "outer", "Greater curvature", left, "Lesser curvature"},
+      {"stomach", "outer", "Antrum", inferior, "Body"},
+      {"stomach", "outer", "Pylorus", right, "Antrum"},
+      {"stomach", "outer", "Duodenum", right, "Pylorus"},
+      {"liver", "outer", "Right lobe", right, "Left lobe"},
+      {"liver", "outer", "Dome under the diaphragm", superior, "Right lobe"},
+      {"liver", "outer", "Gallbladder", anterior, "Portal vein"},
+      {"liver", "outer", "Gallbladder", inferior, "Right lobe"},
+      {"liver", "outer", "Inferior vena cava", posterior, "Portal vein"},
+      {"liver", "outer", "Caudate lobe", posterior, "Portal vein"},
+      {"kidney_left", "outer", "Lateral border", left, "Renal pelvis"},
+      {"kidney_right", "outer", "Lateral border", right, "Renal pelvis"},
+      {"kidney_left", "outer", "Upper pole", superior, "Lower pole"},
+      {"kidney_right", "outer", "Upper pole", superior, "Lower pole"},
+      {"kidney_left", "outer", "Renal vein", anterior, "Renal artery"},
+      {"kidney_right", "outer", "Renal vein", anterior, "Renal artery"},
+      {"kidney_left", "outer", "Renal pelvis", posterior, "Renal artery"},
+      {"kidney_right", "outer", "Renal pelvis", posterior, "Renal artery"},
+      {"kidney_left", "outer", "Ureter", inferior, "Renal pelvis"},
+      {"kidney_right", "outer", "Ureter", inferior, "Renal pelvis"},
+      {"stomach_and_bowel", "outer", "Caecum", inferior, "Ascending colon"},
+      {"stomach_and_bowel", "outer", "Appendix", inferior, "Caecum"},
+      {"stomach_and_bowel", "outer", "Ascending colon", right, "Descending colon"},
+      {"stomach_and_bowel", "outer", "Ascending colon", inferior, "Right colic flexure"},
+      {"stomach_and_bowel", "outer", "Left colic flexure", superior, "Right colic flexure"},
+      {"stomach_and_bowel", "outer", "Left colic flexure", left, "Right colic flexure"},
+      {"stomach_and_bowel", "outer", "Transverse colon", anterior, "Duodenum"},
+      {"stomach_and_bowel", "outer", "Sigmoid colon", inferior, "Descending colon"},
+      {"stomach_and_bowel", "outer", "Rectum", posterior, "Sigmoid colon"},
+      {"stomach_and_bowel", "outer", "Duodenum", right, "Body of the stomach"},
+      {"stomach_and_bowel", "outer", "Fundus", superior, "Body of the stomach"},
+      {"digestive_system", "liver", "Right lobe", right, "Left lobe"},
+      {"digestive_system", "liver", "Inferior vena cava", posterior, "Gallbladder"},
+      {"digestive_system", "liver", "Bile duct", anterior, "Portal vein"},
+      {"digestive_system", "liver", "Bile duct", right, "Portal vein"},
+      {"digestive_system", "pancreas", "Head", right, "Neck"},
+      {"digestive_system", "pancreas", "Neck", right, "Body"},
+      {"digestive_system", "pancreas", "Body", right, "Tail"},
+      {"digestive_system", "pancreas", "Uncinate process", inferior, "Head"},
+      {"digestive_system", "pancreas", "Uncinate process", posterior, "Neck"}};
+  for (const auto& [organ, surface, part, side, other] : all)
+    EXPECT_GT(along(side, placeOf(organ, surface, part) - placeOf(organ, surface, other)), 5)
+        << organ << ": " << part << " and " << other;
+}
+
+/// The definition of the heart has its parts apart from each other.
+TEST(NamedPlacesOfTheBody, OfTheHeartLieOnTheirOwnPart) {
+  const std::pair<const char*, const char*> parts[] = {
+      {"Aortic arch", "aorta"},         {"Ascending aorta", "aorta"},
+      {"Pulmonary trunk", "pulmonary"}, {"Left pulmonary artery", "pulmonary"},
+      {"Superior vena cava", "cavae"},  {"Inferior vena cava", "cavae"},
+      {"Right atrium", "RA"},           {"Left atrium", "LA"},
+      {"Left auricle", "LA"},           {"Pulmonary vein", "veins_pulm"},
+      {"Apex", "ventricles"},           {"Left anterior descending artery", "ventricles"}};
+  for (const auto& [name, node] : parts) {
+    const Vec3 place = placeOf("heart", "outer", name);
+    std::string nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const char* other : {"aorta", "pulmonary", "cavae", "RA", "LA", "veins_pulm", "ventricles"})
+      if (const double away = sample_organs::implicitSurface(projectLibrary(), "heart", other)(place);
+          away < least) {
+        least = away;
+        nearest = other;
+      }
+    EXPECT_EQ(nearest, node) << name;
+    EXPECT_LT(least, kFarthestFromSurface) << name;
+  }
+}
 
 } // namespace
 } // namespace viscera::tests
