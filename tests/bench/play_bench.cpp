@@ -8,6 +8,7 @@
 
 #include "build_paths.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
@@ -61,6 +62,7 @@ public:
     Progress progress;
     cycle_ = motion::measureCycle(runner, progress);
   }
+  void lock() { undo_.perform(document::setVolumeLocked(document_.organs().front()->id, true)); }
   void pose() { sequence_->poseAt(seconds_, rate_, pose_); }
   void positions() { live_.showPose(pose_); }
   void normals() {
@@ -128,13 +130,24 @@ BENCHMARK_CAPTURE(frameButDrawing, peristalsis, "peristalsis", 3)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+/// With the volume of the first organ kept (1) or free (0).
 void wholeCycleAhead(benchmark::State& state, const char* sequence, double rate) {
   PlayedOrgan organ(sequence, rate);
+  if (state.range(0) != 0)
+    organ.lock();
   for (auto _ : state)
     organ.measure();
 }
-BENCHMARK_CAPTURE(wholeCycleAhead, heartbeat, "heartbeat", 75)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(wholeCycleAhead, heartbeat, "heartbeat", 75)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("locked")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(wholeCycleAhead, peristalsis, "peristalsis", 3)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("locked")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
