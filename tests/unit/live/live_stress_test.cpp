@@ -231,7 +231,7 @@ TEST(LiveStress, OutlivesAWorkerThatIsKilledAndTriesAgainWhenAsked) {
   EXPECT_THAT(s.stress.status().remarks, testing::Not(testing::Contains(testing::HasSubstr("it crashed"))));
 }
 
-TEST(LiveStress, KeepsWhatItHasWhileNobodyLooksAndTakesAnotherNumberOfWitnesses) {
+TEST(LiveStress, KeepsItsResultWhileItIsOffAndTakesAnotherNumberOfWitnesses) {
   Stressed s;
   s.begin();
   const auto mesh = s.stress.mesh();
