@@ -41,7 +41,7 @@ struct MotionSeries {
   std::vector<std::string> names; ///< Of the surfaces, the outer one first.
   std::size_t outer = 0;          ///< Index of the surface that contains the others.
   tracking::PhaseTimes times;
-  /// With the same triangles in all phases, one a surface; else empty.
+  /// With the same triangles in all phases, one for each surface; else empty.
   std::vector<tracking::SurfaceSeries> corresponding;
   /// Surfaces without correspondence, `[phase][surface]`; else empty.
   std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> meshes;
