@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 
-/// Asks for size and existence of files without throwing; a file that has vanished counts as missing. For
-/// messages and records, because the errors of `std::filesystem` are not written for users. For any thread.
+/// Asks for path and size of files without throwing; a file that has vanished has no bytes. For messages and
+/// records, because the errors of `std::filesystem` are not written for users. For any thread.
 namespace viscera {
 
 /// `path` from the root on. A relative one without a working directory, which may have been removed, and an
