@@ -67,7 +67,7 @@ OrgansAround organsAround(const std::string& organ, const sample_organs::SampleL
 /// The handles of a file, taken as handles at rest.
 struct RigInput {
   coordinates::HandleSet handles;
-  std::vector<std::string> labels; ///< One a handle.
+  std::vector<std::string> labels; ///< One for each handle.
   std::vector<Vec3> groupColors;   ///< One for each of `handles.groups`; red green blue, 0 to 1.
 
   /// The handle with that label. Throws `UsageError` that lists some existing labels.

@@ -175,22 +175,23 @@ bool WindowLayout::isWanted(const QDockWidget& dock) const {
   return chosen_.value(nameIn(mode_, dock), useful.at(dock.objectName())).toBool();
 }
 
-std::vector<WindowLayout::Fold> WindowLayout::folds() const {
-  const Fold lists{{organs_, handles_}, kPartOfView};
-  const Fold charts{{charts_}, kPartOfView};
-  const Fold page{{properties_}, kPartBesidePage};
+std::vector<WindowLayout::FoldingGroup> WindowLayout::foldingGroups() const {
+  const FoldingGroup lists{{organs_, handles_}, kPartOfView};
+  const FoldingGroup charts{{charts_}, kPartOfView};
+  const FoldingGroup page{{properties_}, kPartBesidePage};
   // Who works with handles has more use for their list than for the chart.
-  return useful_.handles ? std::vector<Fold>{charts, lists, page} : std::vector<Fold>{lists, charts, page};
+  return useful_.handles ? std::vector<FoldingGroup>{charts, lists, page}
+                         : std::vector<FoldingGroup>{lists, charts, page};
 }
 
 QSet<QDockWidget*> WindowLayout::withoutRoom() const {
   QSet<QDockWidget*> folded;
   if (!restored_)
     return folded;
-  for (const Fold& fold : folds()) {
-    if (partOfView(folded) >= fold.part)
+  for (const FoldingGroup& group : foldingGroups()) {
+    if (partOfView(folded) >= group.part)
       continue;
-    for (QDockWidget* panel : fold.panels)
+    for (QDockWidget* panel : group.panels)
       if (isWanted(*panel) && !kept_.contains(nameIn(mode_, *panel)))
         folded.insert(panel);
   }

@@ -72,12 +72,13 @@ private:
   void arrange();
   void showPanels();
   bool isWanted(const QDockWidget& dock) const;
-  /// Panels that leave the view their room, those first that are missed least in the mode.
-  struct Fold {
+  /// Panels that are hidden together where the view has too little room.
+  struct FoldingGroup {
     std::vector<QDockWidget*> panels;
-    double part; ///< Of the window: as long as the view has less, they fold.
+    double part; ///< Of the window: while the view has less than this part, the panels fold.
   };
-  std::vector<Fold> folds() const;
+  /// In the order in which they fold: first the panels that the mode needs least.
+  std::vector<FoldingGroup> foldingGroups() const;
   QSet<QDockWidget*> withoutRoom() const;
   double partOfView(const QSet<QDockWidget*>& folded) const;
   QSize roomForAll() const;

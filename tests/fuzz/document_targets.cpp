@@ -13,7 +13,7 @@
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/volume_curve.h"
 
-/// Sessions, recorded sequences, curves, lessons and the definitions of organs.
+/// Sessions, key sequences, curves, lessons and the definitions of organs.
 namespace viscera::fuzz {
 namespace {
 

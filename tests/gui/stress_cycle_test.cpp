@@ -171,14 +171,14 @@ TEST_F(StressOverACycle, MovesTheMapWhileItPlaysAndHasAPeak) {
   }
   EXPECT_GT(model().shown().summary().max, 0.5);
   key(Qt::Key_Space);
-  // The peak over the cycle is at least the map of every instant.
+  // The maximum over the cycle is at least the map of every instant.
   const Values now = *model().shown().values();
   window().actions()["stress.peak"]->trigger();
   ASSERT_TRUE(waitUntil([this] { return model().peakShown(); }));
   const Eigen::Index witnesses = model().live().mesh()->witnesses;
   EXPECT_GE((*model().shown().values() - now).minCoeff(), -0.2);
   EXPECT_GT(model().shown().summary().max, now.head(witnesses).maxCoeff() - 0.2);
-  // The peak's instant is that of the largest value of the cycle.
+  // The maximum's instant is that of the largest value of the cycle.
   EXPECT_TRUE(find<QLabel>("stressPeakTime")->isVisible());
   const double largest = model().peakInstant()->statistics.max;
   for (const live::StressSample& sample : model().cycle()->samples)

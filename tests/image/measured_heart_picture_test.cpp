@@ -20,7 +20,7 @@ using tests::MeasuredBeat;
 constexpr double kWallOpacity = 0.3;
 constexpr double kMostMm = 2; ///< The end of the colours of distances.
 
-/// A heart's wall as glass, its ventricles within.
+/// A heart with a transparent wall and its ventricles.
 vtkSmartPointer<vtkImageData> drawn(const std::array<TriangleMesh, 3>& surfaces,
                                     const std::vector<Values>& apart = {}) {
   tests::ViewInWindow window(420, 360);

@@ -223,7 +223,7 @@ class Memory(unittest.TestCase):
         )
         self.assertTrue(np.shares_memory(tiles, binding.weight_tiles))
 
-    def test_views_outlive_what_they_look_at(self):
+    def test_views_keep_the_memory_of_their_objects_alive(self):
         points, triangles = kidney(8, 10)
         binding = viscera.bind(points, viscera.place_handles(points, triangles))
         tiles, stress = binding.weight_tiles, viscera.rotational_stress(binding, binding.handles).volume_ratio

@@ -83,8 +83,8 @@ void ImportController::show() {
   preview();
 }
 
-/// The organs in the view: as glass beside what the document holds, solid and alone where they will take its
-/// place. They come into the picture when they lie elsewhere or are of another size.
+/// The organs in the view: transparent beside what the document holds, solid and alone where they will take
+/// its place. They come into the picture when they lie elsewhere or are of another size.
 void ImportController::preview() {
   const bool alone = files_.replacesPresent();
   std::vector<presentation::TransientSurface> surfaces;

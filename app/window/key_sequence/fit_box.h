@@ -25,7 +25,7 @@ namespace viscera::app {
 /// The controls that fit a sequence to the current organ, so that a patient's heart beats or a patient's
 /// stomach moves its waves. The sequence that suits the organ is chosen. Landmarks are clicked in the view,
 /// or found by the shape of the organ; while the box is visible, the view shows them with their names, and
-/// they follow the organ. A heart with chambers gets a recorded sequence that moves these too, with the
+/// they follow the organ. A heart with chambers gets a key sequence that moves these too, with the
 /// ejection fraction that the user has set.
 class FitBox final : public QWidget {
   Q_OBJECT

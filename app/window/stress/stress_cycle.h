@@ -22,7 +22,7 @@ public:
   /// Both have to live longer.
   StressCycle(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// Sets what to compute; none: nothing. The peak takes several times as long as the curves.
+  /// Sets what to compute; none: nothing. The maximum takes several times as long as the curves.
   void setWanted(std::optional<live::CycleParts> wanted);
   /// Starts again after the computation was cancelled or has failed.
   void retry();

@@ -20,9 +20,9 @@ namespace viscera::app {
 using presentation::GlyphChoice;
 using presentation::StressLook;
 
-/// The data of the mode Stress: the stress map of the current organ, live or as the peak over a cycle, and
-/// its course over that cycle. Page, chart and probe read it. The look is a part of the view's state; it is
-/// remembered in the settings.
+/// The data of the mode Stress: the stress map of the current organ, live or as the maximum over a cycle,
+/// and its curves over that cycle. Page, chart and probe read it. The look is a part of the view's state; it
+/// is remembered in the settings.
 class StressModel final : public QObject {
   Q_OBJECT
 
@@ -51,20 +51,20 @@ public:
   /// A number with its unit: "12.3 deg".
   QString format(double value) const;
 
-  /// Shows the peak over a cycle, once it is computed, instead of the map of this instant.
+  /// Shows the maximum over a cycle, once it is computed, instead of the map of this instant.
   void setPeakShown(bool shown);
   bool peakShown() const { return look().peak && cycle() && cycle()->peak; }
   /// When the largest rotational stress of the cycle is reached; null without a cycle.
   const live::StressSample* peakInstant() const;
-  /// Shows the sequence at that instant instead of the peak over it.
+  /// Shows the sequence at that instant instead of the maximum over it.
   void goToPeak();
   /// Whether the map of the current organ in its pose is computed.
   bool hasMap() const;
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? *cycle()->peak : live_.map(); }
 
-  /// The stress over one cycle of the present sequence, with the peak only where that is wanted; null while
-  /// it is being computed, and without a sequence.
+  /// The stress over one cycle of the present sequence, with the maximum only where that is wanted; null
+  /// while it is being computed, and without a sequence.
   std::shared_ptr<const live::CycleStress> cycle() const { return live_.cycle(); }
 
   /// The point that is being looked at, -1: none.

@@ -65,7 +65,7 @@ private:
   QLabel* percentile_ = nullptr;
   QLabel* max_ = nullptr;
   QLabel* folded_ = nullptr;
-  QLabel* peakTime_ = nullptr; ///< Time of the peak in the cycle; visible only while there is one.
+  QLabel* peakTime_ = nullptr; ///< Time of the maximum in the cycle; hidden without a cycle.
   QPushButton* toPeak_ = nullptr;
   Histogram* histogram_ = nullptr;
   MarksBox* marks_ = nullptr;

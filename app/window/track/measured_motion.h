@@ -16,9 +16,9 @@
 namespace viscera::app {
 
 /// Finds a patient's own motion in a series of phases, on a worker, and adds it to the document as organs
-/// with handles and a recorded sequence in one undo step. It keeps the measurements as long as these organs
+/// with handles and a key sequence in one undo step. It keeps the measurements as long as these organs
 /// are in the document. While the sequence is shown, the view can show the measured surfaces of the nearest
-/// phase as glass, and the distances from them as colours on the organs. A session saves the numbers
+/// phase, transparent, and the distances from them as colours on the organs. A session saves the numbers
 /// (measured volumes and how well each phase fits), but not the surfaces.
 class MeasuredMotion final : public QObject {
   Q_OBJECT

@@ -29,7 +29,7 @@ public:
   std::string said(const char* text) const;
 
   /// A name or text of the numerical modules (resources/translations/names_*.ts): the people measured for a
-  /// normal range, the key of a recorded sequence, or a handle of a sequence. Unchanged when there is no
+  /// normal range, the key of a key sequence, or a handle of a sequence. Unchanged when there is no
   /// translation.
   std::string named(const std::string& text) const;
 

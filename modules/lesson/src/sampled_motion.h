@@ -31,7 +31,7 @@ struct MotionSamples {
   };
   CourseEnd end = CourseEnd::cycles;
   std::vector<Track> tracks;
-  std::vector<int> trackOfRate; ///< One a rate: those whose motion is the same share a track.
+  std::vector<int> trackOfRate; ///< One for each rate: those whose motion is the same share a track.
 };
 
 /// Samples the rates: begins with few moments, spread evenly, and adds a moment in the middle between two if

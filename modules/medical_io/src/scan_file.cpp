@@ -174,7 +174,7 @@ Scan::Samples samplesOf(const Wanted& wanted, std::vector<ScanFinding>& findings
   }
 }
 
-/// Milliseconds of the phases of a file of several volumes; their numbers where it does not say.
+/// Milliseconds of the phases of a file with several of them; their numbers where the file states no times.
 std::vector<double> phaseTimes(const RawImage& image, std::vector<ScanFinding>& findings) {
   const auto count = static_cast<std::size_t>(image.layers);
   std::vector<double> times;

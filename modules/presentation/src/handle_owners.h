@@ -22,7 +22,7 @@ private:
   std::shared_ptr<const document::Rig> rig_;
   std::shared_ptr<const document::OrganList> organs_;
   std::vector<std::shared_ptr<const document::Organ>>
-      owners_; ///< One a handle; null where there is no organ.
+      owners_; ///< One for each handle; null where there is no organ.
 };
 
 } // namespace viscera::presentation

@@ -25,7 +25,7 @@ std::vector<TetraFace> tetraFaces(const Tetrahedra& tetrahedra, const Points& po
 /// Reuse the object in every frame to reuse its memory.
 struct PlaneCut {
   std::vector<double> points;        ///< Three a corner.
-  std::vector<double> values;        ///< One a corner; empty without values.
+  std::vector<double> values;        ///< One for each corner; empty without values.
   std::vector<std::int32_t> corners; ///< 0, 1, 2, ...
   std::vector<std::int32_t> owners;  ///< The tetrahedron of each triangle.
 

@@ -231,7 +231,7 @@ TEST(LiveStress, OutlivesAWorkerThatIsKilledAndTriesAgainWhenAsked) {
   EXPECT_THAT(s.stress.status().remarks, testing::Not(testing::Contains(testing::HasSubstr("it crashed"))));
 }
 
-TEST(LiveStress, KeepsWhatItHasWhileNobodyLooksAndTakesAnotherNumberOfWitnesses) {
+TEST(LiveStress, KeepsItsResultWhileItIsOffAndTakesAnotherNumberOfWitnesses) {
   Stressed s;
   s.begin();
   const auto mesh = s.stress.mesh();
@@ -322,7 +322,7 @@ TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   EXPECT_FALSE(s.stress.cycle()->peak);
   EXPECT_EQ(s.stress.cycle()->samples[frames / 3].statistics.percentile95,
             curve[frames / 3].statistics.percentile95);
-  // Other handles: the peak is not theirs.
+  // Other handles: the maximum is not theirs.
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
   EXPECT_EQ(s.stress.cycle(), nullptr);
 }

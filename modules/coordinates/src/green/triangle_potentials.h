@@ -9,7 +9,7 @@ struct TrianglePotentials {
   Vec3 corners = Vec3::Zero(); ///< Double layer of the corners' hat functions.
   double face = 0;             ///< Single layer of the triangle, mm.
   double solidAngle = 0;       ///< Under which the origin sees the triangle, positive from inside.
-  Eigen::Matrix3d cornerGradients = Eigen::Matrix3d::Zero(); ///< A row a corner, 1/mm.
+  Eigen::Matrix3d cornerGradients = Eigen::Matrix3d::Zero(); ///< A row for each corner, 1/mm.
   Vec3 faceGradient = Vec3::Zero();                          ///< By the point's position.
 };
 
@@ -29,11 +29,11 @@ public:
   TrianglePotentials potentials(bool touching, bool wantGradients) const;
 
 private:
-  Eigen::Matrix3d corners_; ///< A column a corner.
+  Eigen::Matrix3d corners_; ///< A column for each corner.
   Vec3 normal_;
   double height_;
-  Eigen::Matrix3d hats_;     ///< Gradients of the hat functions, a row a corner.
-  Eigen::Matrix3d sideways_; ///< Outward normals of the edges in the plane, a column an edge.
+  Eigen::Matrix3d hats_;     ///< Gradients of the hat functions, a row for each corner.
+  Eigen::Matrix3d sideways_; ///< Outward normals of the edges in the plane, a column for each edge.
   Vec3 foot_;
 };
 

@@ -27,7 +27,7 @@ FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& i
 /// The number of edges across the domain, for both systems.
 Parameter resolutionParameter(double maximum, double standard);
 
-/// Gradients of the four barycentric coordinates of a tetrahedron, a row a corner (`4 x 3`, 1/mm).
+/// Gradients of the four barycentric coordinates of a tetrahedron, a row for each corner (`4 x 3`, 1/mm).
 Eigen::Matrix<double, 4, 3> barycentricGradients(const SolidMesh& mesh, Eigen::Index tetrahedron);
 
 /// The matrix of Dirichlet's energy `1/2 int |grad u|^2` of piecewise linear functions, `n x n`, mm.

@@ -25,7 +25,7 @@ struct DicomPixelFormat {
   bool operator==(const DicomPixelFormat&) const = default;
 };
 
-/// One picture: a slice at a place, of a phase.
+/// One image: a slice at a place, of a phase.
 struct DicomFrame {
   std::size_t file = 0;                             ///< In the list of headers.
   int frame = 0;                                    ///< In the file.
@@ -37,7 +37,7 @@ struct DicomFrame {
   std::optional<double> temporalPosition, triggerMs, percent, acquisitionSeconds;
   std::int64_t instance = 0; ///< Its number in the series.
   std::string echo;          ///< Identifies the echo.
-  std::string uid;           ///< Of the picture; with the frame's number for a file of several.
+  std::string uid;           ///< Of the image; with the frame's number for a file of several.
 
   Vec3 normal() const { return row.cross(column).normalized(); }
 };

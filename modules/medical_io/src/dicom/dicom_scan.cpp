@@ -23,7 +23,7 @@ namespace {
 /// The part of the work that headers are.
 constexpr double kHeaders = 0.2;
 
-/// All pictures at a place.
+/// All slices at one position.
 struct Folder {
   FrameList list;
   std::vector<SliceGroup> groups; ///< The largest first.

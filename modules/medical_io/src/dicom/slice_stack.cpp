@@ -70,7 +70,7 @@ public:
            (x.column - y.column).norm() <= kSameSliceDirection;
   }
 
-  /// Why the pictures of `other` are not in `group`.
+  /// Why the slices of `other` are not in `group`.
   ScanFinding difference(const SliceGroup& group, const SliceGroup& other) const {
     const DicomFrame &x = list_.frames[group.frames[0]], &y = list_.frames[other.frames[0]];
     const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
@@ -99,7 +99,7 @@ private:
 /// The value that distinguishes phases, by one of several criteria.
 using TimeOf = std::optional<double> DicomFrame::*;
 
-/// Pictures by the place that they are at, from the lowest to the highest.
+/// Slices by their position, from the lowest to the highest.
 std::vector<std::vector<std::size_t>> byPlace(const FrameList& list, std::vector<std::size_t> frames) {
   const Vec3 normal = list.frames[frames[0]].normal();
   const auto height = [&](std::size_t f) { return normal.dot(list.frames[f].position); };
@@ -114,7 +114,7 @@ std::vector<std::vector<std::size_t>> byPlace(const FrameList& list, std::vector
   return places;
 }
 
-/// Whether that time is known for all pictures and differs among those at each place.
+/// Whether that time is known for all slices and differs among those at each place.
 bool tellsApart(const FrameList& list, const std::vector<std::vector<std::size_t>>& places, TimeOf time) {
   for (const auto& place : places) {
     std::set<double> times;
@@ -154,7 +154,7 @@ void setTimes(const FrameList& list, std::vector<SlicePhase>& phases, std::vecto
          phrase("It does not say the times of its %n {phase|phases}; they are numbered", phases.size())});
 }
 
-/// Phases by what each place's pictures say of their time.
+/// Phases by the times that the slices at each position state.
 std::vector<SlicePhase> phasesBy(std::vector<std::vector<std::size_t>> places,
                                  const std::function<bool(std::size_t, std::size_t)>& before) {
   std::vector<SlicePhase> phases(places[0].size());
@@ -166,7 +166,7 @@ std::vector<SlicePhase> phasesBy(std::vector<std::vector<std::size_t>> places,
   return phases;
 }
 
-/// Pictures with different temporal positions are different phases, even when one of them lacks slices.
+/// Slices with different temporal positions are different phases, even when one of them lacks slices.
 std::vector<SlicePhase> phasesByPosition(const FrameList& list, const std::vector<std::size_t>& frames) {
   std::map<double, SlicePhase> byTime;
   for (const std::size_t f : frames) {
@@ -265,7 +265,7 @@ void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, c
   findings.insert(findings.end(), found.begin(), found.end());
 }
 
-/// One slice a place: the first of its pictures by number.
+/// One slice for each position: the first one there by its number.
 std::vector<std::size_t> orderedSlices(const FrameList& list, const SlicePhase& phase,
                                        std::vector<ScanFinding>& findings) {
   std::vector<std::size_t> slices;

@@ -4,25 +4,25 @@
 
 #include "dicom/dicom_header.h"
 
-/// Sorts the DICOM pictures of a folder into volumes, and finds gaps and other doubts, by their positions and
+/// Sorts the DICOM slices of a folder into scans, and finds gaps and other doubts, by their positions and
 /// not by file names. Works on headers only, without files and pixels.
 namespace viscera::medical_io {
 
-/// Pictures of one series that have the same size, directions and spacing: by indices into all frames.
+/// Slices of one series that have the same size, directions and spacing: by indices into all frames.
 struct SliceGroup {
   std::vector<std::size_t> frames;
   int ofSeries = 0;                  ///< Its number among those of the same series, the largest first.
-  std::vector<ScanFinding> findings; ///< Of pictures in the series that are in no group with it.
+  std::vector<ScanFinding> findings; ///< Of slices in the series that are in no group with it.
 };
 
-/// A volume of evenly spaced slices.
+/// A scan of evenly spaced slices.
 struct SliceStack {
   std::vector<std::size_t> frames; ///< Along k, by indices into all frames.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   std::vector<ScanFinding> findings;
 };
 
-/// One phase's pictures, before they are ordered.
+/// One phase's slices, before they are ordered.
 struct SlicePhase {
   std::vector<std::size_t> frames;
   double timeMs = 0;
@@ -38,7 +38,7 @@ struct FrameList {
 std::vector<SliceGroup> groupFrames(const FrameList& list);
 
 /// The phases of a group, at least one, in order of time: told by temporal position, by trigger, by a part of
-/// the heart's cycle or by time of acquisition where each place has as many pictures. Copies of one picture
+/// the heart's cycle or by time of acquisition where each place has as many slices. Copies of one slice
 /// are left out and reported.
 std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
                                  std::vector<ScanFinding>& findings);

@@ -32,7 +32,7 @@ struct ImageHeader {
 /// The readers. `file` has the file's beginning at least, with the whole header; for the half of a NIfTI
 /// image that has the voxels it is replaced by that of the header.
 ImageHeader niftiHeader(FileBytes& file);
-/// The same for a file of several volumes, one a phase: they are the layers.
+/// The same for a file with several phases: they are the layers.
 ImageHeader niftiSeriesHeader(FileBytes& file);
 ImageHeader nrrdHeader(FileBytes& file);
 ImageHeader metaImageHeader(FileBytes& file);

@@ -9,7 +9,7 @@
 
 namespace viscera::circulation {
 
-/// A named column of the table of curves: "lv_mmHg", "aortic_open".
+/// A column of the circulation's curves over one beat, with its name, such as "lv_mmHg".
 struct NamedCurve {
   std::string name; ///< With its unit: `_s`, `_mmHg`, `_ml`, `_ml_s`, `_open` (0 to 1), `_mV`.
   std::vector<double> values;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+/// Checks handles before coordinates are computed with them.
 namespace viscera::coordinates {
 
 /// The type of `n x Dim` points in two or three dimensions, row major; with Dim = 3 the same as `Points`.

@@ -21,8 +21,8 @@ public:
   /// Sentences for the user in the report of the binding.
   virtual std::vector<std::string> notes() const { return {}; }
 
-  /// Fills `weights` (one a handle, set to zero before) with the coordinates of `point`, mm; false where the
-  /// system has none.
+  /// Fills `weights` (one for each handle, set to zero before) with the coordinates of `point`, mm; false
+  /// where the system has none.
   virtual bool solve(const Vec3& point, Values& weights) const = 0;
 
   /// As `solve`, and fills `gradients` (`handles x 3`, zero before, 1/mm) with the coordinates' derivatives;

@@ -6,7 +6,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// The arrays that every module shares. Row major, so that VTK can use the same memory without a copy.
+/// Types for points, vectors and triangles that all modules use. Row major, so that VTK can use the same
+/// memory without a copy.
 namespace viscera {
 
 /// One point or vector in mm, patient LPS (x to the left, y to the back, z to the head).

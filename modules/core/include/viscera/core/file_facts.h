@@ -3,9 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 
-/// Facts on files for messages and records, which are told without an error of their own: a file may vanish
-/// at any moment. The functions of `std::filesystem` that throw do it in words that are not for users. From
-/// any thread.
+/// Asks for path and size of files without throwing; a file that has vanished has no bytes. For messages and
+/// records, because the errors of `std::filesystem` are not written for users. For any thread.
 namespace viscera {
 
 /// `path` from the root on. A relative one without a working directory, which may have been removed, and an

@@ -20,7 +20,7 @@ enum class RestState : std::uint8_t {
 /// The rest positions of some points of the posed space, and the state of each.
 struct RestPoints {
   Points points;                 ///< `n x 3`, mm.
-  std::vector<RestState> states; ///< One a point.
+  std::vector<RestState> states; ///< One for each point.
 };
 
 /// A grid of points on a plane: sample (c, r) is at `corner + c * columnStep + r * rowStep`.

@@ -70,7 +70,7 @@ public:
 
   const std::vector<LockedSurface>& surfaces() const { return surfaces_; }
   void setTarget(std::size_t surface, double targetMm3);
-  /// Present volumes at `pose`, mm^3, one a surface.
+  /// Present volumes at `pose`, mm^3, one for each surface.
   std::vector<double> volumes(const Points& pose) const;
 
   /// The change of the volumes when the handles `selection` move together: `surfaces x 3`, mm^2. For one
@@ -100,7 +100,7 @@ private:
     Points points;
     double volume = 0;
   };
-  using PosedSurfaces = std::vector<PosedSurface>; ///< One a surface.
+  using PosedSurfaces = std::vector<PosedSurface>; ///< One for each surface.
 
   void takeOver(Surface& own, const LockedSurface& surface) const;
   const VolumeForm* form(std::size_t surface) const;

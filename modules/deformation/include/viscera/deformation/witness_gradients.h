@@ -73,7 +73,7 @@ public:
 
 private:
   static constexpr Eigen::Index kTile = coordinates::TiledWeights::kTile;
-  /// Three tiles for 16 witnesses, one an axis.
+  /// Three tiles for 16 witnesses, one for each axis.
   static Eigen::Index rowOf(Eigen::Index witness, Eigen::Index axis) {
     return (3 * (witness / kTile) + axis) * kTile + witness % kTile;
   }

@@ -27,7 +27,7 @@ public:
       visit(static_cast<Eigen::Index>(corners_(target, k)), weights_(target, k));
   }
 
-  /// Fills `result` (resized to `targets`) from `values`, one a point of the mesh. O(m).
+  /// Fills `result` (resized to `targets`) from `values`, one for each point of the mesh. O(m).
   void operator()(const Values& values, Values& result) const;
 
 private:

@@ -12,8 +12,8 @@
 
 namespace viscera::document {
 
-/// One key of a key sequence: a recorded pose with its time. Handles are known by their ids, so that the key
-/// outlives handles that are added, removed, or moved at rest.
+/// A key of a key sequence: a pose with its time. It refers to handles by their ids, so that it stays valid
+/// when handles are added, removed, or moved at rest.
 struct SequenceKey {
   KeyId id;
   double seconds = 0;
@@ -23,8 +23,8 @@ struct SequenceKey {
   friend bool operator==(const SequenceKey&, const SequenceKey&) = default;
 };
 
-/// The key sequence of a document: the poses that the user records with their times, which can be played as a
-/// motion. An empty one has no keys.
+/// The key sequence of a document: poses with their times, made by the user or found in a series, which can
+/// be played as a motion. An empty one has no keys.
 struct KeySequence {
   std::string name = "Recorded";
   double periodSeconds = 2;

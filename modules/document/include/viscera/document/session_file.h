@@ -64,7 +64,7 @@ std::string nameOf(SurfaceFinding::State state);
 /// The result of reading a session: its contents and where each surface was found.
 struct OpenedSession {
   SessionContents contents;
-  std::vector<SurfaceFinding> surfaces; ///< One an organ, in the order of the file.
+  std::vector<SurfaceFinding> surfaces; ///< One for each organ, in the order of the file.
   std::vector<std::string> warnings;    ///< What a user should know: missing, changed and moved files,
                                         ///< keys of the file that nothing is known about.
 };

@@ -10,8 +10,8 @@
 
 namespace viscera::document {
 
-/// Performs commands on a document, and undoes and redoes them, which is the only way to change it, without a
-/// limit but memory (a step of a drag keeps one pose). For the document's thread.
+/// Performs, undoes and redoes commands, which is the only way to change a document. Only memory limits the
+/// number of steps (a step of a drag keeps one pose). For the document's thread.
 ///
 ///     Document document;
 ///     UndoStack undo(document);

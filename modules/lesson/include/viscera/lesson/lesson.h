@@ -37,7 +37,7 @@ struct Lesson {
   std::vector<Points> modes; ///< As `rest`; mm.
   CourseEnd end = CourseEnd::cycles;
   std::vector<Course> courses;                       ///< Of the modes; the rates share some.
-  std::vector<int> courseOfRate;                     ///< One a rate.
+  std::vector<int> courseOfRate;                     ///< One for each rate.
   std::vector<std::vector<sequences::Phase>> phases; ///< One list a rate, with the names that the plan gives.
   std::vector<std::string> handleLabels;
   Table weights;             ///< `handles x vertices`: how far a vertex goes with a handle.

@@ -92,9 +92,9 @@ public:
   /// The derivatives in use; null before the first binding.
   std::shared_ptr<const deformation::WitnessGradients> gradients() const;
 
-  /// Computes the stress over a cycle (slot "stress/cycle"); the one before stays until then. The peak takes
-  /// several times as long as the curve. Throws `UsageError` when the map is not ready. A cycle of other
-  /// handles makes the job fail.
+  /// Computes the stress over a cycle (slot "stress/cycle"); the one before stays until then. The maximum
+  /// takes several times as long as the curve. Throws `UsageError` when the map is not ready. A cycle of
+  /// other handles makes the job fail.
   void findCycle(PosedCycle cycle, CycleParts parts);
   /// Drops the computed cycle and cancels its computation, after the sequence has changed.
   void dropCycle();

@@ -20,8 +20,8 @@ namespace viscera::live {
 void writeStressSolid(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map);
 
-/// Writes a table of comma-separated values, one row a witness: its place at rest and in the pose, and what
-/// is measured there, with nine digits. O(witnesses).
+/// Writes a table of comma-separated values, one row for each witness: its place at rest and in the pose, and
+/// what is measured there, with nine digits. O(witnesses).
 void writeStressTable(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map);
 
@@ -44,7 +44,8 @@ StressHistogram histogramOf(const Values& values, Eigen::Index count, int bars);
 void writeStressHistogram(const std::filesystem::path& file, const StressHistogram& histogram,
                           const StressQuantityDescription& quantity);
 
-/// Comma-separated values, a row an instant: `time_s`, `min_deg`, `mean_deg`, `p95_deg`, `max_deg`, `folded`.
+/// Comma-separated values, a row for each instant: `time_s`, `min_deg`, `mean_deg`, `p95_deg`, `max_deg`,
+/// `folded`.
 void writeStressCurve(const std::filesystem::path& file, const std::vector<StressSample>& samples);
 
 } // namespace viscera::live

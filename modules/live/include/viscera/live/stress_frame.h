@@ -16,7 +16,7 @@
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/ids.h"
 
-/// The stress map of one organ at one instant, and its course and peak over a cycle.
+/// The stress map of one organ at one instant, and its curves and maximum over a cycle.
 namespace viscera::live {
 
 /// Summary statistics of a stress map at one instant.
@@ -50,7 +50,8 @@ struct CycleStress {
 /// Instants of a cycle at which `LiveStress` evaluates the stress.
 inline constexpr int kCycleInstants = 64;
 
-/// What `stressOverCycle` computes: `peak` needs all points of the mesh, `curve` only its witnesses.
+/// What `stressOverCycle` computes: the maximum (`CycleStress::peak`) needs all points of the mesh, the curve
+/// only its witnesses.
 enum class CycleParts { curve, curveAndPeak };
 
 /// Goes through one cycle in `instants` steps, at least 1. Samples are of the first `witnesses` points.

@@ -11,7 +11,7 @@
 
 namespace viscera::medical_io {
 
-/// Numbers or vectors at the points of a solid, under the name that ParaView shows.
+/// A named array of numbers or vectors at the points of a tetrahedral mesh, as ParaView shows it.
 struct SolidArray {
   std::string name;
   std::variant<Values, Points, std::vector<std::uint8_t>> values; ///< One, three, or one (yes or no) a point.

@@ -24,8 +24,8 @@ struct LabelledSurface {
 
 /// The files of a series, and the surfaces to make from them.
 struct SeriesRequest {
-  /// Surfaces or label maps, one a phase; or one folder of them; or one file of several volumes. Several
-  /// surfaces of a phase are distinguished by their files' names without the last number.
+  /// Surfaces or label maps, one for each phase; or one folder of them; or one file with several phases.
+  /// Several surfaces of a phase are distinguished by their files' names without the last number.
   std::vector<std::filesystem::path> inputs;
   /// Of label maps; empty: their only label, or those of a heart. Of files of surfaces: those to use, without
   /// labels; empty: all.
@@ -41,7 +41,7 @@ struct MotionSeries {
   std::vector<std::string> names; ///< Of the surfaces, the outer one first.
   std::size_t outer = 0;          ///< Index of the surface that contains the others.
   tracking::PhaseTimes times;
-  /// With the same triangles in all phases, one a surface; else empty.
+  /// With the same triangles in all phases, one for each surface; else empty.
   std::vector<tracking::SurfaceSeries> corresponding;
   /// Surfaces without correspondence, `[phase][surface]`; else empty.
   std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> meshes;

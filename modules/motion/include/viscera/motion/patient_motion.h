@@ -71,7 +71,8 @@ PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& option
 
 /// The measured surfaces of one phase of a series, for display beside the motion. Immutable.
 struct MeasuredPhase {
-  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces; ///< mm LPS, one a surface; never null.
+  /// mm LPS, one for each surface; never null.
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces;
   /// From the same surfaces or voxels; empty where points correspond.
   std::vector<std::shared_ptr<const tracking::SurfaceDistance>> distances;
 

@@ -22,7 +22,7 @@ struct SequenceOrgan {
 /// The contents of a sequence file: everything that is needed to play it.
 struct SequenceFile {
   sequences::KeyframedSequence::Track track;    ///< Handles at rest in the order of `labels`; groups; keys.
-  std::vector<std::string> labels;              ///< One a handle, unique.
+  std::vector<std::string> labels;              ///< One for each handle, unique.
   std::optional<document::SystemChoice> system; ///< The coordinates it was recorded with, if the file states
                                                 ///< them.
   std::vector<SequenceOrgan> organs;            ///< The organs that it moves, if the file contains them.

@@ -35,7 +35,7 @@ MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat,
 std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
                                                          const document::Organ& organ);
 
-/// The textbook's beat for a heart of a document and its chambers, as recorded poses of handles around and in
+/// The textbook's beat for a heart of a document and its chambers, as a key sequence of handles around and in
 /// them. Cavities that are no chambers, and open ones, are carried along. Throws what `textbookSeries` and
 /// `trackMotion` throw. Some seconds.
 PatientMotion textbookMotion(const document::OrganList& organs, const document::Organ& heart,

@@ -7,8 +7,8 @@
 
 namespace viscera::motion {
 
-/// A table of volumes over time, for charts and files: one row an instant, one column a surface. For one
-/// thread.
+/// A table of volumes over time, for charts and files: one row for each instant, one column for each
+/// surface. For one thread.
 class VolumeRecord {
 public:
   /// Keeps at least the last `capacity` rows and at most twice as many; 0 keeps all.
@@ -35,9 +35,9 @@ private:
   std::vector<double> values_;
 };
 
-/// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` a surface, numbers with
-/// twelve digits, one row an instant. Names that hold commas or quotes are quoted. A reader sees the old file
-/// or the whole new one. Throws `CannotCreateError`.
+/// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` for each surface, numbers
+/// with twelve digits, one row for each instant. Names that hold commas or quotes are quoted. A reader sees
+/// the old file or the whole new one. Throws `CannotCreateError`.
 void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes);
 
 } // namespace viscera::motion

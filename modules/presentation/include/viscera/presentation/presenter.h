@@ -34,7 +34,7 @@ struct Warping;
 
 /// Numbers that are shown as colours on the surfaces of organs, such as an influence.
 struct SurfaceMap {
-  std::map<document::OrganId, std::shared_ptr<const Values>> values; ///< One a vertex.
+  std::map<document::OrganId, std::shared_ptr<const Values>> values; ///< One for each vertex.
   scene::ColorMap colors;
   scene::ValueRange range;
   std::string title; ///< Of the legend.

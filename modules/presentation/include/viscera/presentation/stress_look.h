@@ -25,7 +25,7 @@ struct StressLook {
   std::string amountColors =
       "viridis"; ///< The colour map of angles and of what is folded (`scene::colorMaps`).
   std::string ratioColors = "diverging"; ///< That of ratios, which lie around 1.
-  bool peak = false;                     ///< The peak over one cycle of the sequence instead of this instant.
+  bool peak = false;                     ///< The maximum over one cycle instead of this instant.
   bool cut = false;
   scene::CutStyle style = scene::CutStyle::smooth;
   Vec3 normal = Vec3::UnitY(); ///< Unit normal of the cut, towards the part that stays.
@@ -44,8 +44,8 @@ struct StressLook {
   bool operator==(const StressLook&) const = default;
 };
 
-/// The part of a look that is saved in the user's settings: without range, limit, probe and peak, and without
-/// glyphs, which replace the tissue.
+/// The part of a look that is saved in the user's settings: without range, limit, probe and maximum, and
+/// without glyphs, which replace the tissue.
 StressLook habitOf(StressLook look);
 
 /// The look as JSON text, for settings; invalid text gives the default look.

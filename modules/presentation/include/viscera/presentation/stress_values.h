@@ -11,8 +11,8 @@
 
 namespace viscera::presentation {
 
-/// Computes the numbers that a stress map shows, and their colours: of this instant, or of the peak over a
-/// cycle. For one thread.
+/// Computes the numbers that a stress map shows, and their colours: of this instant, or of the maximum over
+/// a cycle. For one thread.
 class StressValues {
 public:
   /// Computes the numbers of a frame for a look. `shared` is a range to use instead of their own, unless the
@@ -28,7 +28,7 @@ public:
   const live::QuantitySummary& summary() const { return summary_; }
   /// The number of folded witness points in the displayed map.
   int folded() const { return folded_; }
-  /// Whether the numbers are those of the peak.
+  /// Whether the numbers are those of the maximum over a cycle.
   bool peak() const { return peak_; }
   live::StressQuantity quantity() const { return quantity_; }
   /// The colours; `missing` marks folded tissue.

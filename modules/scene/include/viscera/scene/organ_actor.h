@@ -15,7 +15,7 @@ class vtkPolyData;
 
 namespace viscera::scene {
 
-/// How the triangles of a surface are seen.
+/// The style in which a surface's triangles are drawn: smooth or flat, with or without edges.
 struct MeshLook {
   bool edges = false; ///< Their edges are drawn as thin lines over it.
   bool flat = false;  ///< Each has one shade, in place of a smooth surface.

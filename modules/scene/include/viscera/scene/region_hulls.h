@@ -11,8 +11,8 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// A convex body to be drawn: its faces as a tinted glass, its sharp edges as lines. A flat one is a pane,
-/// one without faces a thick line or a dot.
+/// A convex body to be drawn: its faces tinted and transparent, its sharp edges as lines. A flat one is a
+/// pane, one without faces a thick line or a dot.
 struct RegionHull {
   Points vertices;                       ///< `n x 3` mm.
   Triangles triangles;                   ///< Over `vertices`; may be none.

@@ -51,7 +51,7 @@ CardiacTimes cardiacTimes(double rateBpm);
 /// so short that blood would have to enter faster than `kFastestFilling`, then less.
 double strokePart(const CardiacTimes& times, double strokeMl);
 
-/// The mean flow into a ventricle over diastole, ml/s, at the peak of stress: 219 +- 92 ml/s for each m2 of
+/// The mean flow into a ventricle over diastole, ml/s, at maximum stress: 219 +- 92 ml/s for each m2 of
 /// the body in 161 people sent for a stress echocardiogram (Bombardini and others 2008,
 /// doi 10.1186/1476-7120-6-15), here 1.75 m2, which is a choice. A bound, not a measured fall:
 /// docs/sequences.md lists sources that disagree.

@@ -11,7 +11,7 @@
 
 namespace viscera::sequences {
 
-/// One heartbeat that was computed elsewhere, as by a circulation, as states at even instants.
+/// A heartbeat given as states at evenly spaced instants, such as a computed circulation.
 struct HeartCourse {
   std::string name;                    ///< "Heartbeat: exercise"
   double period = 0;                   ///< s

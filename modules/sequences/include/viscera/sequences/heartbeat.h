@@ -9,7 +9,7 @@
 namespace viscera::sequences {
 
 /// Whether the sequence is a heart's beat: the textbook's, one fitted to another heart, or a computed course.
-/// False for recorded poses, whatever they show.
+/// False for keyframes, whatever they show.
 bool isHeartbeat(const Sequence& sequence);
 
 /// The base of all sequences of a beating heart: cycle, phases and groups of handles.

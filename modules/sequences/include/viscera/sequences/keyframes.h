@@ -9,7 +9,7 @@
 #include "viscera/sequences/curve.h"
 #include "viscera/sequences/sequence.h"
 
-/// Sequences that interpolate between a few recorded poses (keyframes).
+/// Sequences that interpolate between a few keyframes.
 namespace viscera::sequences {
 
 /// The easing of a key: how fast the motion goes to the next one. All are monotone: no pose overshoots its
@@ -50,7 +50,7 @@ struct Keyframe {
 /// The shortest time between two keys and the shortest period, s.
 inline constexpr double kShortestSpan = 1e-3;
 
-/// A sequence that interpolates between recorded poses. Immutable; thread-safe.
+/// A sequence that interpolates between keyframes. Immutable; thread-safe.
 class KeyframedSequence final : public Sequence {
 public:
   /// The data of a keyframed sequence.

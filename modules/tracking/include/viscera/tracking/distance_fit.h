@@ -12,8 +12,8 @@ namespace viscera::tracking {
 
 /// The targets to which surfaces are fitted in one phase: a distance function and a volume for each surface.
 struct PhaseTargets {
-  std::vector<std::shared_ptr<const SurfaceDistance>> distances; ///< One a surface.
-  Values volumesMl;                                              ///< Measured, one a surface.
+  std::vector<std::shared_ptr<const SurfaceDistance>> distances; ///< One for each surface.
+  Values volumesMl;                                              ///< Measured, one for each surface.
 
   std::size_t bytes() const;
 };

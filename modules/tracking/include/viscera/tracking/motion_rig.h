@@ -20,7 +20,7 @@ struct RigOptions {
 /// The handles of a tracked motion and the surface that each belongs to.
 struct RigHandles {
   Points rest;                ///< `n x 3` mm: the corners of the box first, then surface by surface.
-  std::vector<int> ofSurface; ///< One a handle: its surface, or -1 for a corner of the box.
+  std::vector<int> ofSurface; ///< One for each handle: its surface, or -1 for a corner of the box.
 };
 
 /// Places handles around `surfaces`, of which `outer` holds the others (cavities): the corners of a box grown

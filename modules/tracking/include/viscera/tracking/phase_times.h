@@ -10,7 +10,7 @@ namespace viscera::tracking {
 
 /// The times of the phases of a series.
 struct PhaseTimes {
-  std::vector<double> seconds; ///< One a phase, ascending, all within [0, `periodSeconds`).
+  std::vector<double> seconds; ///< One for each phase, ascending, all within [0, `periodSeconds`).
   double periodSeconds = 1;
   bool loop = true; ///< Whether the last phase leads back to the first.
 

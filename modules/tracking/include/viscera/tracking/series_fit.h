@@ -19,10 +19,10 @@ struct FitOptions {
 
 /// The poses of a rig that were fitted to a series.
 struct MotionFit {
-  std::vector<Points> poses;           ///< `n x 3` mm, one a phase.
+  std::vector<Points> poses;           ///< `n x 3` mm, one for each phase.
   std::vector<Values> freeVolumesMl;   ///< Of every surface in every phase before volumes were kept.
-  std::vector<VolumeResidual> volumes; ///< One a phase; empty where they were not kept.
-  std::vector<int> steps;              ///< Of Gauss and Newton, one a phase; 1 for a linear problem.
+  std::vector<VolumeResidual> volumes; ///< One for each phase; empty where they were not kept.
+  std::vector<int> steps;              ///< Of Gauss and Newton, one for each phase; 1 for a linear problem.
 };
 
 /// Finds the poses that fit the rig's surfaces, bound in the first phase, to `series` (the same surfaces with

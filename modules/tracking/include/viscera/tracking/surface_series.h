@@ -13,7 +13,7 @@ namespace viscera::tracking {
 struct SurfaceSeries {
   std::string name;
   Triangles triangles;        ///< `m x 3`.
-  std::vector<Points> phases; ///< `n x 3` mm LPS, one a phase.
+  std::vector<Points> phases; ///< `n x 3` mm LPS, one for each phase.
 
   geometry::TriangleMesh at(std::size_t phase) const { return {phases[phase], triangles, {}}; }
 };
