@@ -44,8 +44,8 @@
         <translation>« %1 » n’est pas un nombre entier à partir de 0</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
-        <translation>« %1 » considère tous les points ensemble, ce que les coordonnées planes ne font pas</translation>
+        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
+        <translation>« %1 » demande tous les points à la fois, ce que les coordonnées planes ne permettent pas</translation>
     </message>
     <message>
         <source>&quot;version&quot; is not a positive whole number</source>
@@ -200,8 +200,8 @@
         <translation>%1 lignes</translation>
     </message>
     <message>
-        <source>%1 stands where %2 should</source>
-        <translation>%1 se trouve là où devrait être %2</translation>
+        <source>expected %2, found %1</source>
+        <translation>attendu : %2 ; trouvé : %1</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -224,10 +224,10 @@
         <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, dont %n miette de moins de 2 % de son aire</numerusform>
-            <numerusform>%2, dont %n miettes de moins de 2 % de son aire</numerusform>
+            <numerusform>%2, dont %n petit fragment de moins de 2 % de son aire</numerusform>
+            <numerusform>%2, dont %n petits fragments de moins de 2 % de son aire</numerusform>
         </translation>
     </message>
     <message>
@@ -300,7 +300,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <source>%2 {lies|lie} outside of the scan; check whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
         <translation>
             <numerusform>%2 se trouve hors de l’examen ; vérifiez que les deux viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
             <numerusform>%2 se trouvent hors de l’examen ; vérifiez que tous viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
@@ -426,14 +426,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <source>%n {image|images} in the series of another echo left out</source>
         <translation>
             <numerusform>%n image de la série d’un autre écho omise</numerusform>
             <numerusform>%n images de la série d’un autre écho omises</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <source>%n {image|images} in the series that {lies|lie} in another direction left out</source>
         <translation>
             <numerusform>%n image de la série d’une autre direction omise</numerusform>
             <numerusform>%n images de la série d’une autre direction omises</numerusform>
@@ -546,12 +546,12 @@
         <translation>19 adultes sur 20 ont de %1 à %2 ml</translation>
     </message>
     <message>
-        <source>A cavity has to come after the organ that it is in</source>
-        <translation>Une cavité doit venir après l’organe où elle se trouve</translation>
+        <source>A cavity must follow the organ that contains it</source>
+        <translation>Une cavité doit suivre l’organe qui la contient</translation>
     </message>
     <message>
-        <source>A group names a handle that is not there</source>
-        <translation>Un groupe nomme une poignée qui n’existe pas</translation>
+        <source>A group refers to a handle that does not exist</source>
+        <translation>Un groupe renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
         <source>A healthy adult lying down.</source>
@@ -848,8 +848,8 @@
         <translation>Respiration</translation>
     </message>
     <message>
-        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles</source>
-        <translation>Par les coins et les normales d’une cage de forme quelconque ; conserve presque les angles, et ne touche pas ses poignées</translation>
+        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not interpolate its handles</source>
+        <translation>Par les coins et les normales d’une cage de forme quelconque ; conserve presque les angles, et n’interpole pas ses poignées</translation>
     </message>
     <message>
         <source>C-Celestial</source>
@@ -1404,8 +1404,8 @@
         <translation>La distance entre ses coupes n’est pas indiquée</translation>
     </message>
     <message>
-        <source>It does not say how long one cycle lasts</source>
-        <translation>La durée d’un cycle n’est pas indiquée</translation>
+        <source>The duration of one cycle is unknown</source>
+        <translation>La durée d’un cycle est inconnue</translation>
     </message>
     <message numerus="yes">
         <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
@@ -1553,7 +1553,7 @@
         <translation>Il n’a pas de pixels non compressés</translation>
     </message>
     <message>
-        <source>It has not three dimensions</source>
+        <source>It does not have three dimensions</source>
         <translation>Elle n’a pas trois dimensions</translation>
     </message>
     <message>
@@ -1565,11 +1565,11 @@
         <translation>Il y a plusieurs étiquettes : %1</translation>
     </message>
     <message>
-        <source>It has several values a voxel</source>
+        <source>It has several values per voxel</source>
         <translation>Elle a plusieurs valeurs par voxel</translation>
     </message>
     <message>
-        <source>It has several values a voxel (%1)</source>
+        <source>It has several values per voxel (%1)</source>
         <translation>Elle a plusieurs valeurs par voxel (%1)</translation>
     </message>
     <message>
@@ -1677,8 +1677,8 @@
         <translation>C’est un dossier, non un fichier</translation>
     </message>
     <message>
-        <source>It is a scan and no organ</source>
-        <translation>C’est un examen et non un organe</translation>
+        <source>It is a scan, not an organ</source>
+        <translation>C’est un examen, pas un organe</translation>
     </message>
     <message>
         <source>It is damaged or no DICOM file</source>
@@ -1721,8 +1721,8 @@
         <translation>Ce n’est pas une image NIfTI : il n’y a pas d’en-tête NIfTI</translation>
     </message>
     <message>
-        <source>It is not a file of several volumes</source>
-        <translation>Ce n’est pas un fichier de plusieurs volumes</translation>
+        <source>It is not a file with several phases</source>
+        <translation>Ce n’est pas un fichier à plusieurs phases</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -1745,8 +1745,8 @@
         <translation>Ce n’est pas un fichier ordinaire</translation>
     </message>
     <message>
-        <source>It is not a scan that Viscera knows</source>
-        <translation>Ce n’est pas un examen que Viscera connaît</translation>
+        <source>It is not a scan in a known format</source>
+        <translation>Ce n’est pas un examen dans un format connu</translation>
     </message>
     <message>
         <source>It is not a slice of a scan</source>
@@ -1844,12 +1844,12 @@
         <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse : il est de l’autre côté du milieu du patient</translation>
     </message>
     <message>
-        <source>It unfolds to too many points</source>
-        <translation>Déplié, il a trop de points</translation>
+        <source>With its instances expanded, it has too many points</source>
+        <translation>Avec toutes ses instances, il a trop de points</translation>
     </message>
     <message>
-        <source>It unfolds to too many triangles</source>
-        <translation>Déplié, il a trop de triangles</translation>
+        <source>With its instances expanded, it has too many triangles</source>
+        <translation>Avec toutes ses instances, il a trop de triangles</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -2177,8 +2177,8 @@
         <translation>Aucun voxel n’a d’étiquette dans la %1</translation>
     </message>
     <message>
-        <source>Nothing is recorded</source>
-        <translation>Rien n’est enregistré</translation>
+        <source>The key sequence has no key</source>
+        <translation>La séquence de clés n’a pas de clé</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2750,8 +2750,8 @@
         <translation>La valve aortique s’ouvre à 0,8 cm2 : la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
     </message>
     <message>
-        <source>The cage names a handle that is not there</source>
-        <translation>La cage nomme une poignée qui n’existe pas</translation>
+        <source>The cage refers to a handle that does not exist</source>
+        <translation>La cage renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
@@ -2854,14 +2854,14 @@
         <translation>La séquence a été faite pour une autre position d’une poignée</translation>
     </message>
     <message numerus="yes">
-        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <source>The series has images of several sizes: %n {image|images} of %2 left out, those of %3 read</source>
         <translation>
             <numerusform>La série a des images de plusieurs tailles : %n image de %2 omise, celles de %3 lues</numerusform>
             <numerusform>La série a des images de plusieurs tailles : %n images de %2 omises, celles de %3 lues</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <source>The series has pixels of several sizes: %n {image|images} of %2 mm left out, those of %3 mm read</source>
         <translation>
             <numerusform>La série a des pixels de plusieurs tailles : %n image de %2 mm omise, celles de %3 mm lues</numerusform>
             <numerusform>La série a des pixels de plusieurs tailles : %n images de %2 mm omises, celles de %3 mm lues</numerusform>
@@ -2872,8 +2872,8 @@
         <translation>Les coupes sont inclinées de %1 degrés par rapport à leur empilement (statif incliné) ; le cisaillement est conservé</translation>
     </message>
     <message>
-        <source>The smallest number is raised as high as it goes; positive, with kinks</source>
-        <translation>Le plus petit nombre est élevé autant que possible ; positif, avec des plis</translation>
+        <source>Maximises the smallest weight; positive, with kinks</source>
+        <translation>Maximise le plus petit poids ; positives, avec des plis</translation>
     </message>
     <message>
         <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
@@ -3350,8 +3350,8 @@
         <translation>un fichier compressé avec gzip</translation>
     </message>
     <message>
-        <source>a handle of a recorded key</source>
-        <translation>une poignée d’une clé enregistrée</translation>
+        <source>a handle of a keyframe</source>
+        <translation>une poignée d’une clé</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3406,8 +3406,8 @@
         <translation>un rectangle ou une sphère ne doit pas se rapporter à un organe</translation>
     </message>
     <message>
-        <source>a phase has not all surfaces</source>
-        <translation>une phase n’a pas toutes les surfaces</translation>
+        <source>a phase lacks a surface</source>
+        <translation>il manque une surface à une phase</translation>
     </message>
     <message>
         <source>a picture</source>
@@ -3450,8 +3450,8 @@
         <translation>une propriété se trouve avant le premier élément</translation>
     </message>
     <message>
-        <source>a recorded key</source>
-        <translation>une clé enregistrée</translation>
+        <source>a keyframe</source>
+        <translation>une clé</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3498,11 +3498,11 @@
         <translation>un triangle a une poignée à deux sommets</translation>
     </message>
     <message>
-        <source>a triangle names a handle that is not there</source>
-        <translation>un triangle nomme une poignée qui n’existe pas</translation>
+        <source>a triangle refers to a handle that does not exist</source>
+        <translation>un triangle renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
-        <source>a triangle refers to a point that is not there</source>
+        <source>a triangle refers to a point that does not exist</source>
         <translation>un triangle renvoie à un point qui n’existe pas</translation>
     </message>
     <message>
@@ -4285,11 +4285,11 @@
         <translation>installez libegl1 et libgl1-mesa-dri, ou lancez-le avec un écran</translation>
     </message>
     <message>
-        <source>is a colour picture</source>
+        <source>is a colour image</source>
         <translation>est une image en couleurs</translation>
     </message>
     <message>
-        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <source>is a mosaic of many slices in one image, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
         <translation>est une mosaïque de nombreuses coupes en une image, comme les écrit Siemens, que Viscera ne sépare pas ; convertissez-la en NIfTI (dcm2niix le fait)</translation>
     </message>
     <message>
@@ -4383,8 +4383,8 @@
         <translation>il ne suit aucune poignée, rien ne peut donc changer son volume</translation>
     </message>
     <message>
-        <source>it gave up</source>
-        <translation>il a renoncé</translation>
+        <source>it stopped without a result</source>
+        <translation>il s’est arrêté sans résultat</translation>
     </message>
     <message>
         <source>it has %1</source>
@@ -5065,8 +5065,8 @@
         <translation>nommez-le %1</translation>
     </message>
     <message>
-        <source>name its files, a folder, or a file of several volumes</source>
-        <translation>indiquez ses fichiers, un dossier ou un fichier de plusieurs volumes</translation>
+        <source>name its files, a folder, or a file with several phases</source>
+        <translation>indiquez ses fichiers, un dossier ou un fichier à plusieurs phases</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5137,12 +5137,12 @@
         <translation>le nœud %1 est animé par des os, qui sont ignorés</translation>
     </message>
     <message>
-        <source>nothing that Viscera knows</source>
-        <translation>rien que Viscera connaisse</translation>
+        <source>a file of an unknown kind</source>
+        <translation>un fichier de type inconnu</translation>
     </message>
     <message>
-        <source>of no known kind</source>
-        <translation>d’aucun genre connu</translation>
+        <source>of an unknown kind</source>
+        <translation>de type inconnu</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -5316,8 +5316,8 @@
         <translation>atteint le bord de l’image, qui le coupe peut-être</translation>
     </message>
     <message>
-        <source>record a pose first</source>
-        <translation>enregistrez d’abord une pose</translation>
+        <source>add a key first</source>
+        <translation>ajoutez d’abord une clé</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
@@ -5440,7 +5440,7 @@
         <translation>enregistrez-la avec un nombre par voxel</translation>
     </message>
     <message>
-        <source>save it with one value a voxel</source>
+        <source>save it with one value per voxel</source>
         <translation>enregistrez-la avec une valeur par voxel</translation>
     </message>
     <message>
@@ -5460,7 +5460,7 @@
         <translation>enregistrez les points depuis Slicer en LPS</translation>
     </message>
     <message>
-        <source>say it with --period-ms, or the rate with --rate</source>
+        <source>give it with --period-ms, or the rate with --rate</source>
         <translation>indiquez-la avec --period-ms, ou la fréquence avec --rate</translation>
     </message>
     <message>
@@ -5560,8 +5560,8 @@
         <translation>le tétraèdre %1 est plat ou retourné</translation>
     </message>
     <message>
-        <source>texts stand where numbers should</source>
-        <translation>des textes se trouvent là où devraient être des nombres</translation>
+        <source>it has text in place of numbers</source>
+        <translation>il contient du texte à la place de nombres</translation>
     </message>
     <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
@@ -5622,10 +5622,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>l’OpenGL du pilote est antérieur à 3.2</translation>
-    </message>
-    <message>
-        <source>the file does not say its axes; LPS is assumed</source>
-        <translation>le fichier n’indique pas ses axes ; LPS est supposé</translation>
     </message>
     <message>
         <source>the file does not state its axes: LPS is assumed</source>
@@ -5770,8 +5766,8 @@
         <translation>la première est 0</translation>
     </message>
     <message>
-        <source>the first one there is: &quot;%1&quot;</source>
-        <translation>la première qui existe : « %1 »</translation>
+        <source>the first one is: &quot;%1&quot;</source>
+        <translation>la première est : « %1 »</translation>
     </message>
     <message>
         <source>the first phase</source>
@@ -5985,8 +5981,8 @@
         <translation>les données compressées sont endommagées</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM : son en-tête n’est pas conforme à la norme</translation>
+        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM : son en-tête n’est pas conforme à la norme DICOM</translation>
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
@@ -6148,12 +6144,12 @@
         <translation>la surface a de la place pour %1 poignées sur %2</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
-        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres</source>
+        <translation>la taille de %1 mm n’est pas plausible pour un organe ; les coordonnées sont supposées en millimètres</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
-        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres, ce sont peut-être des %2</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres, they may be in %2</source>
+        <translation>la taille de %1 mm n’est pas plausible pour un organe ; les coordonnées sont supposées en millimètres, mais peuvent être en %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -6336,7 +6332,7 @@
         <translation>il n’y a pas de façon « %1 » de former des groupes</translation>
     </message>
     <message>
-        <source>thinning out the surface</source>
+        <source>simplifying the surface</source>
         <translation>simplification de la surface</translation>
     </message>
     <message>
@@ -6508,8 +6504,8 @@
         <translation>attendez un instant</translation>
     </message>
     <message>
-        <source>wait until the witness points are there</source>
-        <translation>attendez que les points témoins soient là</translation>
+        <source>wait until the witness points are computed</source>
+        <translation>attendez que les points témoins soient calculés</translation>
     </message>
     <message>
         <source>wave fades at the pylorus</source>
@@ -7014,8 +7010,8 @@
         <translation>jusqu’à 2 unités Wood</translation>
     </message>
     <message>
-        <source>as much lubricates a healthy heart</source>
-        <translation>c’est ce qui lubrifie un cœur sain</translation>
+        <source>the amount in a healthy heart</source>
+        <translation>la quantité dans un cœur sain</translation>
     </message>
     <message>
         <source>the circulation has no parameter of that name</source>
@@ -7486,12 +7482,12 @@
         <translation>Nom</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Quoi</translation>
+        <source>Kind</source>
+        <translation>Type</translation>
     </message>
     <message>
-        <source>On</source>
-        <translation>Sur</translation>
+        <source>Measured on</source>
+        <translation>Mesuré sur</translation>
     </message>
     <message>
         <source>Rest shape</source>
@@ -7530,16 +7526,16 @@
         <translation>créé dans le programme</translation>
     </message>
     <message>
-        <source>nothing: it is as it was read</source>
-        <translation>rien : il est tel qu’il a été lu</translation>
+        <source>none</source>
+        <translation>aucun</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>De</translation>
+        <source>Source</source>
+        <translation>Source</translation>
     </message>
     <message>
-        <source>What was found and done</source>
-        <translation>Ce qui a été trouvé et fait</translation>
+        <source>Findings and repairs</source>
+        <translation>Constats et réparations</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7738,7 +7734,7 @@
         <translation>95e centile</translation>
     </message>
     <message>
-        <source>%1, the worst of a cycle</source>
+        <source>%1, extreme over a cycle</source>
         <translation>%1, valeur extrême d’un cycle</translation>
     </message>
     <message>
@@ -7822,8 +7818,8 @@
         <translation>± %1; de %2 à %3; %4; %5 voxels</translation>
     </message>
     <message>
-        <source>Not all of what the window showed can be brought back</source>
-        <translation>Tout ce que la fenêtre montrait ne peut pas être rétabli</translation>
+        <source>The view cannot be restored completely</source>
+        <translation>La vue ne peut pas être rétablie entièrement</translation>
     </message>
     <message>
         <source>the session's view</source>
@@ -8066,8 +8062,8 @@
         <translation>il n’y a pas de poignées à enregistrer</translation>
     </message>
     <message>
-        <source>It is not a file that a report can be</source>
-        <translation>Un rapport ne peut pas être un tel fichier</translation>
+        <source>A report cannot be written as this kind of file</source>
+        <translation>Un rapport ne peut pas être écrit dans ce type de fichier</translation>
     </message>
     <message>
         <source>There is no scan to export</source>

@@ -70,24 +70,23 @@ public:
            (x.column - y.column).norm() <= kSameSliceDirection;
   }
 
-  /// Why the pictures of `other` are not in `group`.
+  /// Why the images of `other` are not in `group`.
   ScanFinding difference(const SliceGroup& group, const SliceGroup& other) const {
     const DicomFrame &x = list_.frames[group.frames[0]], &y = list_.frames[other.frames[0]];
     const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
     const std::size_t count = other.frames.size();
     if (!sameSize(f, g))
-      return {ScanFinding::Kind::mixedSizes, phrase("The series has pictures of several sizes: %n "
-                                                    "{picture|pictures} of %2 left out, those of %3 read",
+      return {ScanFinding::Kind::mixedSizes, phrase("The series has images of several sizes: %n "
+                                                    "{image|images} of %2 left out, those of %3 read",
                                                     count, sizeOf(g), sizeOf(f))};
     if (!sameDirections(x, y))
-      return {
-          ScanFinding::Kind::other,
-          phrase("%n {picture|pictures} in the series that {lies|lie} in another direction left out", count)};
+      return {ScanFinding::Kind::other,
+              phrase("%n {image|images} in the series that {lies|lie} in another direction left out", count)};
     if (x.echo != y.echo)
       return {ScanFinding::Kind::other,
-              phrase("%n {picture|pictures} in the series of another echo left out", count)};
+              phrase("%n {image|images} in the series of another echo left out", count)};
     return {ScanFinding::Kind::mixedSizes,
-            phrase("The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those "
+            phrase("The series has pixels of several sizes: %n {image|images} of %2 mm left out, those "
                    "of %3 mm read",
                    count, shortNumber(y.betweenColumns), shortNumber(x.betweenColumns))};
   }
@@ -99,7 +98,7 @@ private:
 /// The value that distinguishes phases, by one of several criteria.
 using TimeOf = std::optional<double> DicomFrame::*;
 
-/// Pictures by the place that they are at, from the lowest to the highest.
+/// Images by the place that they are at, from the lowest to the highest.
 std::vector<std::vector<std::size_t>> byPlace(const FrameList& list, std::vector<std::size_t> frames) {
   const Vec3 normal = list.frames[frames[0]].normal();
   const auto height = [&](std::size_t f) { return normal.dot(list.frames[f].position); };
