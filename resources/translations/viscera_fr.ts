@@ -84,10 +84,6 @@
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Back to the shape as sent (R)</source>
-        <translation>Revenir à la forme d’origine (R)</translation>
-    </message>
-    <message>
         <source>Drag a handle.</source>
         <translation>Faites glisser une poignée.</translation>
     </message>
@@ -138,10 +134,6 @@
     <message>
         <source>%1 % of rest</source>
         <translation>%1 % du repos</translation>
-    </message>
-    <message>
-        <source>%1 % by the handles</source>
-        <translation>%1 % par les poignées</translation>
     </message>
     <message>
         <source>%1: ejection fraction</source>
@@ -308,10 +300,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Notes</translation>
     </message>
     <message>
-        <source>Name on it</source>
-        <translation>Nom dessus</translation>
-    </message>
-    <message>
         <source>Normal range</source>
         <translation>Intervalle normal</translation>
     </message>
@@ -468,6 +456,18 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>Back to the original shape (R)</source>
+        <translation>Revenir à la forme d’origine (R)</translation>
+    </message>
+    <message>
+        <source>%1 % from moved handles</source>
+        <translation>%1 % par poignées déplacées</translation>
+    </message>
+    <message>
+        <source>Label in the view</source>
+        <translation>Étiquette dans la vue</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -545,12 +545,12 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Graisse</translation>
     </message>
     <message>
-        <source>Gall</source>
-        <translation>Bile</translation>
-    </message>
-    <message>
         <source>Another colour...</source>
         <translation>Autre couleur...</translation>
+    </message>
+    <message>
+        <source>Bile</source>
+        <translation>Bile</translation>
     </message>
 </context>
 <context>
@@ -586,48 +586,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Pulmonary valve</source>
         <translation>Valve pulmonaire</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::WarpExport</name>
-    <message>
-        <source>Export the &amp;warped scan...</source>
-        <translation>Exporter l’&amp;examen déformé...</translation>
-    </message>
-    <message>
-        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
-        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
-    </message>
-    <message>
-        <source>Export the warped scan</source>
-        <translation>Exporter l’examen déformé</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
-        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>Exporting the warped scan</source>
-        <translation>Exportation de l’examen déformé</translation>
-    </message>
-    <message>
-        <source>The warped scan was written to %1.</source>
-        <translation>L’examen déformé a été écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>Its labels are beside it: %1.</source>
-        <translation>Ses étiquettes sont à côté&#x202f;: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>La pose replie le tissu dans %n voxel&#x202f;: sa valeur est une estimation.</numerusform>
-            <numerusform>La pose replie le tissu dans %n voxels&#x202f;: leurs valeurs sont des estimations.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -826,10 +784,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>  %1 / min</translation>
     </message>
     <message>
-        <source>The same organ in the present pose, kept</source>
-        <translation>Le même organe dans la pose actuelle, gardée</translation>
-    </message>
-    <message>
         <source>The errors of both coordinate systems</source>
         <translation>Les erreurs des deux systèmes de coordonnées</translation>
     </message>
@@ -840,6 +794,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La seconde vue de la session n’est pas affichée&#x202f;: %1 n’est pas installé ici.</translation>
+    </message>
+    <message>
+        <source>The same organ, kept in the present pose</source>
+        <translation>Le même organe, gardé dans la pose actuelle</translation>
     </message>
 </context>
 <context>
@@ -884,10 +842,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Profondeur</translation>
     </message>
     <message>
-        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
-        <translation>Distance de la section au milieu des organes, en fraction du chemin jusqu’à leur bord</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronale</translation>
     </message>
@@ -918,6 +872,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retirer ce qui est le plus proche de l’observateur</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
+        <translation>Distance de la section au milieu des organes, en pourcentage de la distance jusqu’à leur bord</translation>
     </message>
 </context>
 <context>
@@ -1109,12 +1067,12 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>all that are free</source>
-        <translation>toutes celles qui sont libres</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>aucune poignée près de l’image miroir</translation>
+    </message>
+    <message>
+        <source>all free handles</source>
+        <translation>toutes les poignées libres</translation>
     </message>
 </context>
 <context>
@@ -1658,13 +1616,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>Open %1</source>
         <translation>Ouvrir %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n autre sur la page de son organe dans Explorer</numerusform>
-            <numerusform>%n autres sur les pages de leurs organes dans Explorer</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save handles</source>
         <translation>Enregistrer les poignées</translation>
@@ -1717,12 +1668,19 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1 écrit dans %2</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 n’est pas là.</translation>
-    </message>
-    <message>
         <source>Look for files...</source>
         <translation>Chercher les fichiers...</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>%1 est introuvable.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n autre constat : voir la page de l’organe en mode Explorer</numerusform>
+            <numerusform>%n autres constats : voir les pages des organes en mode Explorer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1900,14 +1858,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Ajouter les poignées sélectionnées au groupe choisi</translation>
     </message>
     <message>
-        <source>Take out</source>
-        <translation>Retirer</translation>
-    </message>
-    <message>
-        <source>Take the selected handles out of the chosen group</source>
-        <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
-    </message>
-    <message>
         <source>Colour...</source>
         <translation>Couleur...</translation>
     </message>
@@ -1988,6 +1938,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
             <numerusform>Le groupement automatique a ajouté %n poignée de coin à %1 des %2 groupes.</numerusform>
             <numerusform>Le groupement automatique a ajouté %n poignées de coin à %1 des %2 groupes.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Remove from group</source>
+        <translation>Retirer du groupe</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles from the chosen group</source>
+        <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
     </message>
 </context>
 <context>
@@ -2682,10 +2640,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Scène glTF animée (.glb)</translation>
     </message>
     <message>
-        <source>As the window</source>
-        <translation>Comme la fenêtre</translation>
-    </message>
-    <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
         <translation>Langue des boutons et messages de la page&#x202f;; les textes ci-dessous restent tels quels</translation>
     </message>
@@ -2718,16 +2672,20 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Textes de la leçon</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Nature</translation>
-    </message>
-    <message>
         <source>Text</source>
         <translation>Texte</translation>
     </message>
     <message>
         <source>The shape of a head or a face can identify a patient.</source>
         <translation>La forme d’une tête ou d’un visage peut identifier un patient.</translation>
+    </message>
+    <message>
+        <source>Language of the window</source>
+        <translation>Langue de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2723,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Exportation de la leçon</translation>
     </message>
     <message>
-        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
-        <translation>Écrit dans %1 (%2 Mo). Son mouvement s’écarte de %3 mm au plus.</translation>
+        <source>Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.</source>
+        <translation>Écrit dans %1 (%2 Mo). Le mouvement du fichier diffère de %3 mm au plus.</translation>
     </message>
 </context>
 <context>
@@ -2820,8 +2778,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>&amp;Attendre</translation>
     </message>
     <message>
-        <source>%1: this view is kept</source>
-        <translation>%1 : cette vue est conservée</translation>
+        <source>View kept as %1</source>
+        <translation>Vue conservée sous le nom %1</translation>
     </message>
 </context>
 <context>
@@ -2956,10 +2914,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         </translation>
     </message>
     <message>
-        <source>It was cancelled.</source>
-        <translation>Annulé.</translation>
-    </message>
-    <message>
         <source>Motion from a series</source>
         <translation>Mouvement d’une série</translation>
     </message>
@@ -2985,6 +2939,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Distance from the measured surface</source>
         <translation>Distance à ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>The search for the motion was cancelled.</source>
+        <translation>La recherche du mouvement a été annulée.</translation>
     </message>
 </context>
 <context>
@@ -3172,10 +3130,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Trouver le mouvement</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
-    </message>
-    <message>
         <source>Folder...</source>
         <translation>Dossier...</translation>
     </message>
@@ -3208,10 +3162,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>La dernière phase ramène à la première</translation>
     </message>
     <message>
-        <source>60 or 120</source>
-        <translation>60 ou 120</translation>
-    </message>
-    <message>
         <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
         <translation>60 pour une surface, 120 pour plusieurs. Davantage suivent les surfaces de plus près</translation>
     </message>
@@ -3228,20 +3178,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation> mm</translation>
     </message>
     <message>
-        <source>All alike</source>
-        <translation>Toutes égales</translation>
-    </message>
-    <message>
         <source>Larger distances count less: for label maps with outliers</source>
         <translation>Les grandes distances comptent moins&#x202f;: pour des cartes d’étiquettes aberrantes</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
         <translation>Distances moindres au-delà de</translation>
-    </message>
-    <message>
-        <source>None; as in 3, 7</source>
-        <translation>Aucune&#x202f;; comme 3, 7</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3272,16 +3214,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Surface</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Nature</translation>
-    </message>
-    <message>
         <source>Label %1; a double click gives the surface another name</source>
         <translation>Étiquette %1&#x202f;; un double-clic donne un autre nom à la surface</translation>
-    </message>
-    <message>
-        <source>What %1 is</source>
-        <translation>Nature de %1</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -3345,6 +3279,30 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>A single image shows no motion</source>
         <translation>Une image seule ne montre pas de mouvement</translation>
     </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file with several phases. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier à plusieurs phases. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sans limite</translation>
+    </message>
+    <message>
+        <source>For example 3, 7</source>
+        <translation>Par exemple 3, 7</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Rôle de %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3389,16 +3347,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Tableau des volumes à côté (.csv)</translation>
     </message>
     <message>
-        <source>Cancel the recording</source>
-        <translation>Annuler l’enregistrement</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Abandonner l’enregistrement</translation>
     </message>
     <message>
         <source>Record what the view shows</source>
@@ -3415,6 +3365,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Record as</source>
         <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Cancel the movie</source>
+        <translation>Annuler le film</translation>
+    </message>
+    <message>
+        <source>Discard the movie</source>
+        <translation>Abandonner le film</translation>
     </message>
 </context>
 <context>
@@ -3727,20 +3685,20 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Recherche à côté de %1</translation>
     </message>
     <message>
-        <source>Beside %1 lies the scan %2.</source>
-        <translation>À côté de %1 se trouve l’examen %2.</translation>
-    </message>
-    <message>
-        <source>Beside %1 lies the label map %2.</source>
-        <translation>À côté de %1 se trouve la carte d’étiquettes %2.</translation>
-    </message>
-    <message>
         <source>Open the scan</source>
         <translation>Ouvrir l’examen</translation>
     </message>
     <message>
         <source>Open its organs</source>
         <translation>Ouvrir ses organes</translation>
+    </message>
+    <message>
+        <source>The scan %2 is in the same folder as %1.</source>
+        <translation>L’examen %2 est dans le même dossier que %1.</translation>
+    </message>
+    <message>
+        <source>The label map %2 is in the same folder as %1.</source>
+        <translation>La carte d’étiquettes %2 est dans le même dossier que %1.</translation>
     </message>
 </context>
 <context>
@@ -3838,10 +3796,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>&amp;Valves et flux</translation>
     </message>
     <message>
-        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>Dans le cœur type qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
-    </message>
-    <message>
         <source>Record a &amp;key</source>
         <translation>Enregistrer une &amp;clé</translation>
     </message>
@@ -3934,10 +3888,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Garder cette circulation pour comparer&#x202f;: boucles en tirets et seconde colonne de valeurs</translation>
     </message>
     <message>
-        <source>For&amp;get</source>
-        <translation>&amp;Oublier</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Terminer la comparaison</translation>
     </message>
@@ -3962,10 +3912,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Transparence</translation>
     </message>
     <message>
-        <source>Close the wall</source>
-        <translation>Refermer la paroi</translation>
-    </message>
-    <message>
         <source>Key at %1 s</source>
         <translation>Clé à %1 s</translation>
     </message>
@@ -3978,20 +3924,32 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Comparer avec la pose act&amp;uelle</translation>
     </message>
     <message>
-        <source>Keep these organs as they are posed now in a second view, and go on here</source>
-        <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
-    </message>
-    <message>
-        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
-        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes déformées.</translation>
-    </message>
-    <message>
-        <source>This sequence says nothing about valves: choose the heartbeat</source>
-        <translation>Cette séquence ne dit rien des valves&#x202f;: choisissez le battement du cœur</translation>
-    </message>
-    <message>
         <source>Only the sample heart has valves to show</source>
         <translation>Seul le cœur type a des valves à montrer</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and arrows whose width shows the opening and whose length shows the speed of the blood</source>
+        <translation>Dans le cœur type qui bat : des feuillets ouverts comme les valves, et des flèches dont la largeur montre l’ouverture et la longueur, la vitesse du sang</translation>
+    </message>
+    <message>
+        <source>This sequence has no valves; choose the heartbeat</source>
+        <translation>Cette séquence n’a pas de valves ; choisissez le battement du cœur</translation>
+    </message>
+    <message>
+        <source>Show the present pose in a second view, to compare it with later poses</source>
+        <translation>Montrer la pose actuelle dans une seconde vue, pour la comparer aux poses suivantes</translation>
+    </message>
+    <message>
+        <source>&amp;Discard kept circulation</source>
+        <translation>A&amp;bandonner la circulation gardée</translation>
+    </message>
+    <message>
+        <source>Make the wall opaque</source>
+        <translation>Rendre la paroi opaque</translation>
+    </message>
+    <message>
+        <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
+        <translation>Le film ne montre ni les couleurs des distances, ni les surfaces mesurées, ni les coupes déformées.</translation>
     </message>
 </context>
 <context>
@@ -4242,10 +4200,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Dans les axes du patient, mm : positif vers la gauche, le dos et la tête</translation>
     </message>
     <message>
-        <source>Witness %1</source>
-        <translation>Témoin %1</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Point de surface %1</translation>
     </message>
@@ -4288,6 +4242,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Witness point %1</source>
+        <translation>Point témoin %1</translation>
     </message>
 </context>
 <context>
@@ -4510,10 +4468,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>étapes</translation>
     </message>
     <message>
-        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Une marque montre que la phase demande attention&#x202f;; l’infobulle de la ligne dit pourquoi</translation>
-    </message>
-    <message>
         <source>Time of the phase</source>
         <translation>Temps de la phase</translation>
     </message>
@@ -4540,10 +4494,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volume of the fit</source>
         <translation>Volume de l’ajustement</translation>
-    </message>
-    <message>
-        <source>How well the voxels agree: 1 for all</source>
-        <translation>Concordance des voxels&#x202f;: 1 si totale</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4594,16 +4544,24 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Une session ne garde pas les surfaces mesurées. Pour les voir, recalculez le mouvement : Séquence &gt; Mouvement d’une série</translation>
     </message>
     <message>
-        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
-        <translation>Les surfaces mesurées à la phase la plus proche, comme du verre dans la vue</translation>
-    </message>
-    <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Colorer les organes selon leur distance aux surfaces mesurées de la phase la plus proche</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
         <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
+        <translation>Une marque montre que la phase demande attention ; l’infobulle de la ligne en donne la raison</translation>
+    </message>
+    <message>
+        <source>Dice coefficient of the voxels; 1 if all agree</source>
+        <translation>Coefficient de Dice des voxels ; 1 si tous concordent</translation>
+    </message>
+    <message>
+        <source>Show the measured surfaces of the nearest phase, translucent</source>
+        <translation>Montrer les surfaces mesurées de la phase la plus proche, translucides</translation>
     </message>
 </context>
 <context>
@@ -5429,10 +5387,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>É&amp;chelle logarithmique</translation>
     </message>
     <message>
-        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
-        <translation>Graduer les couleurs par facteurs, pour distinguer les petites valeurs à côté des grandes</translation>
-    </message>
-    <message>
         <source>Same range in both &amp;views</source>
         <translation>Même échelle dans les &amp;deux vues</translation>
     </message>
@@ -5447,6 +5401,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
         <translation>Montrer la séquence à l’instant où la contrainte rotationnelle est la plus grande</translation>
+    </message>
+    <message>
+        <source>Use a logarithmic colour scale, which separates small values</source>
+        <translation>Utiliser une échelle de couleurs logarithmique, qui distingue les petites valeurs</translation>
     </message>
 </context>
 <context>
@@ -5523,16 +5481,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Replié</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
-        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta sur chaque carte sauf la sienne</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Look inside</source>
-        <translation>Regarder à l’intérieur</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5559,18 +5509,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Distance de la section au milieu de l’organe&#x202f;; la flèche dans la vue la déplace, le bord l’incline</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Affiché</translation>
-    </message>
-    <message>
-        <source>Show what is above</source>
-        <translation>Afficher ce qui est au-dessus</translation>
-    </message>
-    <message>
-        <source>Show what is below</source>
-        <translation>Afficher ce qui est au-dessous</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Limite</translation>
     </message>
@@ -5589,10 +5527,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Crosses of the stretch</source>
         <translation>Croix de l’étirement</translation>
-    </message>
-    <message>
-        <source>The shapes that small balls of tissue take, at about 300 places</source>
-        <translation>Les formes que prennent de petites boules de tissu, en 300 endroits environ</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -5713,6 +5647,30 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
         <translation>Couleurs de la valeur la plus basse à la plus haute ; les cartes d’angles et les cartes de rapports gardent chacune leur propre choix</translation>
     </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta, except on the map of folded tissue</source>
+        <translation>Points témoins où le tissu est retourné ; en magenta, sauf sur la carte du tissu replié</translation>
+    </message>
+    <message>
+        <source>Cut and glyphs</source>
+        <translation>Section et glyphes</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tissu</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Au-dessus de la limite</translation>
+    </message>
+    <message>
+        <source>Below the limit</source>
+        <translation>Au-dessous de la limite</translation>
+    </message>
+    <message>
+        <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
+        <translation>Glyphes de l’étirement en 300 points environ : la forme que prend une petite sphère de tissu</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5743,10 +5701,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>positive</source>
         <translation>positif</translation>
-    </message>
-    <message>
-        <source>No handle ever pushes the organ the other way</source>
-        <translation>Aucune poignée ne pousse jamais l’organe en sens contraire</translation>
     </message>
     <message>
         <source>interpolating</source>
@@ -5815,6 +5769,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>These handles allow up to %1.</source>
         <translation>Ces poignées permettent jusqu’à %1.</translation>
+    </message>
+    <message>
+        <source>No coordinate is negative: the organ follows the direction of every handle</source>
+        <translation>Aucune coordonnée n’est négative : l’organe suit la direction de chaque poignée</translation>
     </message>
 </context>
 <context>
@@ -6239,6 +6197,48 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::WarpExport</name>
+    <message>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Exporter l’&amp;examen déformé...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
+    </message>
+    <message>
+        <source>Export the warped scan</source>
+        <translation>Exporter l’examen déformé</translation>
+    </message>
+    <message>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the warped scan</source>
+        <translation>Exportation de l’examen déformé</translation>
+    </message>
+    <message>
+        <source>The warped scan was written to %1.</source>
+        <translation>L’examen déformé a été écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Ses étiquettes sont à côté&#x202f;: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>La pose replie le tissu dans %n voxel&#x202f;: sa valeur est une estimation.</numerusform>
+            <numerusform>La pose replie le tissu dans %n voxels&#x202f;: leurs valeurs sont des estimations.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::WelcomeCard</name>
     <message>
         <source>Welcome</source>
@@ -6284,10 +6284,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Disposition &amp;standard</translation>
     </message>
     <message>
-        <source>Restore the first arrangement of all panels</source>
-        <translation>Rétablir la disposition initiale de tous les panneaux</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Plein écran</translation>
     </message>
@@ -6326,6 +6322,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Import</source>
         <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Move all panels to their default places</source>
+        <translation>Remettre tous les panneaux à leur place par défaut</translation>
     </message>
 </context>
 <context>
