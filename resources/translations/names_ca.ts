@@ -539,7 +539,7 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 parteix de tot uns, altres de nombres aleatoris</translation>
+        <translation>0 parteix de pesos tots iguals a 1, els altres de nombres aleatoris</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Mig del cos</translation>
+        <translation>Mig del cos gàstric</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Testimoni</translation>
+        <translation>Punt testimoni</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -3711,7 +3711,7 @@
     </message>
     <message>
         <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la cel·la %1 reclama %2 punts, però queden %3 nombres</translation>
+        <translation>la cel·la %1 declara %2 punts, però queden %3 nombres</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -4336,15 +4336,15 @@
     </message>
     <message>
         <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>reclama %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
+        <translation>declara %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
     </message>
     <message>
         <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>reclama %1 bytes en %2: el fitxer està malmès</translation>
+        <translation>declara %1 bytes en %2: el fitxer està malmès</translation>
     </message>
     <message>
         <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>reclama un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
+        <translation>declara un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
     </message>
     <message>
         <source>it contains %1, which is no number</source>
@@ -6517,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>ona al cos</translation>
+        <translation>ona al cos gàstric</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>

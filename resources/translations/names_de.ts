@@ -6717,33 +6717,33 @@
     <message numerus="yes">
         <source>a curve needs at least %n {key|keys}</source>
         <translation>
-            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
-            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
+            <numerusform>eine Kurve braucht mindestens %n Stützpunkt</numerusform>
+            <numerusform>eine Kurve braucht mindestens %n Stützpunkte</numerusform>
         </translation>
     </message>
     <message>
         <source>the key is not a finite number</source>
-        <translation>der Schlüssel ist keine endliche Zahl</translation>
+        <translation>der Stützpunkt ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>curve key %1</source>
-        <translation>Schlüssel %1 der Kurve</translation>
+        <translation>Stützpunkt %1 der Kurve</translation>
     </message>
     <message>
         <source>the key does not lie after the one before it</source>
-        <translation>der Schlüssel liegt nicht nach dem vorigen</translation>
+        <translation>der Stützpunkt liegt nicht nach dem vorigen</translation>
     </message>
     <message>
         <source>sort the keys and remove doubles</source>
-        <translation>sortieren Sie die Schlüssel und entfernen Sie doppelte</translation>
+        <translation>sortieren Sie die Stützpunkte und entfernen Sie doppelte</translation>
     </message>
     <message>
         <source>the keys do not fit into one period</source>
-        <translation>die Schlüssel passen nicht in eine Periode</translation>
+        <translation>die Stützpunkte passen nicht in eine Periode</translation>
     </message>
     <message>
         <source>give keys of one period only</source>
-        <translation>geben Sie nur Schlüssel einer Periode an</translation>
+        <translation>geben Sie nur Stützpunkte einer Periode an</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -7295,11 +7295,11 @@
     </message>
     <message>
         <source>system &quot;%1&quot; failed: %2</source>
-        <translation>das System „%1“ versagte: %2</translation>
+        <translation>das System „%1“ ist fehlgeschlagen: %2</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed</source>
-        <translation>das System „%1“ versagte</translation>
+        <translation>das System „%1“ ist fehlgeschlagen</translation>
     </message>
     <message>
         <source>choose another system</source>
@@ -7327,11 +7327,11 @@
     </message>
     <message>
         <source>it failed while loading: %1</source>
-        <translation>es versagte beim Laden: %1</translation>
+        <translation>es ist beim Laden fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>it failed while loading</source>
-        <translation>es versagte beim Laden</translation>
+        <translation>es ist beim Laden fehlgeschlagen</translation>
     </message>
     <message>
         <source>plugin %1: %2</source>

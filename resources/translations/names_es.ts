@@ -539,7 +539,7 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 parte de todo unos, otros de números aleatorios</translation>
+        <translation>0 parte de pesos todos iguales a 1, los otros de números aleatorios</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Centro del cuerpo</translation>
+        <translation>Centro del cuerpo gástrico</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Testigo</translation>
+        <translation>Punto testigo</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -3711,7 +3711,7 @@
     </message>
     <message>
         <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la celda %1 reclama %2 puntos, pero quedan %3 números</translation>
+        <translation>la celda %1 declara %2 puntos, pero quedan %3 números</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -4147,11 +4147,11 @@
     </message>
     <message>
         <source>give it another one</source>
-        <translation>déle otro</translation>
+        <translation>dele otro</translation>
     </message>
     <message>
         <source>give it one</source>
-        <translation>déle uno</translation>
+        <translation>dele uno</translation>
     </message>
     <message>
         <source>give its labels smaller numbers</source>
@@ -4336,15 +4336,15 @@
     </message>
     <message>
         <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>reclama %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
+        <translation>declara %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
     </message>
     <message>
         <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>reclama %1 bytes en %2: el archivo está dañado</translation>
+        <translation>declara %1 bytes en %2: el archivo está dañado</translation>
     </message>
     <message>
         <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>reclama un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
+        <translation>declara un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
     </message>
     <message>
         <source>it contains %1, which is no number</source>
@@ -4523,7 +4523,7 @@
     </message>
     <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>sus tiradores no son los del conjunto, cada uno una vez y en su orden</translation>
+        <translation>sus tiradores no son los del conjunto de tiradores, cada uno una vez y en su orden</translation>
     </message>
     <message>
         <source>its header does not say its format</source>
@@ -5046,7 +5046,7 @@
     </message>
     <message>
         <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
-        <translation>indique todas las fases del ciclo; una sola imagen de un corazón con cavidades puede latir como en el libro de texto (--textbook; en la ventana, ajustar una secuencia a un órgano)</translation>
+        <translation>indique todas las fases del ciclo; una sola imagen de un corazón con cavidades puede latir como en el manual (--textbook; en la ventana, ajustar una secuencia a un órgano)</translation>
     </message>
     <message>
         <source>name compensating handles</source>
@@ -5871,7 +5871,7 @@
     </message>
     <message>
         <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
-        <translation>el movimiento es el del libro de texto, ajustado a una imagen: no es el propio de este paciente</translation>
+        <translation>el movimiento es el del manual, ajustado a una imagen: no es el propio de este paciente</translation>
     </message>
     <message>
         <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
@@ -6517,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>onda en el cuerpo</translation>
+        <translation>onda en el cuerpo gástrico</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>

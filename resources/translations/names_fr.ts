@@ -539,7 +539,7 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 part de uns partout, les autres de nombres aléatoires</translation>
+        <translation>0 part de poids tous égaux à 1, les autres de nombres aléatoires</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
@@ -1215,7 +1215,7 @@
     </message>
     <message>
         <source>Groups of handles move only their own region of the organ; neighbouring regions blend smoothly.</source>
-        <translation>Les groupes de poignées ne meuvent que leur région de l’organe ; les régions voisines se fondent sans heurt.</translation>
+        <translation>Les groupes de poignées ne déplacent que leur région de l’organe ; les régions voisines se fondent sans heurt.</translation>
     </message>
     <message>
         <source>Haemorrhage</source>
@@ -1251,7 +1251,7 @@
     </message>
     <message>
         <source>Heart follows the textbook</source>
-        <translation>Le cœur suit le battement type</translation>
+        <translation>Le cœur suit le battement du manuel</translation>
     </message>
     <message>
         <source>Heart rate</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Milieu du corps</translation>
+        <translation>Milieu du corps gastrique</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Témoin</translation>
+        <translation>Point témoin</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -6517,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>onde dans le corps</translation>
+        <translation>onde dans le corps gastrique</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>

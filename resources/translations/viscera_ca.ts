@@ -402,11 +402,11 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Enregistrat</translation>
+        <translation>Enregistrada</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Mesurat</translation>
+        <translation>Mesurada</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -430,7 +430,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Ona al cos</translation>
+        <translation>Ona al cos gàstric</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>

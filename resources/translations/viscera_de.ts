@@ -6149,7 +6149,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>%1: show its normal range in the chart</source>
-        <translation>%1: im Diagramm zeigen, was dafür normal ist</translation>
+        <translation>%1: Normbereich im Diagramm zeigen</translation>
     </message>
     <message>
         <source>%1 %2 ml</source>

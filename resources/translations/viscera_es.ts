@@ -402,11 +402,11 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Grabado</translation>
+        <translation>Grabada</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Medido</translation>
+        <translation>Medida</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -430,7 +430,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Onda en el cuerpo</translation>
+        <translation>Onda en el cuerpo gástrico</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -1773,7 +1773,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
-        <translation>Hace latir %1 y sus cavidades como el corazón de un libro de texto. La forma actual cuenta como final de la diástole. El resultado es una secuencia de fotogramas clave.</translation>
+        <translation>Hace latir %1 y sus cavidades como el corazón de un manual. La forma actual cuenta como final de la diástole. El resultado es una secuencia de fotogramas clave.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -2504,7 +2504,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Add key</source>
-        <translation>Añadir fotograma</translation>
+        <translation>Añadir clave</translation>
     </message>
     <message>
         <source>Store the present pose as a key (Ctrl+K)</source>
@@ -2938,7 +2938,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Distance from the measured surface</source>
-        <translation>Distancia a lo medido</translation>
+        <translation>Distancia a la superficie medida</translation>
     </message>
     <message>
         <source>The search for the motion was cancelled.</source>
@@ -3203,7 +3203,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
-        <translation>Una sola imagen no muestra movimiento. Ábrala con Archivo &gt; Abrir y elija después «Ajustar una secuencia a un órgano» en el modo Reproducir para dar al corazón y a sus cavidades el latido del libro de texto.</translation>
+        <translation>Una sola imagen no muestra movimiento. Ábrala con Archivo &gt; Abrir y elija después «Ajustar una secuencia a un órgano» en el modo Reproducir para dar al corazón y a sus cavidades el latido del manual.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -4890,7 +4890,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
-        <translation>Viscera terminó sin guardar. Ha conservado una copia del trabajo de %1.</translation>
+        <translation>Viscera terminó sin guardar. Ha conservado una copia del trabajo del %1.</translation>
     </message>
     <message>
         <source>Recover</source>

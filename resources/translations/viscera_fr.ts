@@ -402,11 +402,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Enregistré</translation>
+        <translation>Enregistrée</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Mesuré</translation>
+        <translation>Mesurée</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -430,7 +430,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Onde dans le corps</translation>
+        <translation>Onde dans le corps gastrique</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -672,11 +672,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
-        <translation>Seul le cœur type peut être mû par le modèle de circulation&#x202f;; les graphiques montrent ses résultats pour tout organe.</translation>
+        <translation>Seul le cœur type peut être animé par le modèle de circulation ; les graphiques montrent ses résultats pour tout organe.</translation>
     </message>
     <message>
         <source>Textbook beat</source>
-        <translation>Battement type</translation>
+        <translation>Battement du manuel</translation>
     </message>
     <message>
         <source>Volumes of healthy adults over one beat at this rate</source>
@@ -1777,7 +1777,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
-        <translation>Meut %1 comme l’organe type. Les repères que vous ne placez pas sont trouvés d’après sa forme.</translation>
+        <translation>Anime %1 comme l’organe type. Les repères que vous ne placez pas sont trouvés d’après sa forme.</translation>
     </message>
     <message>
         <source>Fitting %1</source>
@@ -2492,7 +2492,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
-        <translation>Posez l’organe en mode Déformer et pressez Ctrl+K&#x202f;: chaque clé mémorise cette pose.</translation>
+        <translation>Donnez une pose à l’organe en mode Déformer et appuyez sur Ctrl+K : chaque clé mémorise cette pose.</translation>
     </message>
     <message>
         <source>Time of the next key</source>
@@ -2938,7 +2938,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Distance from the measured surface</source>
-        <translation>Distance à ce qui a été mesuré</translation>
+        <translation>Distance à la surface mesurée</translation>
     </message>
     <message>
         <source>The search for the motion was cancelled.</source>
@@ -3179,11 +3179,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
-        <translation>Les grandes distances comptent moins&#x202f;: pour des cartes d’étiquettes aberrantes</translation>
+        <translation>Les grandes distances comptent moins : pour des cartes d’étiquettes à valeurs aberrantes</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
-        <translation>Distances moindres au-delà de</translation>
+        <translation>Pondération réduite au-delà de</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3849,11 +3849,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Compare with the te&amp;xtbook&apos;s heart</source>
-        <translation>Comparer avec le cœur &amp;type</translation>
+        <translation>Comparer avec le cœur du &amp;manuel</translation>
     </message>
     <message>
         <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
-        <translation>Montrer le cœur type avec son battement type à côté de ces organes, à leur fréquence</translation>
+        <translation>Montrer le cœur type avec son battement du manuel à côté de ces organes, à leur fréquence</translation>
     </message>
     <message>
         <source>&amp;One view</source>
@@ -3873,7 +3873,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
-        <translation>Quand une circulation meut le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
+        <translation>Quand une circulation anime le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
     </message>
     <message>
         <source>Keep circ&amp;ulation for comparison</source>
@@ -4091,7 +4091,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::Playback</name>
     <message>
         <source>The sequence %1 moves its own handles, but the document has others.</source>
-        <translation>La séquence %1 meut ses propres poignées, mais le document en a d’autres.</translation>
+        <translation>La séquence %1 déplace ses propres poignées, mais le document en a d’autres.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4917,7 +4917,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Cette version meut l’organe autrement que celle qui a enregistré la session&#x202f;: les poignées diffèrent de %1 mm au plus.</translation>
+        <translation>Cette version anime l’organe autrement que celle qui a enregistré la session : les poignées diffèrent de %1 mm au plus.</translation>
     </message>
 </context>
 <context>
