@@ -321,7 +321,7 @@ void MainWindow::escape() {
 bool MainWindow::leavesUnwritten() {
   QStringList writing = workspace_.writing();
   if (play_->recorder().running())
-    writing.push_back(tr("Recording a movie"));
+    writing.push_back(tr("Writing a movie"));
   if (writing.isEmpty())
     return true;
   if (unwrittenQuestion_)

@@ -5420,8 +5420,8 @@
         <translation>deseu-lo com a segmentació</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>deseu-la com a volum</translation>
+        <source>save it as a 3D image</source>
+        <translation>deseu-la com a imatge 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>

@@ -5420,8 +5420,8 @@
         <translation>speichern Sie sie als Segmentierung</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>speichern Sie es als Volumen</translation>
+        <source>save it as a 3D image</source>
+        <translation>speichern Sie es als 3D-Bild</translation>
     </message>
     <message>
         <source>save it as one file</source>

@@ -5420,8 +5420,8 @@
         <translation>guárdelo como segmentación</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>guárdela como volumen</translation>
+        <source>save it as a 3D image</source>
+        <translation>guárdela como imagen 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>

@@ -5420,8 +5420,8 @@
         <translation>enregistrez-le comme segmentation</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>enregistrez-la comme volume</translation>
+        <source>save it as a 3D image</source>
+        <translation>enregistrez-la comme image 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>

@@ -2754,10 +2754,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Només és possible en part: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Enregistrament d’una pel·lícula</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Voleu tancar sense aquests fitxers?</translation>
     </message>
@@ -2780,6 +2776,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>View kept as %1</source>
         <translation>Vista desada com a %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Escriptura d’una pel·lícula</translation>
     </message>
 </context>
 <context>

@@ -2754,10 +2754,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Nur teilweise möglich: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Ein Film wird aufgenommen</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Ohne diese Dateien schließen?</translation>
     </message>
@@ -2780,6 +2776,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>View kept as %1</source>
         <translation>Ansicht aufbewahrt als %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Ein Film wird geschrieben</translation>
     </message>
 </context>
 <context>

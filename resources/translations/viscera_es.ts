@@ -2754,10 +2754,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Solo es posible en parte: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Grabación de una película</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>¿Cerrar sin estos archivos?</translation>
     </message>
@@ -2780,6 +2776,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>View kept as %1</source>
         <translation>Vista guardada como %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Escritura de una película</translation>
     </message>
 </context>
 <context>

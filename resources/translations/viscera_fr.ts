@@ -2754,10 +2754,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Possible en partie seulement&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Enregistrement d’un film</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Fermer sans ces fichiers&#x202f;?</translation>
     </message>
@@ -2780,6 +2776,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>View kept as %1</source>
         <translation>Vue conservée sous le nom %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Écriture d’un film</translation>
     </message>
 </context>
 <context>

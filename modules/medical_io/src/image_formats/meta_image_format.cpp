@@ -81,7 +81,7 @@ private:
 
   void readSize() {
     if (parseInteger(value({"NDims"}).value_or("")) != 3)
-      file_.fail("It does not have three dimensions", "save it as a volume");
+      file_.fail("It does not have three dimensions", "save it as a 3D image");
     std::string_view text = value({"DimSize"}).value_or("");
     for (std::size_t i = 0; i < 3; ++i) {
       const auto size = parseInteger(takeWord(text));
