@@ -201,7 +201,7 @@ std::optional<Vec3> bloodColor(const std::string& cavity) {
   return std::nullopt;
 }
 
-/// The surfaces that a recorded motion holds.
+/// The surfaces in the file of a key sequence.
 Surfaces surfacesOf(const motion::SequenceFile& file) {
   Surfaces surfaces;
   for (const motion::SequenceOrgan& organ : file.organs) {

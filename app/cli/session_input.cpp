@@ -202,7 +202,7 @@ Outcome describeSession(const std::string& file, CommandContext& context) {
   if (!state.rig->cage.empty())
     listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
   listing.add("coordinates", state.system->id)
-      .add("recorded keys", std::to_string(state.keySequence->keys.size()));
+      .add("keyframes", std::to_string(state.keySequence->keys.size()));
   for (const ordered_json& item : outcome.json["measurements"]) {
     const ordered_json& value = item["valueAtRest"];
     listing.add("measurement", item["name"].get<std::string>() + ": " +

@@ -212,7 +212,7 @@ QStringList FileActions::missingAmong(const QStringList& files) {
   QStringList lines;
   for (const QString& file : files)
     if (!QFileInfo::exists(file))
-      lines.push_back(tr("%1 is not there.").arg(file));
+      lines.push_back(tr("%1 was not found.").arg(file));
   return lines;
 }
 
@@ -331,7 +331,7 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
   if (lines.size() > kShownFileWarnings) {
     const int more = static_cast<int>(lines.size()) - kShownFileWarnings;
     lines = lines.mid(0, kShownFileWarnings);
-    lines.push_back(tr("%n more on the pages of their organs in Explore", nullptr, more));
+    lines.push_back(tr("%n more findings; see the organs' pages in Explore mode", nullptr, more));
   }
   workspace_.note(lines.join(QLatin1Char('\n')), 15);
 }

@@ -209,7 +209,7 @@ void MainWindow::connectFiles() {
     viewArea_->showBadge(tr("%1: checked, no problems found").arg(QFileInfo(files.front()).fileName()));
   });
   connect(slides_, &Slides::kept, this,
-          [this](const QString& caption) { viewArea_->showBadge(tr("%1: this view is kept").arg(caption)); });
+          [this](const QString& caption) { viewArea_->showBadge(tr("View kept as %1").arg(caption)); });
   connect(files_, &FileActions::scanOpened, scans_, [this] {
     showWelcome(false);
     scans_->opened();
@@ -321,7 +321,7 @@ void MainWindow::escape() {
 bool MainWindow::leavesUnwritten() {
   QStringList writing = workspace_.writing();
   if (play_->recorder().running())
-    writing.push_back(tr("Recording a movie"));
+    writing.push_back(tr("Writing a movie"));
   if (writing.isEmpty())
     return true;
   if (unwrittenQuestion_)

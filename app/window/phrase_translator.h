@@ -70,7 +70,7 @@ private:
 
 /// Translates a message of the numerical modules (steps, warnings, errors, tasks) into the language of the
 /// window; as it is when it has no translation. Names are not messages: an organ may be called "Open heart",
-/// which is no step (`inWords`). A phase of a sequence is a message here: the keys of a recorded one are
+/// which is no step (`inWords`). A phase of a sequence is a message here: the keys of a key sequence are
 /// numbered ("key 3").
 QString messageInWords(const std::string& text);
 

@@ -61,7 +61,7 @@ WindowLayout::WindowLayout(QMainWindow& window, Actions& actions) : QObject(&win
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks);
   window.setMinimumSize(kSmallestWindow);
   actions.add("view.layout",
-              {tr("&Standard layout"), "reset", {}, tr("Restore the first arrangement of all panels")},
+              {tr("&Standard layout"), "reset", {}, tr("Move all panels to their default places")},
               [this] { bringBack(); });
   fullScreen_ = actions.addToggle(
       "view.fullScreen",

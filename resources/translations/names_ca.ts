@@ -44,8 +44,8 @@
         <translation>«%1» no és un nombre enter a partir de 0</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
-        <translation>«%1» considera tots els punts alhora, cosa que les coordenades planes no fan</translation>
+        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
+        <translation>«%1» necessita tots els punts alhora, cosa que les coordenades planes no admeten</translation>
     </message>
     <message>
         <source>&quot;version&quot; is not a positive whole number</source>
@@ -200,8 +200,8 @@
         <translation>%1 files</translation>
     </message>
     <message>
-        <source>%1 stands where %2 should</source>
-        <translation>%1 apareix on hi hauria d’haver %2</translation>
+        <source>expected %2, found %1</source>
+        <translation>s’esperava %2 i s’ha trobat %1</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -224,10 +224,10 @@
         <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, %n de les quals és una molla de menys del 2 % de la seva àrea</numerusform>
-            <numerusform>%2, %n de les quals són molles de menys del 2 % de la seva àrea</numerusform>
+            <numerusform>%2, %n de les quals és un petit fragment de menys del 2 % de la seva àrea</numerusform>
+            <numerusform>%2, %n de les quals són petits fragments de menys del 2 % de la seva àrea</numerusform>
         </translation>
     </message>
     <message>
@@ -300,7 +300,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <source>%2 {lies|lie} outside of the scan; check whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
         <translation>
             <numerusform>%2 queda fora de l’exploració; comproveu que tots dos són del mateix pacient i fan servir els mateixos eixos (RAS o LPS)</numerusform>
             <numerusform>%2 queden fora de l’exploració; comproveu que tots són del mateix pacient i fan servir els mateixos eixos (RAS o LPS)</numerusform>
@@ -426,14 +426,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <source>%n {image|images} in the series of another echo left out</source>
         <translation>
             <numerusform>s’omet %n imatge de la sèrie d’un altre eco</numerusform>
             <numerusform>s’ometen %n imatges de la sèrie d’un altre eco</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <source>%n {image|images} in the series that {lies|lie} in another direction left out</source>
         <translation>
             <numerusform>s’omet %n imatge de la sèrie que és en una altra direcció</numerusform>
             <numerusform>s’ometen %n imatges de la sèrie que són en una altra direcció</numerusform>
@@ -539,19 +539,19 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 parteix de tot uns, altres de nombres aleatoris</translation>
+        <translation>0 parteix de pesos tots iguals a 1, els altres de nombres aleatoris</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
         <translation>19 de cada 20 adults tenen de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A cavity has to come after the organ that it is in</source>
-        <translation>Una cavitat ha d’anar després de l’òrgan on és</translation>
+        <source>A cavity must follow the organ that contains it</source>
+        <translation>Una cavitat ha d’anar després de l’òrgan que la conté</translation>
     </message>
     <message>
-        <source>A group names a handle that is not there</source>
-        <translation>Un grup anomena un tirador que no hi és</translation>
+        <source>A group refers to a handle that does not exist</source>
+        <translation>Un grup es refereix a un tirador que no existeix</translation>
     </message>
     <message>
         <source>A healthy adult lying down.</source>
@@ -848,8 +848,8 @@
         <translation>Respiració</translation>
     </message>
     <message>
-        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles</source>
-        <translation>Amb els cantons i les normals d’una gàbia de qualsevol forma; gairebé manté els angles, i no toca els tiradors</translation>
+        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not interpolate its handles</source>
+        <translation>Amb els cantons i les normals d’una gàbia de qualsevol forma; gairebé manté els angles, i no interpola els tiradors</translation>
     </message>
     <message>
         <source>C-Celestial</source>
@@ -1404,8 +1404,8 @@
         <translation>No indica la distància entre els seus talls</translation>
     </message>
     <message>
-        <source>It does not say how long one cycle lasts</source>
-        <translation>No indica quant dura un cicle</translation>
+        <source>The duration of one cycle is unknown</source>
+        <translation>La durada d’un cicle és desconeguda</translation>
     </message>
     <message numerus="yes">
         <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
@@ -1553,7 +1553,7 @@
         <translation>No té píxels sense comprimir</translation>
     </message>
     <message>
-        <source>It has not three dimensions</source>
+        <source>It does not have three dimensions</source>
         <translation>No té tres dimensions</translation>
     </message>
     <message>
@@ -1565,11 +1565,11 @@
         <translation>Hi ha diverses etiquetes: %1</translation>
     </message>
     <message>
-        <source>It has several values a voxel</source>
+        <source>It has several values per voxel</source>
         <translation>Té diversos valors per vòxel</translation>
     </message>
     <message>
-        <source>It has several values a voxel (%1)</source>
+        <source>It has several values per voxel (%1)</source>
         <translation>Té diversos valors per vòxel (%1)</translation>
     </message>
     <message>
@@ -1677,8 +1677,8 @@
         <translation>És una carpeta, no un fitxer</translation>
     </message>
     <message>
-        <source>It is a scan and no organ</source>
-        <translation>És una exploració i no un òrgan</translation>
+        <source>It is a scan, not an organ</source>
+        <translation>És una exploració, no un òrgan</translation>
     </message>
     <message>
         <source>It is damaged or no DICOM file</source>
@@ -1721,8 +1721,8 @@
         <translation>No és una imatge NIfTI: no té capçalera NIfTI</translation>
     </message>
     <message>
-        <source>It is not a file of several volumes</source>
-        <translation>No és un fitxer de diversos volums</translation>
+        <source>It is not a file with several phases</source>
+        <translation>No és un fitxer amb diverses fases</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -1745,8 +1745,8 @@
         <translation>No és un fitxer normal</translation>
     </message>
     <message>
-        <source>It is not a scan that Viscera knows</source>
-        <translation>No és una exploració que Viscera conegui</translation>
+        <source>It is not a scan in a known format</source>
+        <translation>No és una exploració en un format conegut</translation>
     </message>
     <message>
         <source>It is not a slice of a scan</source>
@@ -1844,12 +1844,12 @@
         <translation>Sembla que és en RAS mentre que %1 és en LPS, o al revés: és a l’altra banda del centre del pacient</translation>
     </message>
     <message>
-        <source>It unfolds to too many points</source>
-        <translation>Desplegat té massa punts</translation>
+        <source>With its instances expanded, it has too many points</source>
+        <translation>Amb les instàncies expandides té massa punts</translation>
     </message>
     <message>
-        <source>It unfolds to too many triangles</source>
-        <translation>Desplegat té massa triangles</translation>
+        <source>With its instances expanded, it has too many triangles</source>
+        <translation>Amb les instàncies expandides té massa triangles</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Mig del cos</translation>
+        <translation>Mig del cos gàstric</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -2177,8 +2177,8 @@
         <translation>Cap vòxel té etiqueta a la %1</translation>
     </message>
     <message>
-        <source>Nothing is recorded</source>
-        <translation>No hi ha res enregistrat</translation>
+        <source>The key sequence has no key</source>
+        <translation>La seqüència de claus no té cap clau</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2750,8 +2750,8 @@
         <translation>La vàlvula aòrtica s’obre fins a 0,8 cm2: la pressió del ventricle hipertròfic supera de molt la de l’aorta.</translation>
     </message>
     <message>
-        <source>The cage names a handle that is not there</source>
-        <translation>La gàbia anomena un tirador que no hi és</translation>
+        <source>The cage refers to a handle that does not exist</source>
+        <translation>La gàbia es refereix a un tirador que no existeix</translation>
     </message>
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
@@ -2854,14 +2854,14 @@
         <translation>La seqüència es va fer per a una altra posició d’un tirador</translation>
     </message>
     <message numerus="yes">
-        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <source>The series has images of several sizes: %n {image|images} of %2 left out, those of %3 read</source>
         <translation>
             <numerusform>La sèrie té imatges de diverses mides: s’omet %n imatge de %2 i es llegeixen les de %3</numerusform>
             <numerusform>La sèrie té imatges de diverses mides: s’ometen %n imatges de %2 i es llegeixen les de %3</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <source>The series has pixels of several sizes: %n {image|images} of %2 mm left out, those of %3 mm read</source>
         <translation>
             <numerusform>La sèrie té píxels de diverses mides: s’omet %n imatge de %2 mm i es llegeixen les de %3 mm</numerusform>
             <numerusform>La sèrie té píxels de diverses mides: s’ometen %n imatges de %2 mm i es llegeixen les de %3 mm</numerusform>
@@ -2872,8 +2872,8 @@
         <translation>Els talls estan inclinats %1 graus respecte a l’apilament (gantry inclinat); es conserva la cisalla</translation>
     </message>
     <message>
-        <source>The smallest number is raised as high as it goes; positive, with kinks</source>
-        <translation>El nombre més petit s’eleva tant com es pot; positives, amb plecs</translation>
+        <source>Maximises the smallest weight; positive, with kinks</source>
+        <translation>Maximitza el pes més petit; positives, amb plecs</translation>
     </message>
     <message>
         <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Testimoni</translation>
+        <translation>Punt testimoni</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -3350,8 +3350,8 @@
         <translation>un fitxer comprimit amb gzip</translation>
     </message>
     <message>
-        <source>a handle of a recorded key</source>
-        <translation>un tirador d’una clau enregistrada</translation>
+        <source>a handle of a keyframe</source>
+        <translation>un tirador d’una clau</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3406,8 +3406,8 @@
         <translation>un rectangle o una esfera no han de referir-se a cap òrgan</translation>
     </message>
     <message>
-        <source>a phase has not all surfaces</source>
-        <translation>una fase no té totes les superfícies</translation>
+        <source>a phase lacks a surface</source>
+        <translation>a una fase li falta una superfície</translation>
     </message>
     <message>
         <source>a picture</source>
@@ -3450,8 +3450,8 @@
         <translation>una propietat apareix abans del primer element</translation>
     </message>
     <message>
-        <source>a recorded key</source>
-        <translation>una clau enregistrada</translation>
+        <source>a keyframe</source>
+        <translation>una clau</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3498,11 +3498,11 @@
         <translation>un triangle té un tirador en dos vèrtexs</translation>
     </message>
     <message>
-        <source>a triangle names a handle that is not there</source>
-        <translation>un triangle anomena un tirador que no hi és</translation>
+        <source>a triangle refers to a handle that does not exist</source>
+        <translation>un triangle es refereix a un tirador que no existeix</translation>
     </message>
     <message>
-        <source>a triangle refers to a point that is not there</source>
+        <source>a triangle refers to a point that does not exist</source>
         <translation>un triangle es refereix a un punt que no existeix</translation>
     </message>
     <message>
@@ -3711,7 +3711,7 @@
     </message>
     <message>
         <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la cel·la %1 reclama %2 punts, però queden %3 nombres</translation>
+        <translation>la cel·la %1 declara %2 punts, però queden %3 nombres</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -4285,11 +4285,11 @@
         <translation>instal·leu libegl1 i libgl1-mesa-dri, o executeu-lo amb una pantalla</translation>
     </message>
     <message>
-        <source>is a colour picture</source>
+        <source>is a colour image</source>
         <translation>és una imatge en color</translation>
     </message>
     <message>
-        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <source>is a mosaic of many slices in one image, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
         <translation>és un mosaic de molts talls en una imatge, com els escriu Siemens, que Viscera no separa; convertiu-lo a NIfTI (dcm2niix ho fa)</translation>
     </message>
     <message>
@@ -4336,15 +4336,15 @@
     </message>
     <message>
         <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>reclama %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
+        <translation>declara %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
     </message>
     <message>
         <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>reclama %1 bytes en %2: el fitxer està malmès</translation>
+        <translation>declara %1 bytes en %2: el fitxer està malmès</translation>
     </message>
     <message>
         <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>reclama un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
+        <translation>declara un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
     </message>
     <message>
         <source>it contains %1, which is no number</source>
@@ -4383,8 +4383,8 @@
         <translation>no segueix cap tirador, així que res no pot canviar el seu volum</translation>
     </message>
     <message>
-        <source>it gave up</source>
-        <translation>s’ha rendit</translation>
+        <source>it stopped without a result</source>
+        <translation>s’ha aturat sense cap resultat</translation>
     </message>
     <message>
         <source>it has %1</source>
@@ -5065,8 +5065,8 @@
         <translation>anomeneu-lo %1</translation>
     </message>
     <message>
-        <source>name its files, a folder, or a file of several volumes</source>
-        <translation>indiqueu-ne els fitxers, una carpeta o un fitxer amb diversos volums</translation>
+        <source>name its files, a folder, or a file with several phases</source>
+        <translation>indiqueu-ne els fitxers, una carpeta o un fitxer amb diverses fases</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5137,12 +5137,12 @@
         <translation>el node %1 es mou per ossos, que s’ignoren</translation>
     </message>
     <message>
-        <source>nothing that Viscera knows</source>
-        <translation>res que Viscera conegui</translation>
+        <source>a file of an unknown kind</source>
+        <translation>un fitxer d’un tipus desconegut</translation>
     </message>
     <message>
-        <source>of no known kind</source>
-        <translation>de cap tipus conegut</translation>
+        <source>of an unknown kind</source>
+        <translation>de tipus desconegut</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -5316,8 +5316,8 @@
         <translation>arriba a la vora de la imatge, que potser el retalla</translation>
     </message>
     <message>
-        <source>record a pose first</source>
-        <translation>enregistreu primer una postura</translation>
+        <source>add a key first</source>
+        <translation>afegiu primer una clau</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
@@ -5420,8 +5420,8 @@
         <translation>deseu-lo com a segmentació</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>deseu-la com a volum</translation>
+        <source>save it as a 3D image</source>
+        <translation>deseu-la com a imatge 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>
@@ -5440,7 +5440,7 @@
         <translation>deseu-la amb un nombre per vòxel</translation>
     </message>
     <message>
-        <source>save it with one value a voxel</source>
+        <source>save it with one value per voxel</source>
         <translation>deseu-la amb un valor per vòxel</translation>
     </message>
     <message>
@@ -5460,8 +5460,8 @@
         <translation>deseu els punts des de Slicer en LPS</translation>
     </message>
     <message>
-        <source>say it with --period-ms, or the rate with --rate</source>
-        <translation>indiqueu-ho amb --period-ms, o la freqüència amb --rate</translation>
+        <source>give it with --period-ms, or the rate with --rate</source>
+        <translation>indiqueu-la amb --period-ms, o la freqüència amb --rate</translation>
     </message>
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
@@ -5560,8 +5560,8 @@
         <translation>el tetràedre %1 és pla o està invertit</translation>
     </message>
     <message>
-        <source>texts stand where numbers should</source>
-        <translation>apareixen textos on hi hauria d’haver nombres</translation>
+        <source>it has text in place of numbers</source>
+        <translation>té text en lloc de nombres</translation>
     </message>
     <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
@@ -5622,10 +5622,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>l’OpenGL del controlador és anterior a 3.2</translation>
-    </message>
-    <message>
-        <source>the file does not say its axes; LPS is assumed</source>
-        <translation>el fitxer no indica els seus eixos; se suposa LPS</translation>
     </message>
     <message>
         <source>the file does not state its axes: LPS is assumed</source>
@@ -5770,8 +5766,8 @@
         <translation>la primera és 0</translation>
     </message>
     <message>
-        <source>the first one there is: &quot;%1&quot;</source>
-        <translation>la primera que hi ha: «%1»</translation>
+        <source>the first one is: &quot;%1&quot;</source>
+        <translation>la primera és: «%1»</translation>
     </message>
     <message>
         <source>the first phase</source>
@@ -5985,8 +5981,8 @@
         <translation>les dades comprimides estan malmeses</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
-        <translation>Està malmès o no és un fitxer DICOM: la capçalera no és com la vol l’estàndard</translation>
+        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
+        <translation>Està malmès o no és un fitxer DICOM: la capçalera no compleix l’estàndard DICOM</translation>
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
@@ -6148,12 +6144,12 @@
         <translation>la superfície té lloc per a %1 de %2 tiradors</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
-        <translation>la superfície fa %1 mm, i cap òrgan no els fa; les coordenades es prenen com a mil·límetres</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres</source>
+        <translation>la mida de %1 mm no és plausible per a un òrgan; se suposa que les coordenades són en mil·límetres</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
-        <translation>la superfície fa %1 mm, i cap òrgan no els fa; les coordenades es prenen com a mil·límetres, però poden ser %2</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres, they may be in %2</source>
+        <translation>la mida de %1 mm no és plausible per a un òrgan; se suposa que les coordenades són en mil·límetres, però poden ser en %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -6336,7 +6332,7 @@
         <translation>no existeix la manera «%1» de fer grups</translation>
     </message>
     <message>
-        <source>thinning out the surface</source>
+        <source>simplifying the surface</source>
         <translation>simplificació de la superfície</translation>
     </message>
     <message>
@@ -6508,8 +6504,8 @@
         <translation>espereu un moment</translation>
     </message>
     <message>
-        <source>wait until the witness points are there</source>
-        <translation>espereu que hi siguin els punts testimoni</translation>
+        <source>wait until the witness points are computed</source>
+        <translation>espereu que s’hagin calculat els punts testimoni</translation>
     </message>
     <message>
         <source>wave fades at the pylorus</source>
@@ -6521,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>ona al cos</translation>
+        <translation>ona al cos gàstric</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>
@@ -7014,8 +7010,8 @@
         <translation>fins a 2 unitats Wood</translation>
     </message>
     <message>
-        <source>as much lubricates a healthy heart</source>
-        <translation>és el que lubrica un cor sa</translation>
+        <source>the amount in a healthy heart</source>
+        <translation>la quantitat en un cor sa</translation>
     </message>
     <message>
         <source>the circulation has no parameter of that name</source>
@@ -7486,12 +7482,12 @@
         <translation>Nom</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Què</translation>
+        <source>Kind</source>
+        <translation>Tipus</translation>
     </message>
     <message>
-        <source>On</source>
-        <translation>Sobre</translation>
+        <source>Measured on</source>
+        <translation>Mesurat a</translation>
     </message>
     <message>
         <source>Rest shape</source>
@@ -7530,16 +7526,16 @@
         <translation>fet al programa</translation>
     </message>
     <message>
-        <source>nothing: it is as it was read</source>
-        <translation>res: és com s’ha llegit</translation>
+        <source>none</source>
+        <translation>cap</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>De</translation>
+        <source>Source</source>
+        <translation>Origen</translation>
     </message>
     <message>
-        <source>What was found and done</source>
-        <translation>Què s’ha trobat i s’ha fet</translation>
+        <source>Findings and repairs</source>
+        <translation>Troballes i reparacions</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7738,7 +7734,7 @@
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>%1, the worst of a cycle</source>
+        <source>%1, extreme over a cycle</source>
         <translation>%1, valor extrem d’un cicle</translation>
     </message>
     <message>
@@ -7822,8 +7818,8 @@
         <translation>± %1; de %2 a %3; %4; %5 vòxels</translation>
     </message>
     <message>
-        <source>Not all of what the window showed can be brought back</source>
-        <translation>No es pot recuperar tot el que mostrava la finestra</translation>
+        <source>The view cannot be restored completely</source>
+        <translation>La vista no es pot restaurar del tot</translation>
     </message>
     <message>
         <source>the session's view</source>
@@ -8066,8 +8062,8 @@
         <translation>no hi ha tiradors per desar</translation>
     </message>
     <message>
-        <source>It is not a file that a report can be</source>
-        <translation>Un informe no pot ser un fitxer així</translation>
+        <source>A report cannot be written as this kind of file</source>
+        <translation>Un informe no es pot escriure en aquest tipus de fitxer</translation>
     </message>
     <message>
         <source>There is no scan to export</source>

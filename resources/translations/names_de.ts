@@ -44,8 +44,8 @@
         <translation>„%1“ ist keine ganze Zahl ab 0</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
-        <translation>„%1“ betrachtet alle Punkte gemeinsam, was ebene Koordinaten nicht tun</translation>
+        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
+        <translation>„%1“ braucht alle Punkte zugleich, was ebene Koordinaten nicht unterstützen</translation>
     </message>
     <message>
         <source>&quot;version&quot; is not a positive whole number</source>
@@ -200,8 +200,8 @@
         <translation>%1 Zeilen</translation>
     </message>
     <message>
-        <source>%1 stands where %2 should</source>
-        <translation>%1 steht, wo %2 stehen sollte</translation>
+        <source>expected %2, found %1</source>
+        <translation>%2 erwartet, aber %1 gefunden</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -224,10 +224,10 @@
         <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, davon %n Krümel mit weniger als 2 % der Fläche</numerusform>
-            <numerusform>%2, davon %n Krümel mit weniger als 2 % der Fläche</numerusform>
+            <numerusform>%2, davon %n kleines Bruchstück mit weniger als 2 % der Fläche</numerusform>
+            <numerusform>%2, davon %n kleine Bruchstücke mit weniger als 2 % der Fläche</numerusform>
         </translation>
     </message>
     <message>
@@ -300,7 +300,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <source>%2 {lies|lie} outside of the scan; check whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
         <translation>
             <numerusform>%2 liegt außerhalb des Scans; prüfen Sie, ob beide vom selben Patienten stammen und dieselben Achsen haben (RAS oder LPS)</numerusform>
             <numerusform>%2 liegen außerhalb des Scans; prüfen Sie, ob alle vom selben Patienten stammen und dieselben Achsen haben (RAS oder LPS)</numerusform>
@@ -426,14 +426,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <source>%n {image|images} in the series of another echo left out</source>
         <translation>
             <numerusform>%n Bild der Serie mit einem anderen Echo weggelassen</numerusform>
             <numerusform>%n Bilder der Serie mit einem anderen Echo weggelassen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <source>%n {image|images} in the series that {lies|lie} in another direction left out</source>
         <translation>
             <numerusform>%n Bild der Serie, das in anderer Richtung liegt, weggelassen</numerusform>
             <numerusform>%n Bilder der Serie, die in anderer Richtung liegen, weggelassen</numerusform>
@@ -546,12 +546,12 @@
         <translation>19 von 20 Erwachsenen haben %1 bis %2 ml</translation>
     </message>
     <message>
-        <source>A cavity has to come after the organ that it is in</source>
-        <translation>Ein Hohlraum muss nach dem Organ kommen, in dem er liegt</translation>
+        <source>A cavity must follow the organ that contains it</source>
+        <translation>Ein Hohlraum muss nach dem Organ stehen, das ihn enthält</translation>
     </message>
     <message>
-        <source>A group names a handle that is not there</source>
-        <translation>Eine Gruppe nennt einen Griff, den es nicht gibt</translation>
+        <source>A group refers to a handle that does not exist</source>
+        <translation>Eine Gruppe verweist auf einen Griff, den es nicht gibt</translation>
     </message>
     <message>
         <source>A healthy adult lying down.</source>
@@ -848,8 +848,8 @@
         <translation>Atmung</translation>
     </message>
     <message>
-        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles</source>
-        <translation>Aus Ecken und Normalen eines Käfigs beliebiger Form; erhält Winkel nahezu und berührt seine Griffe nicht</translation>
+        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not interpolate its handles</source>
+        <translation>Aus Ecken und Normalen eines Käfigs beliebiger Form; erhält Winkel nahezu und interpoliert seine Griffe nicht</translation>
     </message>
     <message>
         <source>C-Celestial</source>
@@ -1404,8 +1404,8 @@
         <translation>Der Abstand ihrer Schichten ist nicht angegeben</translation>
     </message>
     <message>
-        <source>It does not say how long one cycle lasts</source>
-        <translation>Es ist nicht angegeben, wie lange ein Zyklus dauert</translation>
+        <source>The duration of one cycle is unknown</source>
+        <translation>Die Dauer eines Zyklus ist unbekannt</translation>
     </message>
     <message numerus="yes">
         <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
@@ -1553,7 +1553,7 @@
         <translation>Die Datei hat keine unkomprimierten Pixel</translation>
     </message>
     <message>
-        <source>It has not three dimensions</source>
+        <source>It does not have three dimensions</source>
         <translation>Das Bild hat nicht drei Dimensionen</translation>
     </message>
     <message>
@@ -1565,11 +1565,11 @@
         <translation>Es gibt mehrere Labels: %1</translation>
     </message>
     <message>
-        <source>It has several values a voxel</source>
+        <source>It has several values per voxel</source>
         <translation>Das Bild hat mehrere Werte je Voxel</translation>
     </message>
     <message>
-        <source>It has several values a voxel (%1)</source>
+        <source>It has several values per voxel (%1)</source>
         <translation>Das Bild hat mehrere Werte je Voxel (%1)</translation>
     </message>
     <message>
@@ -1677,8 +1677,8 @@
         <translation>Es ist ein Ordner, keine Datei</translation>
     </message>
     <message>
-        <source>It is a scan and no organ</source>
-        <translation>Es ist ein Scan und kein Organ</translation>
+        <source>It is a scan, not an organ</source>
+        <translation>Es ist ein Scan, kein Organ</translation>
     </message>
     <message>
         <source>It is damaged or no DICOM file</source>
@@ -1721,8 +1721,8 @@
         <translation>Es ist kein NIfTI-Bild: Es hat keinen NIfTI-Kopf</translation>
     </message>
     <message>
-        <source>It is not a file of several volumes</source>
-        <translation>Es ist keine Datei mit mehreren Volumina</translation>
+        <source>It is not a file with several phases</source>
+        <translation>Es ist keine Datei mit mehreren Phasen</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -1745,8 +1745,8 @@
         <translation>Es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>It is not a scan that Viscera knows</source>
-        <translation>Es ist kein Scan, den Viscera kennt</translation>
+        <source>It is not a scan in a known format</source>
+        <translation>Es ist kein Scan in einem bekannten Format</translation>
     </message>
     <message>
         <source>It is not a slice of a scan</source>
@@ -1844,12 +1844,12 @@
         <translation>Es scheint in RAS zu sein, während %1 in LPS ist, oder umgekehrt: es liegt auf der anderen Seite der Körpermitte</translation>
     </message>
     <message>
-        <source>It unfolds to too many points</source>
-        <translation>Ausgepackt hat sie zu viele Punkte</translation>
+        <source>With its instances expanded, it has too many points</source>
+        <translation>Mit allen Instanzen hat sie zu viele Punkte</translation>
     </message>
     <message>
-        <source>It unfolds to too many triangles</source>
-        <translation>Ausgepackt hat sie zu viele Dreiecke</translation>
+        <source>With its instances expanded, it has too many triangles</source>
+        <translation>Mit allen Instanzen hat sie zu viele Dreiecke</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -2177,8 +2177,8 @@
         <translation>Kein Voxel hat in %1 ein Label</translation>
     </message>
     <message>
-        <source>Nothing is recorded</source>
-        <translation>Es ist nichts aufgezeichnet</translation>
+        <source>The key sequence has no key</source>
+        <translation>Die Schlüsselbildfolge hat kein Schlüsselbild</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2750,8 +2750,8 @@
         <translation>Die Aortenklappe öffnet sich auf 0,8 cm2: Der Druck des hypertrophierten Ventrikels liegt weit über dem der Aorta.</translation>
     </message>
     <message>
-        <source>The cage names a handle that is not there</source>
-        <translation>Der Käfig nennt einen Griff, den es nicht gibt</translation>
+        <source>The cage refers to a handle that does not exist</source>
+        <translation>Der Käfig verweist auf einen Griff, den es nicht gibt</translation>
     </message>
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
@@ -2854,14 +2854,14 @@
         <translation>Die Sequenz wurde für einen anderen Ort eines Griffs gemacht</translation>
     </message>
     <message numerus="yes">
-        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <source>The series has images of several sizes: %n {image|images} of %2 left out, those of %3 read</source>
         <translation>
             <numerusform>Die Serie hat Bilder verschiedener Größe: %n Bild mit %2 weggelassen, die mit %3 gelesen</numerusform>
             <numerusform>Die Serie hat Bilder verschiedener Größe: %n Bilder mit %2 weggelassen, die mit %3 gelesen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <source>The series has pixels of several sizes: %n {image|images} of %2 mm left out, those of %3 mm read</source>
         <translation>
             <numerusform>Die Serie hat Pixel verschiedener Größe: %n Bild mit %2 mm weggelassen, die mit %3 mm gelesen</numerusform>
             <numerusform>Die Serie hat Pixel verschiedener Größe: %n Bilder mit %2 mm weggelassen, die mit %3 mm gelesen</numerusform>
@@ -2872,8 +2872,8 @@
         <translation>Die Schichten sind um %1 Grad gegen ihre Stapelrichtung geneigt (gekippte Gantry); die Scherung bleibt erhalten</translation>
     </message>
     <message>
-        <source>The smallest number is raised as high as it goes; positive, with kinks</source>
-        <translation>Die kleinste Zahl wird so hoch gehoben, wie es geht; positiv, mit Knicken</translation>
+        <source>Maximises the smallest weight; positive, with kinks</source>
+        <translation>Maximiert das kleinste Gewicht; positiv, mit Knicken</translation>
     </message>
     <message>
         <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
@@ -3350,8 +3350,8 @@
         <translation>eine mit gzip gepackte Datei</translation>
     </message>
     <message>
-        <source>a handle of a recorded key</source>
-        <translation>ein Griff eines aufgezeichneten Schlüsselbilds</translation>
+        <source>a handle of a keyframe</source>
+        <translation>ein Griff eines Schlüsselbilds</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3406,8 +3406,8 @@
         <translation>ein Rechteck oder eine Kugel darf sich auf kein Organ beziehen</translation>
     </message>
     <message>
-        <source>a phase has not all surfaces</source>
-        <translation>eine Phase hat nicht alle Oberflächen</translation>
+        <source>a phase lacks a surface</source>
+        <translation>einer Phase fehlt eine Oberfläche</translation>
     </message>
     <message>
         <source>a picture</source>
@@ -3450,8 +3450,8 @@
         <translation>eine Eigenschaft steht vor dem ersten Element</translation>
     </message>
     <message>
-        <source>a recorded key</source>
-        <translation>ein aufgezeichnetes Schlüsselbild</translation>
+        <source>a keyframe</source>
+        <translation>ein Schlüsselbild</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3498,11 +3498,11 @@
         <translation>ein Dreieck hat einen Griff an zwei Ecken</translation>
     </message>
     <message>
-        <source>a triangle names a handle that is not there</source>
-        <translation>ein Dreieck nennt einen Griff, den es nicht gibt</translation>
+        <source>a triangle refers to a handle that does not exist</source>
+        <translation>ein Dreieck verweist auf einen Griff, den es nicht gibt</translation>
     </message>
     <message>
-        <source>a triangle refers to a point that is not there</source>
+        <source>a triangle refers to a point that does not exist</source>
         <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
@@ -4285,11 +4285,11 @@
         <translation>installieren Sie libegl1 und libgl1-mesa-dri, oder starten Sie mit einem Bildschirm</translation>
     </message>
     <message>
-        <source>is a colour picture</source>
+        <source>is a colour image</source>
         <translation>ist ein Farbbild</translation>
     </message>
     <message>
-        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <source>is a mosaic of many slices in one image, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
         <translation>ist ein Mosaik aus vielen Schichten in einem Bild, wie Siemens sie schreibt, das Viscera nicht zerlegt; wandeln Sie es in NIfTI um (dcm2niix kann das)</translation>
     </message>
     <message>
@@ -4383,8 +4383,8 @@
         <translation>es folgt keinen Griffen, also kann nichts sein Volumen ändern</translation>
     </message>
     <message>
-        <source>it gave up</source>
-        <translation>es hat aufgegeben</translation>
+        <source>it stopped without a result</source>
+        <translation>es endete ohne Ergebnis</translation>
     </message>
     <message>
         <source>it has %1</source>
@@ -5065,8 +5065,8 @@
         <translation>nennen Sie sie %1</translation>
     </message>
     <message>
-        <source>name its files, a folder, or a file of several volumes</source>
-        <translation>geben Sie ihre Dateien, einen Ordner oder eine Datei mit mehreren Volumina an</translation>
+        <source>name its files, a folder, or a file with several phases</source>
+        <translation>geben Sie ihre Dateien, einen Ordner oder eine Datei mit mehreren Phasen an</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5137,12 +5137,12 @@
         <translation>Knoten %1 wird von Knochen bewegt, die ignoriert werden</translation>
     </message>
     <message>
-        <source>nothing that Viscera knows</source>
-        <translation>nichts, was Viscera kennt</translation>
+        <source>a file of an unknown kind</source>
+        <translation>eine Datei unbekannter Art</translation>
     </message>
     <message>
-        <source>of no known kind</source>
-        <translation>von keiner bekannten Art</translation>
+        <source>of an unknown kind</source>
+        <translation>von unbekannter Art</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -5316,8 +5316,8 @@
         <translation>reicht bis an den Bildrand, der es vielleicht abschneidet</translation>
     </message>
     <message>
-        <source>record a pose first</source>
-        <translation>zeichnen Sie zuerst eine Pose auf</translation>
+        <source>add a key first</source>
+        <translation>fügen Sie zuerst ein Schlüsselbild hinzu</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
@@ -5420,8 +5420,8 @@
         <translation>speichern Sie sie als Segmentierung</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>speichern Sie es als Volumen</translation>
+        <source>save it as a 3D image</source>
+        <translation>speichern Sie es als 3D-Bild</translation>
     </message>
     <message>
         <source>save it as one file</source>
@@ -5440,7 +5440,7 @@
         <translation>speichern Sie es mit einer Zahl je Voxel</translation>
     </message>
     <message>
-        <source>save it with one value a voxel</source>
+        <source>save it with one value per voxel</source>
         <translation>speichern Sie es mit einem Wert je Voxel</translation>
     </message>
     <message>
@@ -5460,8 +5460,8 @@
         <translation>speichern Sie die Punkte in Slicer in LPS</translation>
     </message>
     <message>
-        <source>say it with --period-ms, or the rate with --rate</source>
-        <translation>geben Sie die Dauer eines Zyklus mit --period-ms an, oder die Frequenz mit --rate</translation>
+        <source>give it with --period-ms, or the rate with --rate</source>
+        <translation>geben Sie sie mit --period-ms an, oder die Frequenz mit --rate</translation>
     </message>
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
@@ -5560,8 +5560,8 @@
         <translation>Tetraeder %1 ist flach oder umgekehrt</translation>
     </message>
     <message>
-        <source>texts stand where numbers should</source>
-        <translation>Texte stehen, wo Zahlen stehen sollten</translation>
+        <source>it has text in place of numbers</source>
+        <translation>sie enthält Text anstelle von Zahlen</translation>
     </message>
     <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
@@ -5622,10 +5622,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>das OpenGL des Treibers ist älter als 3.2</translation>
-    </message>
-    <message>
-        <source>the file does not say its axes; LPS is assumed</source>
-        <translation>die Datei nennt ihre Achsen nicht; LPS wird angenommen</translation>
     </message>
     <message>
         <source>the file does not state its axes: LPS is assumed</source>
@@ -5770,8 +5766,8 @@
         <translation>die erste ist 0</translation>
     </message>
     <message>
-        <source>the first one there is: &quot;%1&quot;</source>
-        <translation>die erste vorhandene: „%1“</translation>
+        <source>the first one is: &quot;%1&quot;</source>
+        <translation>die erste ist: „%1“</translation>
     </message>
     <message>
         <source>the first phase</source>
@@ -5985,8 +5981,8 @@
         <translation>die gepackten Daten sind beschädigt</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
-        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: Ihr Kopf ist nicht so, wie der Standard es verlangt</translation>
+        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
+        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: Ihr Kopf verletzt den DICOM-Standard</translation>
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
@@ -6148,12 +6144,12 @@
         <translation>die Oberfläche hat Platz für %1 von %2 Griffen</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
-        <translation>die Oberfläche misst %1 mm, was kein Organ tut; die Koordinaten werden als Millimeter genommen</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres</source>
+        <translation>die Größe von %1 mm ist für ein Organ nicht plausibel; als Einheit der Koordinaten werden Millimeter angenommen</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
-        <translation>die Oberfläche misst %1 mm, was kein Organ tut; die Koordinaten werden als Millimeter genommen, vielleicht sind es %2</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres, they may be in %2</source>
+        <translation>die Größe von %1 mm ist für ein Organ nicht plausibel; als Einheit der Koordinaten werden Millimeter angenommen, vielleicht sind es %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -6336,8 +6332,8 @@
         <translation>es gibt keine Art „%1“, Gruppen zu bilden</translation>
     </message>
     <message>
-        <source>thinning out the surface</source>
-        <translation>Ausdünnen der Oberfläche</translation>
+        <source>simplifying the surface</source>
+        <translation>Vereinfachen der Oberfläche</translation>
     </message>
     <message>
         <source>this EGL knows no desktop OpenGL</source>
@@ -6508,8 +6504,8 @@
         <translation>warten Sie einen Augenblick</translation>
     </message>
     <message>
-        <source>wait until the witness points are there</source>
-        <translation>warten Sie, bis die Messpunkte da sind</translation>
+        <source>wait until the witness points are computed</source>
+        <translation>warten Sie, bis die Messpunkte berechnet sind</translation>
     </message>
     <message>
         <source>wave fades at the pylorus</source>
@@ -6721,33 +6717,33 @@
     <message numerus="yes">
         <source>a curve needs at least %n {key|keys}</source>
         <translation>
-            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
-            <numerusform>eine Kurve braucht mindestens %n Schlüssel</numerusform>
+            <numerusform>eine Kurve braucht mindestens %n Stützpunkt</numerusform>
+            <numerusform>eine Kurve braucht mindestens %n Stützpunkte</numerusform>
         </translation>
     </message>
     <message>
         <source>the key is not a finite number</source>
-        <translation>der Schlüssel ist keine endliche Zahl</translation>
+        <translation>der Stützpunkt ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>curve key %1</source>
-        <translation>Schlüssel %1 der Kurve</translation>
+        <translation>Stützpunkt %1 der Kurve</translation>
     </message>
     <message>
         <source>the key does not lie after the one before it</source>
-        <translation>der Schlüssel liegt nicht nach dem vorigen</translation>
+        <translation>der Stützpunkt liegt nicht nach dem vorigen</translation>
     </message>
     <message>
         <source>sort the keys and remove doubles</source>
-        <translation>sortieren Sie die Schlüssel und entfernen Sie doppelte</translation>
+        <translation>sortieren Sie die Stützpunkte und entfernen Sie doppelte</translation>
     </message>
     <message>
         <source>the keys do not fit into one period</source>
-        <translation>die Schlüssel passen nicht in eine Periode</translation>
+        <translation>die Stützpunkte passen nicht in eine Periode</translation>
     </message>
     <message>
         <source>give keys of one period only</source>
-        <translation>geben Sie nur Schlüssel einer Periode an</translation>
+        <translation>geben Sie nur Stützpunkte einer Periode an</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -7014,8 +7010,8 @@
         <translation>bis 2 Wood-Einheiten</translation>
     </message>
     <message>
-        <source>as much lubricates a healthy heart</source>
-        <translation>so viel schmiert ein gesundes Herz</translation>
+        <source>the amount in a healthy heart</source>
+        <translation>die Menge in einem gesunden Herzen</translation>
     </message>
     <message>
         <source>the circulation has no parameter of that name</source>
@@ -7299,11 +7295,11 @@
     </message>
     <message>
         <source>system &quot;%1&quot; failed: %2</source>
-        <translation>das System „%1“ versagte: %2</translation>
+        <translation>das System „%1“ ist fehlgeschlagen: %2</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed</source>
-        <translation>das System „%1“ versagte</translation>
+        <translation>das System „%1“ ist fehlgeschlagen</translation>
     </message>
     <message>
         <source>choose another system</source>
@@ -7331,11 +7327,11 @@
     </message>
     <message>
         <source>it failed while loading: %1</source>
-        <translation>es versagte beim Laden: %1</translation>
+        <translation>es ist beim Laden fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>it failed while loading</source>
-        <translation>es versagte beim Laden</translation>
+        <translation>es ist beim Laden fehlgeschlagen</translation>
     </message>
     <message>
         <source>plugin %1: %2</source>
@@ -7486,12 +7482,12 @@
         <translation>Name</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
-        <source>On</source>
-        <translation>Auf</translation>
+        <source>Measured on</source>
+        <translation>Gemessen an</translation>
     </message>
     <message>
         <source>Rest shape</source>
@@ -7530,16 +7526,16 @@
         <translation>im Programm erzeugt</translation>
     </message>
     <message>
-        <source>nothing: it is as it was read</source>
-        <translation>nichts: es ist, wie es gelesen wurde</translation>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>Woher</translation>
+        <source>Source</source>
+        <translation>Quelle</translation>
     </message>
     <message>
-        <source>What was found and done</source>
-        <translation>Was gefunden und getan wurde</translation>
+        <source>Findings and repairs</source>
+        <translation>Befunde und Reparaturen</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7738,7 +7734,7 @@
         <translation>95. Perzentil</translation>
     </message>
     <message>
-        <source>%1, the worst of a cycle</source>
+        <source>%1, extreme over a cycle</source>
         <translation>%1, Extremwert eines Zyklus</translation>
     </message>
     <message>
@@ -7822,8 +7818,8 @@
         <translation>± %1; %2 bis %3; %4; %5 Voxel</translation>
     </message>
     <message>
-        <source>Not all of what the window showed can be brought back</source>
-        <translation>Nicht alles, was das Fenster zeigte, lässt sich wiederherstellen</translation>
+        <source>The view cannot be restored completely</source>
+        <translation>Die Ansicht lässt sich nicht vollständig wiederherstellen</translation>
     </message>
     <message>
         <source>the session's view</source>
@@ -8066,8 +8062,8 @@
         <translation>es gibt keine Griffe zu speichern</translation>
     </message>
     <message>
-        <source>It is not a file that a report can be</source>
-        <translation>Ein Bericht kann keine solche Datei sein</translation>
+        <source>A report cannot be written as this kind of file</source>
+        <translation>Ein Bericht kann nicht als Datei dieser Art geschrieben werden</translation>
     </message>
     <message>
         <source>There is no scan to export</source>

@@ -44,8 +44,8 @@
         <translation>«%1» no es un número entero a partir de 0</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
-        <translation>«%1» considera todos los puntos a la vez, lo que las coordenadas planas no hacen</translation>
+        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
+        <translation>«%1» necesita todos los puntos a la vez, lo que las coordenadas planas no admiten</translation>
     </message>
     <message>
         <source>&quot;version&quot; is not a positive whole number</source>
@@ -200,8 +200,8 @@
         <translation>%1 filas</translation>
     </message>
     <message>
-        <source>%1 stands where %2 should</source>
-        <translation>%1 aparece donde debería estar %2</translation>
+        <source>expected %2, found %1</source>
+        <translation>se esperaba %2 y se encontró %1</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -224,10 +224,10 @@
         <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, %n de ellos es una migaja de menos del 2 % de su área</numerusform>
-            <numerusform>%2, %n de ellos son migajas de menos del 2 % de su área</numerusform>
+            <numerusform>%2, %n de ellos es un pequeño fragmento de menos del 2 % de su área</numerusform>
+            <numerusform>%2, %n de ellos son pequeños fragmentos de menos del 2 % de su área</numerusform>
         </translation>
     </message>
     <message>
@@ -300,7 +300,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <source>%2 {lies|lie} outside of the scan; check whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
         <translation>
             <numerusform>%2 queda fuera del estudio; compruebe que ambos son del mismo paciente y usan los mismos ejes (RAS o LPS)</numerusform>
             <numerusform>%2 quedan fuera del estudio; compruebe que todos son del mismo paciente y usan los mismos ejes (RAS o LPS)</numerusform>
@@ -426,14 +426,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <source>%n {image|images} in the series of another echo left out</source>
         <translation>
             <numerusform>se omite %n imagen de la serie de otro eco</numerusform>
             <numerusform>se omiten %n imágenes de la serie de otro eco</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <source>%n {image|images} in the series that {lies|lie} in another direction left out</source>
         <translation>
             <numerusform>se omite %n imagen de la serie que está en otra dirección</numerusform>
             <numerusform>se omiten %n imágenes de la serie que están en otra dirección</numerusform>
@@ -539,19 +539,19 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 parte de todo unos, otros de números aleatorios</translation>
+        <translation>0 parte de pesos todos iguales a 1, los otros de números aleatorios</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
         <translation>19 de cada 20 adultos tienen de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A cavity has to come after the organ that it is in</source>
-        <translation>Una cavidad debe ir después del órgano en que está</translation>
+        <source>A cavity must follow the organ that contains it</source>
+        <translation>Una cavidad debe ir después del órgano que la contiene</translation>
     </message>
     <message>
-        <source>A group names a handle that is not there</source>
-        <translation>Un grupo nombra un tirador que no existe</translation>
+        <source>A group refers to a handle that does not exist</source>
+        <translation>Un grupo se refiere a un tirador que no existe</translation>
     </message>
     <message>
         <source>A healthy adult lying down.</source>
@@ -848,8 +848,8 @@
         <translation>Respiración</translation>
     </message>
     <message>
-        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles</source>
-        <translation>Con esquinas y normales de una jaula de cualquier forma; casi conserva los ángulos y no toca sus tiradores</translation>
+        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not interpolate its handles</source>
+        <translation>Con esquinas y normales de una jaula de cualquier forma; casi conserva los ángulos y no interpola sus tiradores</translation>
     </message>
     <message>
         <source>C-Celestial</source>
@@ -1404,8 +1404,8 @@
         <translation>No indica la distancia entre sus cortes</translation>
     </message>
     <message>
-        <source>It does not say how long one cycle lasts</source>
-        <translation>No indica cuánto dura un ciclo</translation>
+        <source>The duration of one cycle is unknown</source>
+        <translation>La duración de un ciclo es desconocida</translation>
     </message>
     <message numerus="yes">
         <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
@@ -1553,7 +1553,7 @@
         <translation>No tiene píxeles sin comprimir</translation>
     </message>
     <message>
-        <source>It has not three dimensions</source>
+        <source>It does not have three dimensions</source>
         <translation>No tiene tres dimensiones</translation>
     </message>
     <message>
@@ -1565,11 +1565,11 @@
         <translation>Hay varias etiquetas: %1</translation>
     </message>
     <message>
-        <source>It has several values a voxel</source>
+        <source>It has several values per voxel</source>
         <translation>Tiene varios valores por vóxel</translation>
     </message>
     <message>
-        <source>It has several values a voxel (%1)</source>
+        <source>It has several values per voxel (%1)</source>
         <translation>Tiene varios valores por vóxel (%1)</translation>
     </message>
     <message>
@@ -1677,8 +1677,8 @@
         <translation>Es una carpeta, no un archivo</translation>
     </message>
     <message>
-        <source>It is a scan and no organ</source>
-        <translation>Es un estudio y no un órgano</translation>
+        <source>It is a scan, not an organ</source>
+        <translation>Es un estudio, no un órgano</translation>
     </message>
     <message>
         <source>It is damaged or no DICOM file</source>
@@ -1721,8 +1721,8 @@
         <translation>No es una imagen NIfTI: no tiene cabecera NIfTI</translation>
     </message>
     <message>
-        <source>It is not a file of several volumes</source>
-        <translation>No es un archivo de varios volúmenes</translation>
+        <source>It is not a file with several phases</source>
+        <translation>No es un archivo con varias fases</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -1745,8 +1745,8 @@
         <translation>No es un archivo normal</translation>
     </message>
     <message>
-        <source>It is not a scan that Viscera knows</source>
-        <translation>No es un estudio que Viscera conozca</translation>
+        <source>It is not a scan in a known format</source>
+        <translation>No es un estudio en un formato conocido</translation>
     </message>
     <message>
         <source>It is not a slice of a scan</source>
@@ -1844,12 +1844,12 @@
         <translation>Parece estar en RAS mientras que %1 está en LPS, o al revés: está al otro lado del centro del paciente</translation>
     </message>
     <message>
-        <source>It unfolds to too many points</source>
-        <translation>Desplegado tiene demasiados puntos</translation>
+        <source>With its instances expanded, it has too many points</source>
+        <translation>Con sus instancias expandidas tiene demasiados puntos</translation>
     </message>
     <message>
-        <source>It unfolds to too many triangles</source>
-        <translation>Desplegado tiene demasiados triángulos</translation>
+        <source>With its instances expanded, it has too many triangles</source>
+        <translation>Con sus instancias expandidas tiene demasiados triángulos</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Centro del cuerpo</translation>
+        <translation>Centro del cuerpo gástrico</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -2177,8 +2177,8 @@
         <translation>Ningún vóxel tiene etiqueta en la %1</translation>
     </message>
     <message>
-        <source>Nothing is recorded</source>
-        <translation>No hay nada grabado</translation>
+        <source>The key sequence has no key</source>
+        <translation>La secuencia no tiene ningún fotograma clave</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2750,8 +2750,8 @@
         <translation>La válvula aórtica se abre hasta 0,8 cm2: la presión del ventrículo hipertrofiado supera con mucho la de la aorta.</translation>
     </message>
     <message>
-        <source>The cage names a handle that is not there</source>
-        <translation>La jaula nombra un tirador que no existe</translation>
+        <source>The cage refers to a handle that does not exist</source>
+        <translation>La jaula se refiere a un tirador que no existe</translation>
     </message>
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
@@ -2854,14 +2854,14 @@
         <translation>La secuencia se hizo para otra posición de un tirador</translation>
     </message>
     <message numerus="yes">
-        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <source>The series has images of several sizes: %n {image|images} of %2 left out, those of %3 read</source>
         <translation>
             <numerusform>La serie tiene imágenes de varios tamaños: se omite %n imagen de %2 y se leen las de %3</numerusform>
             <numerusform>La serie tiene imágenes de varios tamaños: se omiten %n imágenes de %2 y se leen las de %3</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <source>The series has pixels of several sizes: %n {image|images} of %2 mm left out, those of %3 mm read</source>
         <translation>
             <numerusform>La serie tiene píxeles de varios tamaños: se omite %n imagen de %2 mm y se leen las de %3 mm</numerusform>
             <numerusform>La serie tiene píxeles de varios tamaños: se omiten %n imágenes de %2 mm y se leen las de %3 mm</numerusform>
@@ -2872,8 +2872,8 @@
         <translation>Los cortes están inclinados %1 grados respecto a su apilado (gantry inclinado); se conserva la cizalla</translation>
     </message>
     <message>
-        <source>The smallest number is raised as high as it goes; positive, with kinks</source>
-        <translation>El número menor se eleva tanto como se pueda; positivo, con dobleces</translation>
+        <source>Maximises the smallest weight; positive, with kinks</source>
+        <translation>Maximiza el peso menor; positivas, con dobleces</translation>
     </message>
     <message>
         <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Testigo</translation>
+        <translation>Punto testigo</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -3350,8 +3350,8 @@
         <translation>un archivo comprimido con gzip</translation>
     </message>
     <message>
-        <source>a handle of a recorded key</source>
-        <translation>un tirador de un fotograma clave grabado</translation>
+        <source>a handle of a keyframe</source>
+        <translation>un tirador de un fotograma clave</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3406,8 +3406,8 @@
         <translation>un rectángulo o una esfera no debe referirse a un órgano</translation>
     </message>
     <message>
-        <source>a phase has not all surfaces</source>
-        <translation>una fase no tiene todas las superficies</translation>
+        <source>a phase lacks a surface</source>
+        <translation>a una fase le falta una superficie</translation>
     </message>
     <message>
         <source>a picture</source>
@@ -3450,8 +3450,8 @@
         <translation>una propiedad aparece antes del primer elemento</translation>
     </message>
     <message>
-        <source>a recorded key</source>
-        <translation>un fotograma clave grabado</translation>
+        <source>a keyframe</source>
+        <translation>un fotograma clave</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3498,11 +3498,11 @@
         <translation>un triángulo tiene un tirador en dos vértices</translation>
     </message>
     <message>
-        <source>a triangle names a handle that is not there</source>
-        <translation>un triángulo nombra un tirador que no existe</translation>
+        <source>a triangle refers to a handle that does not exist</source>
+        <translation>un triángulo se refiere a un tirador que no existe</translation>
     </message>
     <message>
-        <source>a triangle refers to a point that is not there</source>
+        <source>a triangle refers to a point that does not exist</source>
         <translation>un triángulo se refiere a un punto que no existe</translation>
     </message>
     <message>
@@ -3711,7 +3711,7 @@
     </message>
     <message>
         <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la celda %1 reclama %2 puntos, pero quedan %3 números</translation>
+        <translation>la celda %1 declara %2 puntos, pero quedan %3 números</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -4147,11 +4147,11 @@
     </message>
     <message>
         <source>give it another one</source>
-        <translation>déle otro</translation>
+        <translation>dele otro</translation>
     </message>
     <message>
         <source>give it one</source>
-        <translation>déle uno</translation>
+        <translation>dele uno</translation>
     </message>
     <message>
         <source>give its labels smaller numbers</source>
@@ -4285,11 +4285,11 @@
         <translation>instale libegl1 y libgl1-mesa-dri, o ejecútelo con una pantalla</translation>
     </message>
     <message>
-        <source>is a colour picture</source>
+        <source>is a colour image</source>
         <translation>es una imagen en color</translation>
     </message>
     <message>
-        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <source>is a mosaic of many slices in one image, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
         <translation>es un mosaico de muchos cortes en una imagen, como los escribe Siemens, que Viscera no separa; conviértalo a NIfTI (dcm2niix lo hace)</translation>
     </message>
     <message>
@@ -4336,15 +4336,15 @@
     </message>
     <message>
         <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>reclama %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
+        <translation>declara %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
     </message>
     <message>
         <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>reclama %1 bytes en %2: el archivo está dañado</translation>
+        <translation>declara %1 bytes en %2: el archivo está dañado</translation>
     </message>
     <message>
         <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>reclama un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
+        <translation>declara un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
     </message>
     <message>
         <source>it contains %1, which is no number</source>
@@ -4383,8 +4383,8 @@
         <translation>no sigue ningún tirador, así que nada puede cambiar su volumen</translation>
     </message>
     <message>
-        <source>it gave up</source>
-        <translation>se rindió</translation>
+        <source>it stopped without a result</source>
+        <translation>terminó sin resultado</translation>
     </message>
     <message>
         <source>it has %1</source>
@@ -4523,7 +4523,7 @@
     </message>
     <message>
         <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>sus tiradores no son los del conjunto, cada uno una vez y en su orden</translation>
+        <translation>sus tiradores no son los del conjunto de tiradores, cada uno una vez y en su orden</translation>
     </message>
     <message>
         <source>its header does not say its format</source>
@@ -5046,7 +5046,7 @@
     </message>
     <message>
         <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
-        <translation>indique todas las fases del ciclo; una sola imagen de un corazón con cavidades puede latir como en el libro de texto (--textbook; en la ventana, ajustar una secuencia a un órgano)</translation>
+        <translation>indique todas las fases del ciclo; una sola imagen de un corazón con cavidades puede latir como en el manual (--textbook; en la ventana, ajustar una secuencia a un órgano)</translation>
     </message>
     <message>
         <source>name compensating handles</source>
@@ -5065,8 +5065,8 @@
         <translation>llámelo %1</translation>
     </message>
     <message>
-        <source>name its files, a folder, or a file of several volumes</source>
-        <translation>indique sus archivos, una carpeta o un archivo con varios volúmenes</translation>
+        <source>name its files, a folder, or a file with several phases</source>
+        <translation>indique sus archivos, una carpeta o un archivo con varias fases</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5137,12 +5137,12 @@
         <translation>el nodo %1 se mueve por huesos, que se ignoran</translation>
     </message>
     <message>
-        <source>nothing that Viscera knows</source>
-        <translation>nada que Viscera conozca</translation>
+        <source>a file of an unknown kind</source>
+        <translation>un archivo de un tipo desconocido</translation>
     </message>
     <message>
-        <source>of no known kind</source>
-        <translation>de ningún tipo conocido</translation>
+        <source>of an unknown kind</source>
+        <translation>de tipo desconocido</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -5316,8 +5316,8 @@
         <translation>llega al borde de la imagen, que puede recortarlo</translation>
     </message>
     <message>
-        <source>record a pose first</source>
-        <translation>grabe primero una pose</translation>
+        <source>add a key first</source>
+        <translation>añada primero un fotograma clave</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
@@ -5420,8 +5420,8 @@
         <translation>guárdelo como segmentación</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>guárdela como volumen</translation>
+        <source>save it as a 3D image</source>
+        <translation>guárdela como imagen 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>
@@ -5440,7 +5440,7 @@
         <translation>guárdela con un número por vóxel</translation>
     </message>
     <message>
-        <source>save it with one value a voxel</source>
+        <source>save it with one value per voxel</source>
         <translation>guárdela con un valor por vóxel</translation>
     </message>
     <message>
@@ -5460,8 +5460,8 @@
         <translation>guarde los puntos desde Slicer en LPS</translation>
     </message>
     <message>
-        <source>say it with --period-ms, or the rate with --rate</source>
-        <translation>indíquelo con --period-ms, o la frecuencia con --rate</translation>
+        <source>give it with --period-ms, or the rate with --rate</source>
+        <translation>indíquela con --period-ms, o la frecuencia con --rate</translation>
     </message>
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
@@ -5560,8 +5560,8 @@
         <translation>el tetraedro %1 es plano o está invertido</translation>
     </message>
     <message>
-        <source>texts stand where numbers should</source>
-        <translation>aparecen textos donde debería haber números</translation>
+        <source>it has text in place of numbers</source>
+        <translation>tiene texto en lugar de números</translation>
     </message>
     <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
@@ -5622,10 +5622,6 @@
     <message>
         <source>the driver's OpenGL is older than 3.2</source>
         <translation>el OpenGL del controlador es anterior a 3.2</translation>
-    </message>
-    <message>
-        <source>the file does not say its axes; LPS is assumed</source>
-        <translation>el archivo no indica sus ejes; se supone LPS</translation>
     </message>
     <message>
         <source>the file does not state its axes: LPS is assumed</source>
@@ -5770,8 +5766,8 @@
         <translation>la primera es 0</translation>
     </message>
     <message>
-        <source>the first one there is: &quot;%1&quot;</source>
-        <translation>la primera que hay: «%1»</translation>
+        <source>the first one is: &quot;%1&quot;</source>
+        <translation>la primera es: «%1»</translation>
     </message>
     <message>
         <source>the first phase</source>
@@ -5875,7 +5871,7 @@
     </message>
     <message>
         <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
-        <translation>el movimiento es el del libro de texto, ajustado a una imagen: no es el propio de este paciente</translation>
+        <translation>el movimiento es el del manual, ajustado a una imagen: no es el propio de este paciente</translation>
     </message>
     <message>
         <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
@@ -5985,8 +5981,8 @@
         <translation>los datos comprimidos están dañados</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
-        <translation>Está dañado o no es un archivo DICOM: su cabecera no es como la exige el estándar</translation>
+        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
+        <translation>Está dañado o no es un archivo DICOM: su cabecera no cumple el estándar DICOM</translation>
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
@@ -6148,12 +6144,12 @@
         <translation>la superficie tiene sitio para %1 de %2 tiradores</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
-        <translation>la superficie mide %1 mm, y ningún órgano mide eso; las coordenadas se toman como milímetros</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres</source>
+        <translation>el tamaño de %1 mm no es plausible para un órgano; se supone que las coordenadas están en milímetros</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
-        <translation>la superficie mide %1 mm, y ningún órgano mide eso; las coordenadas se toman como milímetros, pero pueden ser %2</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres, they may be in %2</source>
+        <translation>el tamaño de %1 mm no es plausible para un órgano; se supone que las coordenadas están en milímetros, pero pueden estar en %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -6336,7 +6332,7 @@
         <translation>no existe la manera «%1» de formar grupos</translation>
     </message>
     <message>
-        <source>thinning out the surface</source>
+        <source>simplifying the surface</source>
         <translation>simplificación de la superficie</translation>
     </message>
     <message>
@@ -6508,8 +6504,8 @@
         <translation>espere un momento</translation>
     </message>
     <message>
-        <source>wait until the witness points are there</source>
-        <translation>espere a que estén los puntos testigo</translation>
+        <source>wait until the witness points are computed</source>
+        <translation>espere a que se calculen los puntos testigo</translation>
     </message>
     <message>
         <source>wave fades at the pylorus</source>
@@ -6521,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>onda en el cuerpo</translation>
+        <translation>onda en el cuerpo gástrico</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>
@@ -7014,8 +7010,8 @@
         <translation>hasta 2 unidades Wood</translation>
     </message>
     <message>
-        <source>as much lubricates a healthy heart</source>
-        <translation>es lo que lubrica un corazón sano</translation>
+        <source>the amount in a healthy heart</source>
+        <translation>la cantidad en un corazón sano</translation>
     </message>
     <message>
         <source>the circulation has no parameter of that name</source>
@@ -7486,12 +7482,12 @@
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Qué</translation>
+        <source>Kind</source>
+        <translation>Tipo</translation>
     </message>
     <message>
-        <source>On</source>
-        <translation>En</translation>
+        <source>Measured on</source>
+        <translation>Medido en</translation>
     </message>
     <message>
         <source>Rest shape</source>
@@ -7530,16 +7526,16 @@
         <translation>creado en el programa</translation>
     </message>
     <message>
-        <source>nothing: it is as it was read</source>
-        <translation>nada: está como se leyó</translation>
+        <source>none</source>
+        <translation>ninguno</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>De</translation>
+        <source>Source</source>
+        <translation>Origen</translation>
     </message>
     <message>
-        <source>What was found and done</source>
-        <translation>Qué se encontró y se hizo</translation>
+        <source>Findings and repairs</source>
+        <translation>Hallazgos y reparaciones</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7738,7 +7734,7 @@
         <translation>Percentil 95</translation>
     </message>
     <message>
-        <source>%1, the worst of a cycle</source>
+        <source>%1, extreme over a cycle</source>
         <translation>%1, valor extremo de un ciclo</translation>
     </message>
     <message>
@@ -7822,8 +7818,8 @@
         <translation>± %1; de %2 a %3; %4; %5 vóxeles</translation>
     </message>
     <message>
-        <source>Not all of what the window showed can be brought back</source>
-        <translation>No se puede recuperar todo lo que mostraba la ventana</translation>
+        <source>The view cannot be restored completely</source>
+        <translation>La vista no se puede restaurar por completo</translation>
     </message>
     <message>
         <source>the session's view</source>
@@ -8066,8 +8062,8 @@
         <translation>no hay tiradores que guardar</translation>
     </message>
     <message>
-        <source>It is not a file that a report can be</source>
-        <translation>Un informe no puede ser un archivo así</translation>
+        <source>A report cannot be written as this kind of file</source>
+        <translation>Un informe no se puede escribir en este tipo de archivo</translation>
     </message>
     <message>
         <source>There is no scan to export</source>

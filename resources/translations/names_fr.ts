@@ -5,55 +5,55 @@
     <name>viscera::presentation</name>
     <message>
         <source>%1 triangles instead of %2; the old surface lies %3 mm from the new one on average, %4 mm at most</source>
-        <translation>%1 triangles au lieu de %2 ; l’ancienne surface est à %3 mm de la nouvelle en moyenne, à %4 mm au plus</translation>
+        <translation>%1 triangles au lieu de %2&#x202f;; l’ancienne surface est à %3 mm de la nouvelle en moyenne, à %4 mm au plus</translation>
     </message>
     <message>
         <source>&quot;%1&quot;</source>
-        <translation>« %1 »</translation>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no planar form</source>
-        <translation>« %1 » n’a pas de forme plane</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de forme plane</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
-        <translation>« %1 » est %2 au lieu de « %3 »</translation>
+        <translation>«&#xa0;%1&#xa0;» est %2 au lieu de «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither true nor false</source>
-        <translation>« %1 » n’est ni vrai ni faux</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est ni vrai ni faux</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>« %1 » n’est pas un repère de la séquence %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un repère de la séquence %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a list</source>
-        <translation>« %1 » n’est pas une liste</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une liste</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a text</source>
-        <translation>« %1 » n’est pas un texte</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un texte</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a whole number from 0 on</source>
-        <translation>« %1 » n’est pas un nombre entier à partir de 0</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre entier à partir de 0</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; looks at all points together, which planar coordinates do not</source>
-        <translation>« %1 » considère tous les points ensemble, ce que les coordonnées planes ne font pas</translation>
+        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
+        <translation>«&#xa0;%1&#xa0;» demande tous les points à la fois, ce que les coordonnées planes ne permettent pas</translation>
     </message>
     <message>
         <source>&quot;version&quot; is not a positive whole number</source>
-        <translation>« version » n’est pas un entier positif</translation>
+        <translation>«&#xa0;version&#xa0;» n’est pas un entier positif</translation>
     </message>
     <message>
         <source>%1 and %2 are at one place: %3 from each other</source>
-        <translation>%1 et %2 sont au même endroit : à %3 l’un de l’autre</translation>
+        <translation>%1 et %2 sont au même endroit&#xa0;: à %3 l’un de l’autre</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>%1 at %2 % of the cycle: %3</source>
-        <translation>%1 à %2 % du cycle : %3</translation>
+        <translation>%1 à %2 % du cycle&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cells were announced, but there are %2</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>%1 has other triangles in %2 than in the first: surfaces are fitted by their distances, which do not see motion along the wall</source>
-        <translation>%1 a dans la %2 d’autres triangles que dans la première : les surfaces sont ajustées par leurs distances, qui ne voient pas le mouvement le long de la paroi</translation>
+        <translation>%1 a dans la %2 d’autres triangles que dans la première&#xa0;: les surfaces sont ajustées par leurs distances, qui ne voient pas le mouvement le long de la paroi</translation>
     </message>
     <message>
         <source>%1 is %2, more than the %3 bytes that are left can hold</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>%1 need tetrahedra, which cannot be made here</source>
-        <translation>%1 : il faut des tétraèdres, qui ne peuvent pas être faits ici</translation>
+        <translation>%1&#xa0;: il faut des tétraèdres, qui ne peuvent pas être faits ici</translation>
     </message>
     <message>
         <source>%1 of %2 vertices have no coordinates</source>
@@ -200,8 +200,8 @@
         <translation>%1 lignes</translation>
     </message>
     <message>
-        <source>%1 stands where %2 should</source>
-        <translation>%1 se trouve là où devrait être %2</translation>
+        <source>expected %2, found %1</source>
+        <translation>attendu&#xa0;: %2&#x202f;; trouvé&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
@@ -209,11 +209,11 @@
     </message>
     <message>
         <source>%1 touches the edge of the image in %2: what lies beyond is not in its volume</source>
-        <translation>%1 touche le bord de l’image dans la %2 : ce qui est au-delà n’est pas dans son volume</translation>
+        <translation>%1 touche le bord de l’image dans la %2&#xa0;: ce qui est au-delà n’est pas dans son volume</translation>
     </message>
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
-        <translation>%1 touche le bord de l’image dans chaque phase : ce qui est au-delà n’est pas dans son volume</translation>
+        <translation>%1 touche le bord de l’image dans chaque phase&#xa0;: ce qui est au-delà n’est pas dans son volume</translation>
     </message>
     <message>
         <source>%1 voxels</source>
@@ -224,10 +224,10 @@
         <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area</source>
+        <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
         <translation>
-            <numerusform>%2, dont %n miette de moins de 2 % de son aire</numerusform>
-            <numerusform>%2, dont %n miettes de moins de 2 % de son aire</numerusform>
+            <numerusform>%2, dont %n petit fragment de moins de 2 % de son aire</numerusform>
+            <numerusform>%2, dont %n petits fragments de moins de 2 % de son aire</numerusform>
         </translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
     </message>
     <message>
         <source>%1, handle &quot;%2&quot;</source>
-        <translation>%1, poignée « %2 »</translation>
+        <translation>%1, poignée «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -256,34 +256,34 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2 lie outside the handles' hull, by up to %3 mm</source>
-        <translation>%1 : %2 sont hors de l’enveloppe des poignées, jusqu’à %3 mm</translation>
+        <translation>%1&#xa0;: %2 sont hors de l’enveloppe des poignées, jusqu’à %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n {hole|holes} closed by {a flat cap|flat caps}</source>
         <translation>
-            <numerusform>%1 : %n trou fermé par un capuchon plat</numerusform>
-            <numerusform>%1 : %n trous fermés par des capuchons plats</numerusform>
+            <numerusform>%1&#xa0;: %n trou fermé par un capuchon plat</numerusform>
+            <numerusform>%1&#xa0;: %n trous fermés par des capuchons plats</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
-        <translation>%1 : « %2 » est inconnu et ne sera pas enregistré de nouveau</translation>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» est inconnu et ne sera pas enregistré de nouveau</translation>
     </message>
     <message>
         <source>%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together</source>
-        <translation>%1 : des points confondus dans la première phase s’écartent jusqu’à %2 mm ; Viscera les garde ensemble</translation>
+        <translation>%1&#xa0;: des points confondus dans la première phase s’écartent jusqu’à %2 mm&#x202f;; Viscera les garde ensemble</translation>
     </message>
     <message>
         <source>%1; it looks like %2</source>
-        <translation>%1 ; il semble être %2</translation>
+        <translation>%1&#x202f;; il semble être %2</translation>
     </message>
     <message>
         <source>%1; slices %2 to %3 of %4, which are even, were read</source>
-        <translation>%1 ; les coupes %2 à %3 sur %4, qui sont régulières, ont été lues</translation>
+        <translation>%1&#x202f;; les coupes %2 à %3 sur %4, qui sont régulières, ont été lues</translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
@@ -300,17 +300,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <source>%2 {lies|lie} outside of the scan; check whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
         <translation>
-            <numerusform>%2 se trouve hors de l’examen ; vérifiez que les deux viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
-            <numerusform>%2 se trouvent hors de l’examen ; vérifiez que tous viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
+            <numerusform>%2 se trouve hors de l’examen&#x202f;; vérifiez que les deux viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
+            <numerusform>%2 se trouvent hors de l’examen&#x202f;; vérifiez que tous viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n boundary {edge|edges}: the surface is open and has no volume</source>
         <translation>
-            <numerusform>%n arête de bord : la surface est ouverte et n’a pas de volume</numerusform>
-            <numerusform>%n arêtes de bord : la surface est ouverte et n’a pas de volume</numerusform>
+            <numerusform>%n arête de bord&#xa0;: la surface est ouverte et n’a pas de volume</numerusform>
+            <numerusform>%n arêtes de bord&#xa0;: la surface est ouverte et n’a pas de volume</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -351,8 +351,8 @@
     <message numerus="yes">
         <source>%n {file is|files are} damaged and left out (%2: %3)</source>
         <translation>
-            <numerusform>%n fichier est endommagé et omis (%2 : %3)</numerusform>
-            <numerusform>%n fichiers sont endommagés et omis (%2 : %3)</numerusform>
+            <numerusform>%n fichier est endommagé et omis (%2&#xa0;: %3)</numerusform>
+            <numerusform>%n fichiers sont endommagés et omis (%2&#xa0;: %3)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -421,19 +421,19 @@
     <message numerus="yes">
         <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
         <translation>
-            <numerusform>%n paire de triangles se traverse : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
-            <numerusform>%n paires de triangles se traversent : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
+            <numerusform>%n paire de triangles se traverse&#xa0;: le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
+            <numerusform>%n paires de triangles se traversent&#xa0;: le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series of another echo left out</source>
+        <source>%n {image|images} in the series of another echo left out</source>
         <translation>
             <numerusform>%n image de la série d’un autre écho omise</numerusform>
             <numerusform>%n images de la série d’un autre écho omises</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {picture|pictures} in the series that {lies|lie} in another direction left out</source>
+        <source>%n {image|images} in the series that {lies|lie} in another direction left out</source>
         <translation>
             <numerusform>%n image de la série d’une autre direction omise</numerusform>
             <numerusform>%n images de la série d’une autre direction omises</numerusform>
@@ -442,8 +442,8 @@
     <message numerus="yes">
         <source>%n {place has|places have} more than one slice (%2); the one with the lowest number was read</source>
         <translation>
-            <numerusform>%n position a plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
-            <numerusform>%n positions ont plus d’une coupe (%2) ; celle du plus petit numéro a été lue</numerusform>
+            <numerusform>%n position a plus d’une coupe (%2)&#x202f;; celle du plus petit numéro a été lue</numerusform>
+            <numerusform>%n positions ont plus d’une coupe (%2)&#x202f;; celle du plus petit numéro a été lue</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -539,19 +539,19 @@
     </message>
     <message>
         <source>0 starts from all ones, others from random numbers</source>
-        <translation>0 part de uns partout, les autres de nombres aléatoires</translation>
+        <translation>0 part de poids tous égaux à 1, les autres de nombres aléatoires</translation>
     </message>
     <message>
         <source>19 of 20 adults have %1 to %2 ml</source>
         <translation>19 adultes sur 20 ont de %1 à %2 ml</translation>
     </message>
     <message>
-        <source>A cavity has to come after the organ that it is in</source>
-        <translation>Une cavité doit venir après l’organe où elle se trouve</translation>
+        <source>A cavity must follow the organ that contains it</source>
+        <translation>Une cavité doit suivre l’organe qui la contient</translation>
     </message>
     <message>
-        <source>A group names a handle that is not there</source>
-        <translation>Un groupe nomme une poignée qui n’existe pas</translation>
+        <source>A group refers to a handle that does not exist</source>
+        <translation>Un groupe renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
         <source>A healthy adult lying down.</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
-        <translation>Un quart du volume sanguin contraint est perdu ; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
+        <translation>Un quart du volume sanguin contraint est perdu&#x202f;; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
     </message>
     <message>
         <source>A rectangle lies in an axial, coronal or sagittal slice</source>
@@ -587,11 +587,11 @@
     </message>
     <message>
         <source>A slice cannot be read, so the series is not opened: %1</source>
-        <translation>Une coupe ne peut pas être lue, la série n’est donc pas ouverte : %1</translation>
+        <translation>Une coupe ne peut pas être lue, la série n’est donc pas ouverte&#xa0;: %1</translation>
     </message>
     <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
-        <translation>Un ventricule gauche rigide qui se relâche lentement : il se vide bien et ne se remplit qu’à haute pression.</translation>
+        <translation>Un ventricule gauche rigide qui se relâche lentement&#xa0;: il se vide bien et ne se remplit qu’à haute pression.</translation>
     </message>
     <message>
         <source>A ventricle's volume is not positive</source>
@@ -599,11 +599,11 @@
     </message>
     <message>
         <source>A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to the lungs. Its wall has more muscle and is no thicker.</source>
-        <translation>Un ventricule gauche faible et dilaté et une rétention de liquide : la boucle est loin à droite, le sang reflue vers les poumons. Sa paroi a plus de muscle sans être plus épaisse.</translation>
+        <translation>Un ventricule gauche faible et dilaté et une rétention de liquide&#xa0;: la boucle est loin à droite, le sang reflue vers les poumons. Sa paroi a plus de muscle sans être plus épaisse.</translation>
     </message>
     <message>
         <source>A wire in the space of balanced vectors; for many points it has no answer</source>
-        <translation>Un fil dans l’espace des vecteurs équilibrés ; pour beaucoup de points il n’a pas de réponse</translation>
+        <translation>Un fil dans l’espace des vecteurs équilibrés&#x202f;; pour beaucoup de points il n’a pas de réponse</translation>
     </message>
     <message>
         <source>ASCII or BINARY</source>
@@ -649,11 +649,11 @@
     </message>
     <message>
         <source>Afterload: pulmonary resistance</source>
-        <translation>Postcharge : résistance pulmonaire</translation>
+        <translation>Postcharge&#xa0;: résistance pulmonaire</translation>
     </message>
     <message>
         <source>Afterload: systemic resistance</source>
-        <translation>Postcharge : résistance systémique</translation>
+        <translation>Postcharge&#xa0;: résistance systémique</translation>
     </message>
     <message>
         <source>An angle needs three points, any other measurement two</source>
@@ -669,7 +669,7 @@
     </message>
     <message>
         <source>An organ needs at least four handles around it: add %1 more</source>
-        <translation>Un organe a besoin d’au moins quatre poignées autour de lui : ajoutez-en encore %1</translation>
+        <translation>Un organe a besoin d’au moins quatre poignées autour de lui&#xa0;: ajoutez-en encore %1</translation>
     </message>
     <message>
         <source>An organ needs handles around it</source>
@@ -765,7 +765,7 @@
     </message>
     <message>
         <source>Balanced weights nearest to a target; a parameter says how negative weights are treated</source>
-        <translation>Poids en équilibre, les plus proches d’une cible ; un paramètre indique comment les poids négatifs sont traités</translation>
+        <translation>Poids en équilibre, les plus proches d’une cible&#x202f;; un paramètre indique comment les poids négatifs sont traités</translation>
     </message>
     <message>
         <source>Base</source>
@@ -785,7 +785,7 @@
     </message>
     <message>
         <source>Beyond the data: people were measured from 50 to 171 beats a minute</source>
-        <translation>Au-delà des données : mesures faites de 50 à 171 battements par minute</translation>
+        <translation>Au-delà des données&#xa0;: mesures faites de 50 à 171 battements par minute</translation>
     </message>
     <message>
         <source>Bile duct</source>
@@ -801,7 +801,7 @@
     </message>
     <message>
         <source>Heartbeat: %1</source>
-        <translation>Battement du cœur : %1</translation>
+        <translation>Battement du cœur&#xa0;: %1</translation>
     </message>
     <message>
         <source>LV (ml)</source>
@@ -841,15 +841,15 @@
     </message>
     <message>
         <source>Bradygastria: healthy people have 2 to 4 waves a minute.</source>
-        <translation>Bradygastrie : les personnes saines ont 2 à 4 ondes par minute.</translation>
+        <translation>Bradygastrie&#xa0;: les personnes saines ont 2 à 4 ondes par minute.</translation>
     </message>
     <message>
         <source>Breathing</source>
         <translation>Respiration</translation>
     </message>
     <message>
-        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles</source>
-        <translation>Par les coins et les normales d’une cage de forme quelconque ; conserve presque les angles, et ne touche pas ses poignées</translation>
+        <source>By corners and normals of a cage of any shape; nearly keeps angles, and does not interpolate its handles</source>
+        <translation>Par les coins et les normales d’une cage de forme quelconque&#x202f;; conserve presque les angles, et n’interpole pas ses poignées</translation>
     </message>
     <message>
         <source>C-Celestial</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>Centroid of all positive solutions, estimated by sampling; more samples are more accurate</source>
-        <translation>Centroïde de toutes les solutions positives, estimé par échantillonnage ; plus d’échantillons sont plus exacts</translation>
+        <translation>Centroïde de toutes les solutions positives, estimé par échantillonnage&#x202f;; plus d’échantillons sont plus exacts</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -901,7 +901,7 @@
     </message>
     <message>
         <source>Circulation: %1</source>
-        <translation>Circulation : %1</translation>
+        <translation>Circulation&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cividis</source>
@@ -1075,19 +1075,19 @@
     </message>
     <message>
         <source>Distance from a zone within which its super-region still counts: smoothness against locality</source>
-        <translation>Distance à une zone jusqu’à laquelle sa super-région compte encore : régularité contre localité</translation>
+        <translation>Distance à une zone jusqu’à laquelle sa super-région compte encore&#xa0;: régularité contre localité</translation>
     </message>
     <message>
         <source>Distance over which the pull of a handle is rounded; 0 passes through the handles</source>
-        <translation>Distance sur laquelle la traction d’une poignée est arrondie ; 0 passe par les poignées</translation>
+        <translation>Distance sur laquelle la traction d’une poignée est arrondie&#x202f;; 0 passe par les poignées</translation>
     </message>
     <message>
         <source>Divisions of the icosahedron: 20 * 4^level rays</source>
-        <translation>Divisions de l’icosaèdre : 20 * 4^niveau rayons</translation>
+        <translation>Divisions de l’icosaèdre&#xa0;: 20 * 4^niveau rayons</translation>
     </message>
     <message>
         <source>Divisions of the icosahedron: 20 * 4^samples directions</source>
-        <translation>Divisions de l’icosaèdre : 20 * 4^échantillons directions</translation>
+        <translation>Divisions de l’icosaèdre&#xa0;: 20 * 4^échantillons directions</translation>
     </message>
     <message>
         <source>Dome under the diaphragm</source>
@@ -1107,7 +1107,7 @@
     </message>
     <message>
         <source>Edges of tetrahedra across the handles; more are finer and slower</source>
-        <translation>Arêtes de tétraèdres à travers les poignées ; davantage est plus fin et plus lent</translation>
+        <translation>Arêtes de tétraèdres à travers les poignées&#x202f;; davantage est plus fin et plus lent</translation>
     </message>
     <message>
         <source>Ejection fraction</source>
@@ -1155,7 +1155,7 @@
     </message>
     <message>
         <source>Fluid in the pericardium presses on all chambers: they fill little, and all filling pressures are the same.</source>
-        <translation>Du liquide dans le péricarde comprime toutes les cavités : elles se remplissent peu, et toutes les pressions de remplissage sont égales.</translation>
+        <translation>Du liquide dans le péricarde comprime toutes les cavités&#xa0;: elles se remplissent peu, et toutes les pressions de remplissage sont égales.</translation>
     </message>
     <message>
         <source>Folded</source>
@@ -1215,7 +1215,7 @@
     </message>
     <message>
         <source>Groups of handles move only their own region of the organ; neighbouring regions blend smoothly.</source>
-        <translation>Les groupes de poignées ne meuvent que leur région de l’organe ; les régions voisines se fondent sans heurt.</translation>
+        <translation>Les groupes de poignées ne déplacent que leur région de l’organe&#x202f;; les régions voisines se fondent sans heurt.</translation>
     </message>
     <message>
         <source>Haemorrhage</source>
@@ -1223,7 +1223,7 @@
     </message>
     <message>
         <source>Hard upright work: a fast and strong heart, open muscle vessels, veins that give blood back.</source>
-        <translation>Travail intense debout : un cœur rapide et fort, des vaisseaux musculaires ouverts, des veines qui rendent du sang.</translation>
+        <translation>Travail intense debout&#xa0;: un cœur rapide et fort, des vaisseaux musculaires ouverts, des veines qui rendent du sang.</translation>
     </message>
     <message>
         <source>Harmonic</source>
@@ -1251,7 +1251,7 @@
     </message>
     <message>
         <source>Heart follows the textbook</source>
-        <translation>Le cœur suit le battement type</translation>
+        <translation>Le cœur suit le battement du manuel</translation>
     </message>
     <message>
         <source>Heart rate</source>
@@ -1278,11 +1278,11 @@
     </message>
     <message>
         <source>How much nearer handles count more; 0 as in the thesis</source>
-        <translation>Combien les poignées proches comptent davantage ; 0 comme dans la thèse</translation>
+        <translation>Combien les poignées proches comptent davantage&#x202f;; 0 comme dans la thèse</translation>
     </message>
     <message>
         <source>How near to a flip the two triangulations are blended; 0 for not</source>
-        <translation>À quelle distance d’un basculement les deux triangulations sont mêlées ; 0 pour jamais</translation>
+        <translation>À quelle distance d’un basculement les deux triangulations sont mêlées&#x202f;; 0 pour jamais</translation>
     </message>
     <message>
         <source>Method that finds positive balanced vectors</source>
@@ -1326,7 +1326,7 @@
     </message>
     <message>
         <source>Internal error: %1</source>
-        <translation>Erreur interne : %1</translation>
+        <translation>Erreur interne&#xa0;: %1</translation>
     </message>
     <message>
         <source>It announces %1 points, but holds %2 coordinates</source>
@@ -1338,11 +1338,11 @@
     </message>
     <message>
         <source>It cannot be opened: %1</source>
-        <translation>Impossible de l’ouvrir : %1</translation>
+        <translation>Impossible de l’ouvrir&#xa0;: %1</translation>
     </message>
     <message>
         <source>It cannot be packed: zlib does not start</source>
-        <translation>Impossible de compresser : zlib ne démarre pas</translation>
+        <translation>Impossible de compresser&#xa0;: zlib ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1354,19 +1354,19 @@
     </message>
     <message>
         <source>It cannot be unpacked: bzip2 does not start</source>
-        <translation>Impossible de décompresser : bzip2 ne démarre pas</translation>
+        <translation>Impossible de décompresser&#xa0;: bzip2 ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be unpacked: zlib does not start</source>
-        <translation>Impossible de décompresser : zlib ne démarre pas</translation>
+        <translation>Impossible de décompresser&#xa0;: zlib ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be written: %1</source>
-        <translation>Impossible de l’écrire : %1</translation>
+        <translation>Impossible de l’écrire&#xa0;: %1</translation>
     </message>
     <message>
         <source>It cannot be written: it is a folder</source>
-        <translation>Impossible de l’écrire : c’est un dossier</translation>
+        <translation>Impossible de l’écrire&#xa0;: c’est un dossier</translation>
     </message>
     <message numerus="yes">
         <source>It crosses itself, at %n {pair|pairs} of triangles</source>
@@ -1377,23 +1377,23 @@
     </message>
     <message>
         <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
-        <translation>Il ne commence pas par « # vtk DataFile » : ce n’est pas un ancien fichier VTK</translation>
+        <translation>Il ne commence pas par «&#xa0;# vtk DataFile&#xa0;»&#xa0;: ce n’est pas un ancien fichier VTK</translation>
     </message>
     <message>
         <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
-        <translation>Il ne commence pas par « OFF » : ce n’est pas un fichier OFF</translation>
+        <translation>Il ne commence pas par «&#xa0;OFF&#xa0;»&#xa0;: ce n’est pas un fichier OFF</translation>
     </message>
     <message>
         <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
-        <translation>Il ne commence pas par « ply » : ce n’est pas un fichier PLY</translation>
+        <translation>Il ne commence pas par «&#xa0;ply&#xa0;»&#xa0;: ce n’est pas un fichier PLY</translation>
     </message>
     <message>
         <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
-        <translation>Il ne décrit pas une leçon : « %1 » manque</translation>
+        <translation>Il ne décrit pas une leçon&#xa0;: «&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
-        <translation>Il ne décrit pas une leçon : un texte, un nombre ou une liste est à la place d’autre chose</translation>
+        <translation>Il ne décrit pas une leçon&#xa0;: un texte, un nombre ou une liste est à la place d’autre chose</translation>
     </message>
     <message>
         <source>It does not fit into memory</source>
@@ -1404,19 +1404,19 @@
         <translation>La distance entre ses coupes n’est pas indiquée</translation>
     </message>
     <message>
-        <source>It does not say how long one cycle lasts</source>
-        <translation>La durée d’un cycle n’est pas indiquée</translation>
+        <source>The duration of one cycle is unknown</source>
+        <translation>La durée d’un cycle est inconnue</translation>
     </message>
     <message numerus="yes">
         <source>It does not say the times of its %n {phase|phases}; they are numbered</source>
         <translation>
-            <numerusform>L’instant de sa %n phase n’est pas indiqué ; elle est numérotée</numerusform>
-            <numerusform>Les instants de ses %n phases ne sont pas indiqués ; elles sont numérotées</numerusform>
+            <numerusform>L’instant de sa %n phase n’est pas indiqué&#x202f;; elle est numérotée</numerusform>
+            <numerusform>Les instants de ses %n phases ne sont pas indiqués&#x202f;; elles sont numérotées</numerusform>
         </translation>
     </message>
     <message>
         <source>It does not say the unit of its times; they are taken as milliseconds</source>
-        <translation>L’unité de ses temps n’est pas indiquée ; ils sont pris en millisecondes</translation>
+        <translation>L’unité de ses temps n’est pas indiquée&#x202f;; ils sont pris en millisecondes</translation>
     </message>
     <message>
         <source>It has %1 colour values for %2 points</source>
@@ -1424,7 +1424,7 @@
     </message>
     <message>
         <source>It has %1 labels; a mask in a folder has one</source>
-        <translation>Il a %1 étiquettes ; un masque d’un dossier en a une</translation>
+        <translation>Il a %1 étiquettes&#x202f;; un masque d’un dossier en a une</translation>
     </message>
     <message>
         <source>It has %1 moved points for %2 vertices</source>
@@ -1432,13 +1432,13 @@
     </message>
     <message>
         <source>It has %1 volumes; a label map has one</source>
-        <translation>Il a %1 volumes ; une carte d’étiquettes en a un</translation>
+        <translation>Il a %1 volumes&#x202f;; une carte d’étiquettes en a un</translation>
     </message>
     <message numerus="yes">
         <source>It has %n {axis|axes} in space; an image of an organ has three</source>
         <translation>
-            <numerusform>Elle a %n axe dans l’espace ; l’image d’un organe en a trois</numerusform>
-            <numerusform>Elle a %n axes dans l’espace ; l’image d’un organe en a trois</numerusform>
+            <numerusform>Elle a %n axe dans l’espace&#x202f;; l’image d’un organe en a trois</numerusform>
+            <numerusform>Elle a %n axes dans l’espace&#x202f;; l’image d’un organe en a trois</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1451,22 +1451,22 @@
     <message numerus="yes">
         <source>It has %n {handle|handles}; a region needs at least 4</source>
         <translation>
-            <numerusform>Il a %n poignée ; une région en demande au moins 4</numerusform>
-            <numerusform>Il a %n poignées ; une région en demande au moins 4</numerusform>
+            <numerusform>Il a %n poignée&#x202f;; une région en demande au moins 4</numerusform>
+            <numerusform>Il a %n poignées&#x202f;; une région en demande au moins 4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {handle|handles}; a sequence needs four at least</source>
         <translation>
-            <numerusform>Il y a %n poignée ; une séquence en demande au moins quatre</numerusform>
-            <numerusform>Il y a %n poignées ; une séquence en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n poignée&#x202f;; une séquence en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n poignées&#x202f;; une séquence en demande au moins quatre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {phase|phases}; a motion needs four at least</source>
         <translation>
-            <numerusform>Il y a %n phase ; un mouvement en demande au moins quatre</numerusform>
-            <numerusform>Il y a %n phases ; un mouvement en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n phase&#x202f;; un mouvement en demande au moins quatre</numerusform>
+            <numerusform>Il y a %n phases&#x202f;; un mouvement en demande au moins quatre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1494,7 +1494,7 @@
     </message>
     <message>
         <source>It has no &quot;%1&quot;</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>It has no DICOM files with images</source>
@@ -1510,7 +1510,7 @@
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
-        <translation>Aucun voxel n’est étiqueté : tous valent 0</translation>
+        <translation>Aucun voxel n’est étiqueté&#xa0;: tous valent 0</translation>
     </message>
     <message>
         <source>It has no number of columns</source>
@@ -1522,7 +1522,7 @@
     </message>
     <message>
         <source>It has no phase %1; it has %2</source>
-        <translation>Il n’y a pas de phase %1 ; il y en a %2</translation>
+        <translation>Il n’y a pas de phase %1&#x202f;; il y en a %2</translation>
     </message>
     <message>
         <source>It has no series %1</source>
@@ -1530,7 +1530,7 @@
     </message>
     <message>
         <source>It has no series %1; it is one scan</source>
-        <translation>Il n’y a pas de série %1 ; c’est un seul examen</translation>
+        <translation>Il n’y a pas de série %1&#x202f;; c’est un seul examen</translation>
     </message>
     <message>
         <source>It has no slices of a scan</source>
@@ -1538,11 +1538,11 @@
     </message>
     <message>
         <source>It has no slices of a scan: &quot;%1&quot; %2</source>
-        <translation>Il n’y a pas de coupes d’un examen : « %1 » %2</translation>
+        <translation>Il n’y a pas de coupes d’un examen&#xa0;: «&#xa0;%1&#xa0;» %2</translation>
     </message>
     <message>
         <source>It has no surface &quot;%1&quot;</source>
-        <translation>Il n’a pas de surface « %1 »</translation>
+        <translation>Il n’a pas de surface «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>It has no triangles</source>
@@ -1553,7 +1553,7 @@
         <translation>Il n’a pas de pixels non compressés</translation>
     </message>
     <message>
-        <source>It has not three dimensions</source>
+        <source>It does not have three dimensions</source>
         <translation>Elle n’a pas trois dimensions</translation>
     </message>
     <message>
@@ -1562,14 +1562,14 @@
     </message>
     <message>
         <source>It has several labels: %1</source>
-        <translation>Il y a plusieurs étiquettes : %1</translation>
+        <translation>Il y a plusieurs étiquettes&#xa0;: %1</translation>
     </message>
     <message>
-        <source>It has several values a voxel</source>
+        <source>It has several values per voxel</source>
         <translation>Elle a plusieurs valeurs par voxel</translation>
     </message>
     <message>
-        <source>It has several values a voxel (%1)</source>
+        <source>It has several values per voxel (%1)</source>
         <translation>Elle a plusieurs valeurs par voxel (%1)</translation>
     </message>
     <message>
@@ -1598,11 +1598,11 @@
     </message>
     <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
-        <translation>Il contient une image, non des étiquettes : il a plus de %1 valeurs différentes</translation>
+        <translation>Il contient une image, non des étiquettes&#xa0;: il a plus de %1 valeurs différentes</translation>
     </message>
     <message>
         <source>It holds an image, not labels: one of its values is %1</source>
-        <translation>Il contient une image, non des étiquettes : l’une de ses valeurs est %1</translation>
+        <translation>Il contient une image, non des étiquettes&#xa0;: l’une de ses valeurs est %1</translation>
     </message>
     <message>
         <source>It holds less than %1</source>
@@ -1618,7 +1618,7 @@
     </message>
     <message>
         <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>Il ne contient pas « markups » : ce n’est pas un fichier de markups de 3D Slicer</translation>
+        <translation>Il ne contient pas «&#xa0;markups&#xa0;»&#xa0;: ce n’est pas un fichier de markups de 3D Slicer</translation>
     </message>
     <message>
         <source>It holds no PolyData</source>
@@ -1650,11 +1650,11 @@
     </message>
     <message>
         <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
-        <translation>Il ne contient que l’en-tête d’une image NIfTI en deux fichiers ; le fichier avec les voxels, %1, n’est pas à côté</translation>
+        <translation>Il ne contient que l’en-tête d’une image NIfTI en deux fichiers&#x202f;; le fichier avec les voxels, %1, n’est pas à côté</translation>
     </message>
     <message>
         <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
-        <translation>Il ne contient que les voxels d’une image NIfTI en deux fichiers ; le fichier avec l’en-tête, %1, n’est pas à côté</translation>
+        <translation>Il ne contient que les voxels d’une image NIfTI en deux fichiers&#x202f;; le fichier avec l’en-tête, %1, n’est pas à côté</translation>
     </message>
     <message>
         <source>It holds points, but no faces</source>
@@ -1677,8 +1677,8 @@
         <translation>C’est un dossier, non un fichier</translation>
     </message>
     <message>
-        <source>It is a scan and no organ</source>
-        <translation>C’est un examen et non un organe</translation>
+        <source>It is a scan, not an organ</source>
+        <translation>C’est un examen, pas un organe</translation>
     </message>
     <message>
         <source>It is damaged or no DICOM file</source>
@@ -1686,15 +1686,15 @@
     </message>
     <message>
         <source>It is damaged or no DICOM file: %1</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM : %1</translation>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM&#xa0;: %1</translation>
     </message>
     <message>
         <source>It is damaged: it does not hold %1</source>
-        <translation>Il est endommagé : il ne contient pas %1</translation>
+        <translation>Il est endommagé&#xa0;: il ne contient pas %1</translation>
     </message>
     <message>
         <source>It is damaged: its SHA-256 is not %1</source>
-        <translation>Il est endommagé : son SHA-256 n’est pas %1</translation>
+        <translation>Il est endommagé&#xa0;: son SHA-256 n’est pas %1</translation>
     </message>
     <message>
         <source>It is glTF version %1, but only 2 can be read</source>
@@ -1706,7 +1706,7 @@
     </message>
     <message>
         <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
-        <translation>Ce n’est ni « embedded » ni « linked »</translation>
+        <translation>Ce n’est ni «&#xa0;embedded&#xa0;» ni «&#xa0;linked&#xa0;»</translation>
     </message>
     <message>
         <source>It is nested too deeply</source>
@@ -1714,15 +1714,15 @@
     </message>
     <message>
         <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
-        <translation>Ce n’est pas un fichier de type %1 : son « format » n’est pas « %2 »</translation>
+        <translation>Ce n’est pas un fichier de type %1&#xa0;: son «&#xa0;format&#xa0;» n’est pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>It is not a NIfTI image: it has no NIfTI header</source>
-        <translation>Ce n’est pas une image NIfTI : il n’y a pas d’en-tête NIfTI</translation>
+        <translation>Ce n’est pas une image NIfTI&#xa0;: il n’y a pas d’en-tête NIfTI</translation>
     </message>
     <message>
-        <source>It is not a file of several volumes</source>
-        <translation>Ce n’est pas un fichier de plusieurs volumes</translation>
+        <source>It is not a file with several phases</source>
+        <translation>Ce n’est pas un fichier à plusieurs phases</translation>
     </message>
     <message>
         <source>It is not a file that can be read</source>
@@ -1745,8 +1745,8 @@
         <translation>Ce n’est pas un fichier ordinaire</translation>
     </message>
     <message>
-        <source>It is not a scan that Viscera knows</source>
-        <translation>Ce n’est pas un examen que Viscera connaît</translation>
+        <source>It is not a scan in a known format</source>
+        <translation>Ce n’est pas un examen dans un format connu</translation>
     </message>
     <message>
         <source>It is not a slice of a scan</source>
@@ -1754,7 +1754,7 @@
     </message>
     <message>
         <source>It is not a slice of a scan: it %1</source>
-        <translation>Ce n’est pas une coupe d’un examen : %1</translation>
+        <translation>Ce n’est pas une coupe d’un examen&#xa0;: %1</translation>
     </message>
     <message>
         <source>It is not a text</source>
@@ -1778,15 +1778,15 @@
     </message>
     <message>
         <source>It is not complete JSON: %1</source>
-        <translation>Ce n’est pas du JSON complet : %1</translation>
+        <translation>Ce n’est pas du JSON complet&#xa0;: %1</translation>
     </message>
     <message>
         <source>It is not complete JSON: the mistake is in line %1</source>
-        <translation>Ce n’est pas du JSON complet : l’erreur est à la ligne %1</translation>
+        <translation>Ce n’est pas du JSON complet&#xa0;: l’erreur est à la ligne %1</translation>
     </message>
     <message>
         <source>It is not complete XML: %1</source>
-        <translation>Ce n’est pas du XML complet : %1</translation>
+        <translation>Ce n’est pas du XML complet&#xa0;: %1</translation>
     </message>
     <message>
         <source>It is not convex at its triangle %1</source>
@@ -1798,11 +1798,11 @@
     </message>
     <message>
         <source>It is of version %1; this program reads up to %2</source>
-        <translation>Il est de la version %1 ; ce programme lit jusqu’à %2</translation>
+        <translation>Il est de la version %1&#x202f;; ce programme lit jusqu’à %2</translation>
     </message>
     <message>
         <source>It is too large: %1 points</source>
-        <translation>Elle est trop grande : %1 points</translation>
+        <translation>Elle est trop grande&#xa0;: %1 points</translation>
     </message>
     <message>
         <source>It is too long</source>
@@ -1811,8 +1811,8 @@
     <message numerus="yes">
         <source>It is too short for an STL file: %n {byte|bytes}</source>
         <translation>
-            <numerusform>Il est trop court pour un fichier STL : %n octet</numerusform>
-            <numerusform>Il est trop court pour un fichier STL : %n octets</numerusform>
+            <numerusform>Il est trop court pour un fichier STL&#xa0;: %n octet</numerusform>
+            <numerusform>Il est trop court pour un fichier STL&#xa0;: %n octets</numerusform>
         </translation>
     </message>
     <message>
@@ -1825,7 +1825,7 @@
     </message>
     <message>
         <source>It names the handle %1, which is not among &quot;handles&quot;</source>
-        <translation>Il nomme la poignée %1, qui n’est pas parmi « handles »</translation>
+        <translation>Il nomme la poignée %1, qui n’est pas parmi «&#xa0;handles&#xa0;»</translation>
     </message>
     <message>
         <source>It needs the glTF extension %1, which Viscera does not know</source>
@@ -1837,19 +1837,19 @@
     </message>
     <message>
         <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
-        <translation>Il renvoie au numéro %1 de « %2 », mais il y en a %3 (comptés à partir de 0)</translation>
+        <translation>Il renvoie au numéro %1 de «&#xa0;%2&#xa0;», mais il y en a %3 (comptés à partir de 0)</translation>
     </message>
     <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
-        <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse : il est de l’autre côté du milieu du patient</translation>
+        <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse&#xa0;: il est de l’autre côté du milieu du patient</translation>
     </message>
     <message>
-        <source>It unfolds to too many points</source>
-        <translation>Déplié, il a trop de points</translation>
+        <source>With its instances expanded, it has too many points</source>
+        <translation>Avec toutes ses instances, il a trop de points</translation>
     </message>
     <message>
-        <source>It unfolds to too many triangles</source>
-        <translation>Déplié, il a trop de triangles</translation>
+        <source>With its instances expanded, it has too many triangles</source>
+        <translation>Avec toutes ses instances, il a trop de triangles</translation>
     </message>
     <message>
         <source>Its axes lie in one plane</source>
@@ -1857,7 +1857,7 @@
     </message>
     <message>
         <source>Its grid is sheared: its axes are not at right angles</source>
-        <translation>Sa grille est cisaillée : ses axes ne sont pas à angle droit</translation>
+        <translation>Sa grille est cisaillée&#xa0;: ses axes ne sont pas à angle droit</translation>
     </message>
     <message>
         <source>Keep circulation for comparison</source>
@@ -2064,27 +2064,27 @@
     </message>
     <message>
         <source>Mean value of what can be seen of a cage, by rays; positive in any cage</source>
-        <translation>Valeur moyenne de ce qui est visible d’une cage, par rayons ; positive dans toute cage</translation>
+        <translation>Valeur moyenne de ce qui est visible d’une cage, par rayons&#x202f;; positive dans toute cage</translation>
     </message>
     <message>
         <source>Mean value on the hull, inner handles added one by one; they may make some negative</source>
-        <translation>Valeur moyenne sur l’enveloppe, poignées internes ajoutées une à une ; elles peuvent en rendre négatives</translation>
+        <translation>Valeur moyenne sur l’enveloppe, poignées internes ajoutées une à une&#x202f;; elles peuvent en rendre négatives</translation>
     </message>
     <message>
         <source>Mean value over all tetrahedra of the handles at once, by directions; positive, with many maxima</source>
-        <translation>Valeur moyenne sur tous les tétraèdres des poignées à la fois, par directions ; positive, avec beaucoup de maxima</translation>
+        <translation>Valeur moyenne sur tous les tétraèdres des poignées à la fois, par directions&#x202f;; positive, avec beaucoup de maxima</translation>
     </message>
     <message>
         <source>Mean value over the Delaunay triangles of the handles as each point sees them; jumps where triangles flip, which blending reduces</source>
-        <translation>Valeur moyenne sur les triangles de Delaunay des poignées vues de chaque point ; sauts où les triangles basculent, réduits par le mélange</translation>
+        <translation>Valeur moyenne sur les triangles de Delaunay des poignées vues de chaque point&#x202f;; sauts où les triangles basculent, réduits par le mélange</translation>
     </message>
     <message>
         <source>Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow</source>
-        <translation>Valeur moyenne sur les régions de Voronoï des poignées vues de chaque point ; sauts, ou lente</translation>
+        <translation>Valeur moyenne sur les régions de Voronoï des poignées vues de chaque point&#x202f;; sauts, ou lente</translation>
     </message>
     <message>
         <source>Measure %1</source>
-        <translation>Mesurer : %1</translation>
+        <translation>Mesurer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Middle of the body</source>
-        <translation>Milieu du corps</translation>
+        <translation>Milieu du corps gastrique</translation>
     </message>
     <message>
         <source>Mitral regurgitation</source>
@@ -2177,8 +2177,8 @@
         <translation>Aucun voxel n’a d’étiquette dans la %1</translation>
     </message>
     <message>
-        <source>Nothing is recorded</source>
-        <translation>Rien n’est enregistré</translation>
+        <source>The key sequence has no key</source>
+        <translation>La séquence de clés n’a pas de clé</translation>
     </message>
     <message>
         <source>Numerical integration approach</source>
@@ -2269,7 +2269,7 @@
     </message>
     <message>
         <source>Preload: stressed blood volume</source>
-        <translation>Précharge : volume sanguin contraint</translation>
+        <translation>Précharge&#xa0;: volume sanguin contraint</translation>
     </message>
     <message>
         <source>Pressure (mmHg)</source>
@@ -2357,7 +2357,7 @@
     </message>
     <message>
         <source>Rational coordinates of a convex cage; positive and smooth inside</source>
-        <translation>Coordonnées rationnelles d’une cage convexe ; positives et lisses à l’intérieur</translation>
+        <translation>Coordonnées rationnelles d’une cage convexe&#x202f;; positives et lisses à l’intérieur</translation>
     </message>
     <message>
         <source>Record key</source>
@@ -2584,7 +2584,7 @@
     </message>
     <message>
         <source>Sibson's coordinates: what a point takes from its neighbours' Voronoi cells; positive and local</source>
-        <translation>Coordonnées de Sibson : ce qu’un point prend aux cellules de Voronoï de ses voisins ; positives et locales</translation>
+        <translation>Coordonnées de Sibson&#xa0;: ce qu’un point prend aux cellules de Voronoï de ses voisins&#x202f;; positives et locales</translation>
     </message>
     <message>
         <source>Sigmoid colon</source>
@@ -2608,19 +2608,19 @@
     </message>
     <message>
         <source>Smooth and positive, from points alone; maximum entropy over directions</source>
-        <translation>Lisse et positif, à partir de points seuls ; entropie maximale sur les directions</translation>
+        <translation>Lisse et positif, à partir de points seuls&#x202f;; entropie maximale sur les directions</translation>
     </message>
     <message>
         <source>Smooth and positive, from points alone; the thesis's choice for organs</source>
-        <translation>Lisse et positif, à partir de points seuls ; le choix de la thèse pour les organes</translation>
+        <translation>Lisse et positif, à partir de points seuls&#x202f;; le choix de la thèse pour les organes</translation>
     </message>
     <message>
         <source>Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes</source>
-        <translation>Solutions de l’équation de Laplace dans une cage de forme quelconque ; locales, sans lobes négatifs</translation>
+        <translation>Solutions de l’équation de Laplace dans une cage de forme quelconque&#x202f;; locales, sans lobes négatifs</translation>
     </message>
     <message>
         <source>Some of its values need more than 32 bits as a whole number; they are kept as fractions of seven digits</source>
-        <translation>Certaines de ses valeurs demandent plus de 32 bits comme nombre entier ; elles sont gardées comme décimaux de sept chiffres</translation>
+        <translation>Certaines de ses valeurs demandent plus de 32 bits comme nombre entier&#x202f;; elles sont gardées comme décimaux de sept chiffres</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -2699,7 +2699,7 @@
     </message>
     <message>
         <source>Tachygastria: healthy people have 2 to 4 waves a minute.</source>
-        <translation>Tachygastrie : les personnes saines ont 2 à 4 ondes par minute.</translation>
+        <translation>Tachygastrie&#xa0;: les personnes saines ont 2 à 4 ondes par minute.</translation>
     </message>
     <message>
         <source>Tail</source>
@@ -2735,11 +2735,11 @@
     </message>
     <message>
         <source>TetGen's program %1 cannot be started: %2</source>
-        <translation>impossible de lancer le programme %1 de TetGen : %2</translation>
+        <translation>impossible de lancer le programme %1 de TetGen&#xa0;: %2</translation>
     </message>
     <message>
         <source>TetGen&apos;s result does not fill this surface: %1</source>
-        <translation>le résultat de TetGen ne remplit pas cette surface : %1</translation>
+        <translation>le résultat de TetGen ne remplit pas cette surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>Textbook heartbeat</source>
@@ -2747,23 +2747,23 @@
     </message>
     <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
-        <translation>La valve aortique s’ouvre à 0,8 cm2 : la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
+        <translation>La valve aortique s’ouvre à 0,8 cm2&#xa0;: la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
     </message>
     <message>
-        <source>The cage names a handle that is not there</source>
-        <translation>La cage nomme une poignée qui n’existe pas</translation>
+        <source>The cage refers to a handle that does not exist</source>
+        <translation>La cage renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
-        <translation>La cavité %1 n’est pas dans la surface externe %2 : %3 % sont à l’extérieur</translation>
+        <translation>La cavité %1 n’est pas dans la surface externe %2&#xa0;: %3 % sont à l’extérieur</translation>
     </message>
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
-        <translation>Les coordonnées classiques d’une cage fermée ; positives là où la cage est convexe</translation>
+        <translation>Les coordonnées classiques d’une cage fermée&#x202f;; positives là où la cage est convexe</translation>
     </message>
     <message>
         <source>The files' names are not in the order of the slices; they were put in order by position</source>
-        <translation>Les noms des fichiers ne sont pas dans l’ordre des coupes ; elles ont été ordonnées par position</translation>
+        <translation>Les noms des fichiers ne sont pas dans l’ordre des coupes&#x202f;; elles ont été ordonnées par position</translation>
     </message>
     <message>
         <source>The grid of %1 is another one than that of the first phase</source>
@@ -2775,23 +2775,23 @@
     </message>
     <message>
         <source>The label &quot;%1&quot; is missing in %2</source>
-        <translation>L’étiquette « %1 » manque dans la %2</translation>
+        <translation>L’étiquette «&#xa0;%1&#xa0;» manque dans la %2</translation>
     </message>
     <message>
         <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
-        <translation>La carte d’étiquettes de %1 a une autre grille (%2) que l’examen (%3) ; chacune est là où son fichier le dit, et rien n’est rééchantillonné</translation>
+        <translation>La carte d’étiquettes de %1 a une autre grille (%2) que l’examen (%3)&#x202f;; chacune est là où son fichier le dit, et rien n’est rééchantillonné</translation>
     </message>
     <message>
         <source>The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours %2 mm at most</source>
-        <translation>La dernière phase ne ramène pas à la première : elles sont distantes de %1 mm en moyenne, les voisines de %2 mm au plus</translation>
+        <translation>La dernière phase ne ramène pas à la première&#xa0;: elles sont distantes de %1 mm en moyenne, les voisines de %2 mm au plus</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
-        <translation>La moyenne sur tous les tétraèdres de poignées autour d’un point ; saute où leur nombre change</translation>
+        <translation>La moyenne sur tous les tétraèdres de poignées autour d’un point&#x202f;; saute où leur nombre change</translation>
     </message>
     <message>
         <source>The mean over the hull and partitions of it by the inner handles; kinks at their faces</source>
-        <translation>La moyenne sur l’enveloppe et ses partitions par les poignées internes ; plis à leurs faces</translation>
+        <translation>La moyenne sur l’enveloppe et ses partitions par les poignées internes&#x202f;; plis à leurs faces</translation>
     </message>
     <message>
         <source>The middle of the mitral valve, inside the heart</source>
@@ -2799,7 +2799,7 @@
     </message>
     <message>
         <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La valve mitrale fuit par 0,4 cm2 : la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
+        <translation>La valve mitrale fuit par 0,4 cm2&#xa0;: la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>
@@ -2839,7 +2839,7 @@
     </message>
     <message>
         <source>The program ffmpeg could not write the movie: %1</source>
-        <translation>Le programme ffmpeg n’a pas pu écrire le film : %1</translation>
+        <translation>Le programme ffmpeg n’a pas pu écrire le film&#xa0;: %1</translation>
     </message>
     <message>
         <source>The rate is out of range</source>
@@ -2854,26 +2854,26 @@
         <translation>La séquence a été faite pour une autre position d’une poignée</translation>
     </message>
     <message numerus="yes">
-        <source>The series has pictures of several sizes: %n {picture|pictures} of %2 left out, those of %3 read</source>
+        <source>The series has images of several sizes: %n {image|images} of %2 left out, those of %3 read</source>
         <translation>
-            <numerusform>La série a des images de plusieurs tailles : %n image de %2 omise, celles de %3 lues</numerusform>
-            <numerusform>La série a des images de plusieurs tailles : %n images de %2 omises, celles de %3 lues</numerusform>
+            <numerusform>La série a des images de plusieurs tailles&#xa0;: %n image de %2 omise, celles de %3 lues</numerusform>
+            <numerusform>La série a des images de plusieurs tailles&#xa0;: %n images de %2 omises, celles de %3 lues</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those of %3 mm read</source>
+        <source>The series has pixels of several sizes: %n {image|images} of %2 mm left out, those of %3 mm read</source>
         <translation>
-            <numerusform>La série a des pixels de plusieurs tailles : %n image de %2 mm omise, celles de %3 mm lues</numerusform>
-            <numerusform>La série a des pixels de plusieurs tailles : %n images de %2 mm omises, celles de %3 mm lues</numerusform>
+            <numerusform>La série a des pixels de plusieurs tailles&#xa0;: %n image de %2 mm omise, celles de %3 mm lues</numerusform>
+            <numerusform>La série a des pixels de plusieurs tailles&#xa0;: %n images de %2 mm omises, celles de %3 mm lues</numerusform>
         </translation>
     </message>
     <message>
         <source>The slices are tilted by %1 degrees against the way they are stacked (a tilted gantry); the shear is kept</source>
-        <translation>Les coupes sont inclinées de %1 degrés par rapport à leur empilement (statif incliné) ; le cisaillement est conservé</translation>
+        <translation>Les coupes sont inclinées de %1 degrés par rapport à leur empilement (statif incliné)&#x202f;; le cisaillement est conservé</translation>
     </message>
     <message>
-        <source>The smallest number is raised as high as it goes; positive, with kinks</source>
-        <translation>Le plus petit nombre est élevé autant que possible ; positif, avec des plis</translation>
+        <source>Maximises the smallest weight; positive, with kinks</source>
+        <translation>Maximise le plus petit poids&#x202f;; positives, avec des plis</translation>
     </message>
     <message>
         <source>The spacing is uneven between slice %1 (%2) and the next, which are %3 mm apart in place of %4 mm (%5 %)</source>
@@ -2897,11 +2897,11 @@
     </message>
     <message>
         <source>The thesis's radius; it cancels in the coordinates and changes nothing</source>
-        <translation>Le rayon de la thèse ; il s’élimine dans les coordonnées et ne change rien</translation>
+        <translation>Le rayon de la thèse&#x202f;; il s’élimine dans les coordonnées et ne change rien</translation>
     </message>
     <message>
         <source>The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms</source>
-        <translation>Les instants des phases ne croissent pas dans une période de %1 ms : la %2 est à %3 ms</translation>
+        <translation>Les instants des phases ne croissent pas dans une période de %1 ms&#xa0;: la %2 est à %3 ms</translation>
     </message>
     <message>
         <source>The tip of the heart</source>
@@ -2933,7 +2933,7 @@
     </message>
     <message>
         <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
-        <translation>Il y a %1 points témoins ; %2 ne conviennent pas à cette forme ou aux limites de temps et de mémoire.</translation>
+        <translation>Il y a %1 points témoins&#x202f;; %2 ne conviennent pas à cette forme ou aux limites de temps et de mémoire.</translation>
     </message>
     <message>
         <source>There are no handles to group</source>
@@ -2989,7 +2989,7 @@
     </message>
     <message>
         <source>There is no such %1 any more</source>
-        <translation>Cela n’existe plus : %1</translation>
+        <translation>Cela n’existe plus&#xa0;: %1</translation>
     </message>
     <message>
         <source>There is no such handle any more</source>
@@ -3005,11 +3005,11 @@
     </message>
     <message>
         <source>There is no surface &quot;%1&quot;</source>
-        <translation>Il n’y a pas de surface « %1 »</translation>
+        <translation>Il n’y a pas de surface «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>There is no type of samples &quot;%1&quot;</source>
-        <translation>Il n’y a pas de type d’échantillons « %1 »</translation>
+        <translation>Il n’y a pas de type d’échantillons «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>There is no volume in it</source>
@@ -3060,7 +3060,7 @@
     </message>
     <message>
         <source>Turns the directions at random; 0 leaves the icosahedron upright</source>
-        <translation>Tourne les directions au hasard ; 0 laisse l’icosaèdre droit</translation>
+        <translation>Tourne les directions au hasard&#x202f;; 0 laisse l’icosaèdre droit</translation>
     </message>
     <message>
         <source>Twist</source>
@@ -3111,7 +3111,7 @@
     </message>
     <message>
         <source>VTK could not write the surface: %1</source>
-        <translation>VTK n’a pas pu écrire la surface : %1</translation>
+        <translation>VTK n’a pas pu écrire la surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>Veins</source>
@@ -3123,15 +3123,15 @@
     </message>
     <message>
         <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
-        <translation>Viscera ne lit pas de cartes d’étiquettes qui se terminent par « %1 »</translation>
+        <translation>Viscera ne lit pas de cartes d’étiquettes qui se terminent par «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
-        <translation>Viscera ne lit pas de fichiers de surface qui se terminent par « %1 »</translation>
+        <translation>Viscera ne lit pas de fichiers de surface qui se terminent par «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Viscera:</source>
-        <translation>Viscera :</translation>
+        <translation>Viscera&#xa0;:</translation>
     </message>
     <message>
         <source>Volume ratio</source>
@@ -3151,7 +3151,7 @@
     </message>
     <message>
         <source>Weights of least bending between 0 and 1; smooth and local, and follow translations only</source>
-        <translation>Poids de flexion minimale entre 0 et 1 ; lisses et locaux, ne suivent que les translations</translation>
+        <translation>Poids de flexion minimale entre 0 et 1&#x202f;; lisses et locaux, ne suivent que les translations</translation>
     </message>
     <message>
         <source>Amount added to each weight when a handle is inserted</source>
@@ -3175,7 +3175,7 @@
     </message>
     <message>
         <source>Direction in which 'iterative' moves the target</source>
-        <translation>Direction dans laquelle « iterative » déplace la cible</translation>
+        <translation>Direction dans laquelle «&#xa0;iterative&#xa0;» déplace la cible</translation>
     </message>
     <message>
         <source>Where waves arise, about a third of the way down</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Witness</source>
-        <translation>Témoin</translation>
+        <translation>Point témoin</translation>
     </message>
     <message>
         <source>Witness points of %1</source>
@@ -3195,7 +3195,7 @@
     </message>
     <message>
         <source>%1 of %2 ml is not life-sized: %3</source>
-        <translation>%1 de %2 ml n’est pas de taille réelle : %3</translation>
+        <translation>%1 de %2 ml n’est pas de taille réelle&#xa0;: %3</translation>
     </message>
     <message>
         <source>Two of its segments have the label %1, which NIfTI cannot tell apart</source>
@@ -3203,7 +3203,7 @@
     </message>
     <message>
         <source>a .fcsv file is one list: the %1 groups and their colours are not kept (.mrk.json keeps them)</source>
-        <translation>un fichier .fcsv est une seule liste : les %1 groupes et leurs couleurs ne sont pas conservés (.mrk.json les conserve)</translation>
+        <translation>un fichier .fcsv est une seule liste&#xa0;: les %1 groupes et leurs couleurs ne sont pas conservés (.mrk.json les conserve)</translation>
     </message>
     <message>
         <source>a 3D Slicer fiducial table</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
-        <translation>une cage est une surface grossière : prenez-en une de %1 sommets au plus</translation>
+        <translation>une cage est une surface grossière&#xa0;: prenez-en une de %1 sommets au plus</translation>
     </message>
     <message>
         <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
@@ -3350,8 +3350,8 @@
         <translation>un fichier compressé avec gzip</translation>
     </message>
     <message>
-        <source>a handle of a recorded key</source>
-        <translation>une poignée d’une clé enregistrée</translation>
+        <source>a handle of a keyframe</source>
+        <translation>une poignée d’une clé</translation>
     </message>
     <message>
         <source>a heart</source>
@@ -3383,11 +3383,11 @@
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
-        <translation>« %1 » d’un nœud n’a pas %2 nombres</translation>
+        <translation>«&#xa0;%1&#xa0;» d’un nœud n’a pas %2 nombres</translation>
     </message>
     <message>
         <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
-        <translation>« %1 » d’un nœud contient quelque chose qui n’est pas un nombre</translation>
+        <translation>«&#xa0;%1&#xa0;» d’un nœud contient quelque chose qui n’est pas un nombre</translation>
     </message>
     <message>
         <source>a node&apos;s children are not numbers</source>
@@ -3406,8 +3406,8 @@
         <translation>un rectangle ou une sphère ne doit pas se rapporter à un organe</translation>
     </message>
     <message>
-        <source>a phase has not all surfaces</source>
-        <translation>une phase n’a pas toutes les surfaces</translation>
+        <source>a phase lacks a surface</source>
+        <translation>il manque une surface à une phase</translation>
     </message>
     <message>
         <source>a picture</source>
@@ -3450,8 +3450,8 @@
         <translation>une propriété se trouve avant le premier élément</translation>
     </message>
     <message>
-        <source>a recorded key</source>
-        <translation>une clé enregistrée</translation>
+        <source>a keyframe</source>
+        <translation>une clé</translation>
     </message>
     <message>
         <source>a remark on it is not UTF-8</source>
@@ -3498,11 +3498,11 @@
         <translation>un triangle a une poignée à deux sommets</translation>
     </message>
     <message>
-        <source>a triangle names a handle that is not there</source>
-        <translation>un triangle nomme une poignée qui n’existe pas</translation>
+        <source>a triangle refers to a handle that does not exist</source>
+        <translation>un triangle renvoie à une poignée qui n’existe pas</translation>
     </message>
     <message>
-        <source>a triangle refers to a point that is not there</source>
+        <source>a triangle refers to a point that does not exist</source>
         <translation>un triangle renvoie à un point qui n’existe pas</translation>
     </message>
     <message>
@@ -3523,7 +3523,7 @@
     </message>
     <message>
         <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
-        <translation>l’accesseur %1 est au-delà de la fin de son tampon : le fichier est tronqué ou endommagé</translation>
+        <translation>l’accesseur %1 est au-delà de la fin de son tampon&#xa0;: le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>accessor %1 refers to buffer %2, but there are %3</source>
@@ -3683,11 +3683,11 @@
     </message>
     <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
-        <translation>d’après son nom il va à gauche du patient, mais il est à droite (x = %1 mm) : %2</translation>
+        <translation>d’après son nom il va à gauche du patient, mais il est à droite (x = %1 mm)&#xa0;: %2</translation>
     </message>
     <message>
         <source>by its name it belongs on the patient's right, but it lies on the left (x = %1 mm): %2</source>
-        <translation>d’après son nom il va à droite du patient, mais il est à gauche (x = %1 mm) : %2</translation>
+        <translation>d’après son nom il va à droite du patient, mais il est à gauche (x = %1 mm)&#xa0;: %2</translation>
     </message>
     <message>
         <source>call the left ventricle's cavity LV and the right one's RV</source>
@@ -3695,11 +3695,11 @@
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert : %1</translation>
+        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot draw without a display: %1</source>
-        <translation>impossible de dessiner sans écran : %1</translation>
+        <translation>impossible de dessiner sans écran&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot place %1 witness points</source>
@@ -3731,7 +3731,7 @@
     </message>
     <message>
         <source>check its unit; coordinates are in mm</source>
-        <translation>vérifiez l’unité ; les coordonnées sont en mm</translation>
+        <translation>vérifiez l’unité&#x202f;; les coordonnées sont en mm</translation>
     </message>
     <message>
         <source>check that its surface is closed and outward</source>
@@ -3867,7 +3867,7 @@
     </message>
     <message>
         <source>choose it on the organ; check the axes (RAS or LPS) too</source>
-        <translation>choisissez-le sur l’organe ; vérifiez aussi les axes (RAS ou LPS)</translation>
+        <translation>choisissez-le sur l’organe&#x202f;; vérifiez aussi les axes (RAS ou LPS)</translation>
     </message>
     <message>
         <source>choose more than 0 and up to 10 times</source>
@@ -3899,7 +3899,7 @@
     </message>
     <message>
         <source>close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to keep</source>
-        <translation>fermez ses trous, par exemple avec viscera convert ENTRÉE SORTIE --fill-holes ; une surface ouverte n’a pas de volume à conserver</translation>
+        <translation>fermez ses trous, par exemple avec viscera convert ENTRÉE SORTIE --fill-holes&#x202f;; une surface ouverte n’a pas de volume à conserver</translation>
     </message>
     <message>
         <source>close other programs, or use fewer handles or smaller organs</source>
@@ -3963,7 +3963,7 @@
     </message>
     <message>
         <source>displacement fields cannot be written as &quot;%1&quot;</source>
-        <translation>les champs de déplacements ne peuvent pas être écrits en « %1 »</translation>
+        <translation>les champs de déplacements ne peuvent pas être écrits en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>displacements are written as .vtp only</source>
@@ -4167,7 +4167,7 @@
     </message>
     <message>
         <source>give one of: %1</source>
-        <translation>donnez l’un de : %1</translation>
+        <translation>donnez l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>give points of the centreline yourself</source>
@@ -4179,7 +4179,7 @@
     </message>
     <message>
         <source>glTF does not say which axes a patient&apos;s are: its numbers are taken as LPS millimetres, though the format&apos;s convention is metres with y up</source>
-        <translation>glTF ne dit pas quels sont les axes du patient : ses nombres sont pris en millimètres LPS, bien que le format prévoie des mètres avec y vers le haut</translation>
+        <translation>glTF ne dit pas quels sont les axes du patient&#xa0;: ses nombres sont pris en millimètres LPS, bien que le format prévoie des mètres avec y vers le haut</translation>
     </message>
     <message>
         <source>grid inside the surface</source>
@@ -4195,7 +4195,7 @@
     </message>
     <message>
         <source>group &apos;%1&apos;</source>
-        <translation>groupe « %1 »</translation>
+        <translation>groupe «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>handle</source>
@@ -4211,7 +4211,7 @@
     </message>
     <message>
         <source>handles cannot be written as &quot;%1&quot;</source>
-        <translation>les poignées ne peuvent pas être écrites en « %1 »</translation>
+        <translation>les poignées ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>handles come from .mrk.json or .fcsv files</source>
@@ -4242,7 +4242,7 @@
     </message>
     <message>
         <source>has pixels that are fractions (Float Pixel Data), which Viscera does not read; export it as whole numbers, or as NIfTI</source>
-        <translation>a des pixels décimaux (Float Pixel Data), que Viscera ne lit pas ; exportez-le en nombres entiers, ou en NIfTI</translation>
+        <translation>a des pixels décimaux (Float Pixel Data), que Viscera ne lit pas&#x202f;; exportez-le en nombres entiers, ou en NIfTI</translation>
     </message>
     <message>
         <source>hold</source>
@@ -4254,11 +4254,11 @@
     </message>
     <message>
         <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
-        <translation>si ce n’est pas un cycle entier, indiquez qu’il doit être lu une fois (--once) ; sinon ajoutez les phases qui manquent</translation>
+        <translation>si ce n’est pas un cycle entier, indiquez qu’il doit être lu une fois (--once)&#x202f;; sinon ajoutez les phases qui manquent</translation>
     </message>
     <message>
         <source>images cannot be written as &quot;%1&quot;</source>
-        <translation>les images ne peuvent pas être écrites en « %1 »</translation>
+        <translation>les images ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>in</source>
@@ -4285,12 +4285,12 @@
         <translation>installez libegl1 et libgl1-mesa-dri, ou lancez-le avec un écran</translation>
     </message>
     <message>
-        <source>is a colour picture</source>
+        <source>is a colour image</source>
         <translation>est une image en couleurs</translation>
     </message>
     <message>
-        <source>is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
-        <translation>est une mosaïque de nombreuses coupes en une image, comme les écrit Siemens, que Viscera ne sépare pas ; convertissez-la en NIfTI (dcm2niix le fait)</translation>
+        <source>is a mosaic of many slices in one image, as Siemens writes them, which Viscera does not take apart; convert it to NIfTI (dcm2niix does)</source>
+        <translation>est une mosaïque de nombreuses coupes en une image, comme les écrit Siemens, que Viscera ne sépare pas&#x202f;; convertissez-la en NIfTI (dcm2niix le fait)</translation>
     </message>
     <message>
         <source>is not a file that can be read</source>
@@ -4328,23 +4328,23 @@
     </message>
     <message>
         <source>it begins behind the end of the data: the file is cut off</source>
-        <translation>il commence au-delà de la fin des données : le fichier est tronqué</translation>
+        <translation>il commence au-delà de la fin des données&#xa0;: le fichier est tronqué</translation>
     </message>
     <message>
         <source>it cannot be decompressed: the file is damaged</source>
-        <translation>il ne peut pas être décompressé : le fichier est endommagé</translation>
+        <translation>il ne peut pas être décompressé&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>il demande %1 blocs, plus qu’il n’y en a : le fichier est tronqué ou endommagé</translation>
+        <translation>il demande %1 blocs, plus qu’il n’y en a&#xa0;: le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>il demande %1 octets dans %2 : le fichier est endommagé</translation>
+        <translation>il demande %1 octets dans %2&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>il demande un bloc plus grand que le fichier : le fichier est tronqué ou endommagé</translation>
+        <translation>il demande un bloc plus grand que le fichier&#xa0;: le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>it contains %1, which is no number</source>
@@ -4368,23 +4368,23 @@
     </message>
     <message>
         <source>it does not say how large its voxels are; 1 mm is assumed</source>
-        <translation>la taille de ses voxels n’est pas indiquée ; 1 mm est supposé</translation>
+        <translation>la taille de ses voxels n’est pas indiquée&#x202f;; 1 mm est supposé</translation>
     </message>
     <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
-        <translation>il n’indique pas où sont les côtés du patient ; les axes sont pris comme droite, avant et haut</translation>
+        <translation>il n’indique pas où sont les côtés du patient&#x202f;; les axes sont pris comme droite, avant et haut</translation>
     </message>
     <message>
         <source>it does not say which axes it uses; LPS is assumed</source>
-        <translation>ses axes ne sont pas indiqués ; LPS est supposé</translation>
+        <translation>ses axes ne sont pas indiqués&#x202f;; LPS est supposé</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
         <translation>il ne suit aucune poignée, rien ne peut donc changer son volume</translation>
     </message>
     <message>
-        <source>it gave up</source>
-        <translation>il a renoncé</translation>
+        <source>it stopped without a result</source>
+        <translation>il s’est arrêté sans résultat</translation>
     </message>
     <message>
         <source>it has %1</source>
@@ -4431,7 +4431,7 @@
     </message>
     <message>
         <source>it is not valid base64: the file is damaged</source>
-        <translation>ce n’est pas du base64 valide : le fichier est endommagé</translation>
+        <translation>ce n’est pas du base64 valide&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>it may be mirrored</source>
@@ -4439,11 +4439,11 @@
     </message>
     <message>
         <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
-        <translation>il devrait avoir %1 octets, plus qu’il n’y en a : le fichier est tronqué ou endommagé</translation>
+        <translation>il devrait avoir %1 octets, plus qu’il n’y en a&#xa0;: le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
-        <translation>il devrait avoir encore %1 octets, mais il en reste %2 : le fichier est tronqué ou endommagé</translation>
+        <translation>il devrait avoir encore %1 octets, mais il en reste %2&#xa0;: le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>it should hold whole numbers</source>
@@ -4451,15 +4451,15 @@
     </message>
     <message>
         <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>son flux JPEG est endommagé : il n’a pas d’en-tête de trame</translation>
+        <translation>son flux JPEG est endommagé&#xa0;: il n’a pas d’en-tête de trame</translation>
     </message>
     <message>
         <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
-        <translation>son JSON n’a pas de « asset » : ce n’est pas un fichier glTF</translation>
+        <translation>son JSON n’a pas de «&#xa0;asset&#xa0;»&#xa0;: ce n’est pas un fichier glTF</translation>
     </message>
     <message>
         <source>its JSON is not an object: it is not a glTF file</source>
-        <translation>son JSON n’est pas un objet : ce n’est pas un fichier glTF</translation>
+        <translation>son JSON n’est pas un objet&#xa0;: ce n’est pas un fichier glTF</translation>
     </message>
     <message>
         <source>its XML is nested too deeply</source>
@@ -4471,11 +4471,11 @@
     </message>
     <message>
         <source>its axes %1 are unknown; LPS is assumed</source>
-        <translation>ses axes %1 sont inconnus ; LPS est supposé</translation>
+        <translation>ses axes %1 sont inconnus&#x202f;; LPS est supposé</translation>
     </message>
     <message>
         <source>its buffer %1 cannot be read: %2</source>
-        <translation>son tampon %1 ne peut pas être lu : %2</translation>
+        <translation>son tampon %1 ne peut pas être lu&#xa0;: %2</translation>
     </message>
     <message>
         <source>its colour does not lie between 0 and 1</source>
@@ -4507,11 +4507,11 @@
     </message>
     <message>
         <source>its first chunk is not JSON: the file is damaged</source>
-        <translation>son premier bloc n’est pas du JSON : le fichier est endommagé</translation>
+        <translation>son premier bloc n’est pas du JSON&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>its frames are too far from each other: %1 mm</source>
-        <translation>ses images sont trop loin les unes des autres : %1 mm</translation>
+        <translation>ses images sont trop loin les unes des autres&#xa0;: %1 mm</translation>
     </message>
     <message>
         <source>its frames belong to a segment %1, which it does not have</source>
@@ -4531,110 +4531,110 @@
     </message>
     <message>
         <source>its header is cut off or damaged: it has no %1</source>
-        <translation>son en-tête est tronqué ou endommagé : %1 manque</translation>
+        <translation>son en-tête est tronqué ou endommagé&#xa0;: %1 manque</translation>
     </message>
     <message>
         <source>its header is damaged: %1 has not %2 numbers</source>
-        <translation>son en-tête est endommagé : %1 n’a pas %2 nombres</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’a pas %2 nombres</translation>
     </message>
     <message>
         <source>its header is damaged: %1 is not a number for %2</source>
-        <translation>son en-tête est endommagé : %1 n’est pas un nombre pour %2</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un nombre pour %2</translation>
     </message>
     <message>
         <source>its header is damaged: %1 is not a number of %2</source>
-        <translation>son en-tête est endommagé : %1 n’est pas un nombre de %2</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un nombre de %2</translation>
     </message>
     <message>
         <source>its header is damaged: %1 is not a size of an axis</source>
-        <translation>son en-tête est endommagé : %1 n’est pas la taille d’un axe</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas la taille d’un axe</translation>
     </message>
     <message>
         <source>its header is damaged: %1 is not a vector</source>
-        <translation>son en-tête est endommagé : %1 n’est pas un vecteur</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un vecteur</translation>
     </message>
     <message>
         <source>its header is damaged: %1 is not an origin</source>
-        <translation>son en-tête est endommagé : %1 n’est pas une origine</translation>
+        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas une origine</translation>
     </message>
     <message>
         <source>its header is damaged: DimSize has not three numbers</source>
-        <translation>son en-tête est endommagé : DimSize n’a pas trois nombres</translation>
+        <translation>son en-tête est endommagé&#xa0;: DimSize n’a pas trois nombres</translation>
     </message>
     <message>
         <source>its header is damaged: HeaderSize is not a number of bytes</source>
-        <translation>son en-tête est endommagé : HeaderSize n’est pas un nombre d’octets</translation>
+        <translation>son en-tête est endommagé&#xa0;: HeaderSize n’est pas un nombre d’octets</translation>
     </message>
     <message>
         <source>its header is damaged: a vector in it has not three numbers</source>
-        <translation>son en-tête est endommagé : un vecteur n’a pas trois nombres</translation>
+        <translation>son en-tête est endommagé&#xa0;: un vecteur n’a pas trois nombres</translation>
     </message>
     <message>
         <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
-        <translation>son en-tête est endommagé : une image a de 2 à 7 dimensions, non %1</translation>
+        <translation>son en-tête est endommagé&#xa0;: une image a de 2 à 7 dimensions, non %1</translation>
     </message>
     <message>
         <source>its header is damaged: it describes %1 of %2 frames</source>
-        <translation>son en-tête est endommagé : il décrit %1 images sur %2</translation>
+        <translation>son en-tête est endommagé&#xa0;: il décrit %1 images sur %2</translation>
     </message>
     <message>
         <source>its header is damaged: it has %1 frames</source>
-        <translation>son en-tête est endommagé : il a %1 images</translation>
+        <translation>son en-tête est endommagé&#xa0;: il a %1 images</translation>
     </message>
     <message numerus="yes">
         <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
         <translation>
-            <numerusform>son en-tête est endommagé : il a %n direction pour %2 axes</numerusform>
-            <numerusform>son en-tête est endommagé : il a %n directions pour %2 axes</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: il a %n direction pour %2 axes</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: il a %n directions pour %2 axes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
         <translation>
-            <numerusform>son en-tête est endommagé : il a %n taille pour %2 dimensions</numerusform>
-            <numerusform>son en-tête est endommagé : il a %n tailles pour %2 dimensions</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: il a %n taille pour %2 dimensions</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: il a %n tailles pour %2 dimensions</numerusform>
         </translation>
     </message>
     <message>
         <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
-        <translation>son en-tête est endommagé : il promet %1 octets de pixels dans un fichier de %2 octets</translation>
+        <translation>son en-tête est endommagé&#xa0;: il promet %1 octets de pixels dans un fichier de %2 octets</translation>
     </message>
     <message numerus="yes">
         <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
         <translation>
-            <numerusform>son en-tête est endommagé : ses pixels compressés ont %n partie pour %2 images</numerusform>
-            <numerusform>son en-tête est endommagé : ses pixels compressés ont %n parties pour %2 images</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: ses pixels compressés ont %n partie pour %2 images</numerusform>
+            <numerusform>son en-tête est endommagé&#xa0;: ses pixels compressés ont %n parties pour %2 images</numerusform>
         </translation>
     </message>
     <message>
         <source>its header is damaged: its packed pixels have no parts</source>
-        <translation>son en-tête est endommagé : ses pixels compressés n’ont pas de parties</translation>
+        <translation>son en-tête est endommagé&#xa0;: ses pixels compressés n’ont pas de parties</translation>
     </message>
     <message>
         <source>its header is damaged: its packed pixels have not one part a frame</source>
-        <translation>son en-tête est endommagé : ses pixels compressés n’ont pas une partie par image</translation>
+        <translation>son en-tête est endommagé&#xa0;: ses pixels compressés n’ont pas une partie par image</translation>
     </message>
     <message>
         <source>its header is damaged: its rescale slope is 0</source>
-        <translation>son en-tête est endommagé : la pente de remise à l’échelle (Rescale Slope) est 0</translation>
+        <translation>son en-tête est endommagé&#xa0;: la pente de remise à l’échelle (Rescale Slope) est 0</translation>
     </message>
     <message>
         <source>its header is damaged: its size along %1 is %2</source>
-        <translation>son en-tête est endommagé : sa taille selon %1 est %2</translation>
+        <translation>son en-tête est endommagé&#xa0;: sa taille selon %1 est %2</translation>
     </message>
     <message>
         <source>its header is damaged: the directions of its rows and columns are not square</source>
-        <translation>son en-tête est endommagé : les directions de ses lignes et colonnes ne sont pas perpendiculaires</translation>
+        <translation>son en-tête est endommagé&#xa0;: les directions de ses lignes et colonnes ne sont pas perpendiculaires</translation>
     </message>
     <message>
         <source>its header is damaged: the voxels cannot begin at byte %1</source>
-        <translation>son en-tête est endommagé : les voxels ne peuvent pas commencer à l’octet %1</translation>
+        <translation>son en-tête est endommagé&#xa0;: les voxels ne peuvent pas commencer à l’octet %1</translation>
     </message>
     <message numerus="yes">
         <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
         <translation>
-            <numerusform>son en-tête promet %n triangle, mais il y a de la place pour %2 : le fichier est endommagé</numerusform>
-            <numerusform>son en-tête promet %n triangles, mais il y a de la place pour %2 : le fichier est endommagé</numerusform>
+            <numerusform>son en-tête promet %n triangle, mais il y a de la place pour %2&#xa0;: le fichier est endommagé</numerusform>
+            <numerusform>son en-tête promet %n triangles, mais il y a de la place pour %2&#xa0;: le fichier est endommagé</numerusform>
         </translation>
     </message>
     <message>
@@ -4647,7 +4647,7 @@
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
-        <translation>ses étiquettes sont celles d’un cœur : le muscle et les cavités cardiaques forment sa surface externe, chacune de celles-ci est une cavité</translation>
+        <translation>ses étiquettes sont celles d’un cœur&#xa0;: le muscle et les cavités cardiaques forment sa surface externe, chacune de celles-ci est une cavité</translation>
     </message>
     <message>
         <source>its layers lie between the axes of space</source>
@@ -4675,11 +4675,11 @@
     </message>
     <message>
         <source>its pixels (%1) cannot be unpacked: %2</source>
-        <translation>ses pixels (%1) ne peuvent pas être décompressés : %2</translation>
+        <translation>ses pixels (%1) ne peuvent pas être décompressés&#xa0;: %2</translation>
     </message>
     <message>
         <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
-        <translation>ses pixels (%1) ne peuvent pas être décompressés : l’image %2 est endommagée</translation>
+        <translation>ses pixels (%1) ne peuvent pas être décompressés&#xa0;: l’image %2 est endommagée</translation>
     </message>
     <message>
         <source>its pixels cannot be read</source>
@@ -4723,7 +4723,7 @@
     </message>
     <message>
         <source>its sform and qform place the image differently; the sform is used</source>
-        <translation>son sform et son qform placent l’image différemment ; sform est utilisé</translation>
+        <translation>son sform et son qform placent l’image différemment&#x202f;; sform est utilisé</translation>
     </message>
     <message>
         <source>its sform is singular or not finite and is not used</source>
@@ -4735,7 +4735,7 @@
     </message>
     <message>
         <source>its surface has changed: measured points were moved to the nearest places on the new surface</source>
-        <translation>sa surface a changé : les points mesurés ont été déplacés aux endroits les plus proches de la nouvelle surface</translation>
+        <translation>sa surface a changé&#xa0;: les points mesurés ont été déplacés aux endroits les plus proches de la nouvelle surface</translation>
     </message>
     <message>
         <source>its surface is open, so it has no volume that could be locked</source>
@@ -4762,11 +4762,11 @@
     </message>
     <message>
         <source>its unit is the metre; converted to mm</source>
-        <translation>son unité est le mètre ; converti en mm</translation>
+        <translation>son unité est le mètre&#x202f;; converti en mm</translation>
     </message>
     <message>
         <source>its unit is the micrometre; converted to mm</source>
-        <translation>son unité est le micromètre ; converti en mm</translation>
+        <translation>son unité est le micromètre&#x202f;; converti en mm</translation>
     </message>
     <message>
         <source>its value is not a finite number</source>
@@ -4782,7 +4782,7 @@
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
-        <translation>son volume n’est plus verrouillé : la surface est maintenant ouverte</translation>
+        <translation>son volume n’est plus verrouillé&#xa0;: la surface est maintenant ouverte</translation>
     </message>
     <message>
         <source>its voxels are in several files</source>
@@ -4846,11 +4846,11 @@
     </message>
     <message>
         <source>known endings: %1</source>
-        <translation>extensions connues : %1</translation>
+        <translation>extensions connues&#xa0;: %1</translation>
     </message>
     <message>
         <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
-        <translation>extensions connues : .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
+        <translation>extensions connues&#xa0;: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
     </message>
     <message>
         <source>label it in every phase, or leave this phase out</source>
@@ -4870,7 +4870,7 @@
     </message>
     <message>
         <source>leave two: the instant, and the volume in ml</source>
-        <translation>laissez-en deux : l’instant et le volume en ml</translation>
+        <translation>laissez-en deux&#xa0;: l’instant et le volume en ml</translation>
     </message>
     <message>
         <source>lengthen the period first</source>
@@ -4878,7 +4878,7 @@
     </message>
     <message>
         <source>let it begin with &quot;time_s&quot; for seconds, or with &quot;fraction&quot; for parts of the cycle</source>
-        <translation>faites-le commencer par « time_s » pour des secondes, ou par « fraction » pour des parties du cycle</translation>
+        <translation>faites-le commencer par «&#xa0;time_s&#xa0;» pour des secondes, ou par «&#xa0;fraction&#xa0;» pour des parties du cycle</translation>
     </message>
     <message>
         <source>let its name end in .mrk.json or .fcsv</source>
@@ -4902,7 +4902,7 @@
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>linear</source>
@@ -4910,7 +4910,7 @@
     </message>
     <message>
         <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
-        <translation>la liste %1 a l’unité %2, que Viscera ne connaît pas ; le mm est supposé</translation>
+        <translation>la liste %1 a l’unité %2, que Viscera ne connaît pas&#x202f;; le mm est supposé</translation>
     </message>
     <message>
         <source>list %1 was converted from %2 to mm</source>
@@ -4922,11 +4922,11 @@
     </message>
     <message>
         <source>list %1: its coordinate system %2 is not LPS or RAS</source>
-        <translation>liste %1 : son système de coordonnées %2 n’est ni LPS ni RAS</translation>
+        <translation>liste %1&#xa0;: son système de coordonnées %2 n’est ni LPS ni RAS</translation>
     </message>
     <message>
         <source>list %1: its points are no JSON array</source>
-        <translation>liste %1 : ses points ne sont pas un tableau JSON</translation>
+        <translation>liste %1&#xa0;: ses points ne sont pas un tableau JSON</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -4942,11 +4942,11 @@
     </message>
     <message>
         <source>make the handles from this cage: viscera handles ORGAN --cage FILE</source>
-        <translation>faites les poignées à partir de cette cage : viscera handles ORGANE --cage FICHIER</translation>
+        <translation>faites les poignées à partir de cette cage&#xa0;: viscera handles ORGANE --cage FICHIER</translation>
     </message>
     <message>
         <source>makes a closed surface without intersections near this one; colours are lost</source>
-        <translation>fait une surface fermée sans intersections près de celle-ci ; les couleurs sont perdues</translation>
+        <translation>fait une surface fermée sans intersections près de celle-ci&#x202f;; les couleurs sont perdues</translation>
     </message>
     <message>
         <source>markup list %1 is not a JSON object</source>
@@ -5046,7 +5046,7 @@
     </message>
     <message>
         <source>name all phases of the cycle; a single image of a heart with cavities can beat as the textbook's (--textbook, in the window Fit a sequence to an organ)</source>
-        <translation>indiquez toutes les phases du cycle ; une seule image d’un cœur avec cavités peut battre comme dans le manuel (--textbook ; dans la fenêtre, ajuster une séquence à un organe)</translation>
+        <translation>indiquez toutes les phases du cycle&#x202f;; une seule image d’un cœur avec cavités peut battre comme dans le manuel (--textbook&#x202f;; dans la fenêtre, ajuster une séquence à un organe)</translation>
     </message>
     <message>
         <source>name compensating handles</source>
@@ -5058,15 +5058,15 @@
     </message>
     <message>
         <source>name instants from 0 to 1, or write &quot;time_s&quot; above them for seconds</source>
-        <translation>indiquez des instants de 0 à 1, ou écrivez « time_s » au-dessus pour des secondes</translation>
+        <translation>indiquez des instants de 0 à 1, ou écrivez «&#xa0;time_s&#xa0;» au-dessus pour des secondes</translation>
     </message>
     <message>
         <source>name it %1</source>
         <translation>nommez-le %1</translation>
     </message>
     <message>
-        <source>name its files, a folder, or a file of several volumes</source>
-        <translation>indiquez ses fichiers, un dossier ou un fichier de plusieurs volumes</translation>
+        <source>name its files, a folder, or a file with several phases</source>
+        <translation>indiquez ses fichiers, un dossier ou un fichier à plusieurs phases</translation>
     </message>
     <message>
         <source>name the folder of a CT or MR series</source>
@@ -5137,12 +5137,12 @@
         <translation>le nœud %1 est animé par des os, qui sont ignorés</translation>
     </message>
     <message>
-        <source>nothing that Viscera knows</source>
-        <translation>rien que Viscera connaisse</translation>
+        <source>a file of an unknown kind</source>
+        <translation>un fichier de type inconnu</translation>
     </message>
     <message>
-        <source>of no known kind</source>
-        <translation>d’aucun genre connu</translation>
+        <source>of an unknown kind</source>
+        <translation>de type inconnu</translation>
     </message>
     <message>
         <source>one of its points</source>
@@ -5205,7 +5205,7 @@
     </message>
     <message>
         <source>parameters: %1</source>
-        <translation>paramètres : %1</translation>
+        <translation>paramètres&#xa0;: %1</translation>
     </message>
     <message>
         <source>pause</source>
@@ -5217,11 +5217,11 @@
     </message>
     <message>
         <source>phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it out</source>
-        <translation>la phase %1 s’ajuste beaucoup moins bien que ses voisines (%2 contre %3 mm) : vérifiez ses données, ou omettez-la</translation>
+        <translation>la phase %1 s’ajuste beaucoup moins bien que ses voisines (%2 contre %3 mm)&#xa0;: vérifiez ses données, ou omettez-la</translation>
     </message>
     <message>
         <source>phase %1: %2</source>
-        <translation>phase %1 : %2</translation>
+        <translation>phase %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>pick the point on the surface again</source>
@@ -5269,7 +5269,7 @@
     </message>
     <message>
         <source>point %1 lies more than 1000 km away: the file is damaged</source>
-        <translation>le point %1 est à plus de 1000 km : le fichier est endommagé</translation>
+        <translation>le point %1 est à plus de 1000 km&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>point numbers are of a type that is not whole</source>
@@ -5316,8 +5316,8 @@
         <translation>atteint le bord de l’image, qui le coupe peut-être</translation>
     </message>
     <message>
-        <source>record a pose first</source>
-        <translation>enregistrez d’abord une pose</translation>
+        <source>add a key first</source>
+        <translation>ajoutez d’abord une clé</translation>
     </message>
     <message>
         <source>record and save the sequence again</source>
@@ -5365,7 +5365,7 @@
     </message>
     <message>
         <source>repaired on import: %1</source>
-        <translation>réparé à l’importation : %1</translation>
+        <translation>réparé à l’importation&#xa0;: %1</translation>
     </message>
     <message>
         <source>repairing the surface</source>
@@ -5397,15 +5397,15 @@
     </message>
     <message>
         <source>right and left are exchanged, and so are front and back: the files seem to be in RAS</source>
-        <translation>droite et gauche sont échangées, ainsi que l’avant et l’arrière : les fichiers semblent être en RAS</translation>
+        <translation>droite et gauche sont échangées, ainsi que l’avant et l’arrière&#xa0;: les fichiers semblent être en RAS</translation>
     </message>
     <message>
         <source>right and left are exchanged, front and back are not: mirrored</source>
-        <translation>droite et gauche sont échangées, avant et arrière non : en miroir</translation>
+        <translation>droite et gauche sont échangées, avant et arrière non&#xa0;: en miroir</translation>
     </message>
     <message>
         <source>right and left are exchanged: the files may be in RAS, or mirrored</source>
-        <translation>droite et gauche sont échangées : les fichiers sont peut-être en RAS, ou en miroir</translation>
+        <translation>droite et gauche sont échangées&#xa0;: les fichiers sont peut-être en RAS, ou en miroir</translation>
     </message>
     <message>
         <source>save it as a file of its own first</source>
@@ -5420,8 +5420,8 @@
         <translation>enregistrez-le comme segmentation</translation>
     </message>
     <message>
-        <source>save it as a volume</source>
-        <translation>enregistrez-la comme volume</translation>
+        <source>save it as a 3D image</source>
+        <translation>enregistrez-la comme image 3D</translation>
     </message>
     <message>
         <source>save it as one file</source>
@@ -5440,7 +5440,7 @@
         <translation>enregistrez-la avec un nombre par voxel</translation>
     </message>
     <message>
-        <source>save it with one value a voxel</source>
+        <source>save it with one value per voxel</source>
         <translation>enregistrez-la avec une valeur par voxel</translation>
     </message>
     <message>
@@ -5460,7 +5460,7 @@
         <translation>enregistrez les points depuis Slicer en LPS</translation>
     </message>
     <message>
-        <source>say it with --period-ms, or the rate with --rate</source>
+        <source>give it with --period-ms, or the rate with --rate</source>
         <translation>indiquez-la avec --period-ms, ou la fréquence avec --rate</translation>
     </message>
     <message>
@@ -5501,7 +5501,7 @@
     </message>
     <message>
         <source>surfaces cannot be written as &quot;%1&quot;</source>
-        <translation>les surfaces ne peuvent pas être écrites en « %1 »</translation>
+        <translation>les surfaces ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>system parameter %1</source>
@@ -5525,11 +5525,11 @@
     </message>
     <message>
         <source>take a closed cage, or none: then the convex hull of the handles is the cage</source>
-        <translation>prenez une cage fermée, ou aucune : l’enveloppe convexe des poignées est alors la cage</translation>
+        <translation>prenez une cage fermée, ou aucune&#xa0;: l’enveloppe convexe des poignées est alors la cage</translation>
     </message>
     <message>
         <source>take a convex cage, or none: then the convex hull of the handles is the cage</source>
-        <translation>prenez une cage convexe, ou aucune : l’enveloppe convexe des poignées est alors la cage</translation>
+        <translation>prenez une cage convexe, ou aucune&#xa0;: l’enveloppe convexe des poignées est alors la cage</translation>
     </message>
     <message>
         <source>take a larger one</source>
@@ -5560,8 +5560,8 @@
         <translation>le tétraèdre %1 est plat ou retourné</translation>
     </message>
     <message>
-        <source>texts stand where numbers should</source>
-        <translation>des textes se trouvent là où devraient être des nombres</translation>
+        <source>it has text in place of numbers</source>
+        <translation>il contient du texte à la place de nombres</translation>
     </message>
     <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
@@ -5577,7 +5577,7 @@
     </message>
     <message>
         <source>the array %1: %2</source>
-        <translation>le tableau %1 : %2</translation>
+        <translation>le tableau %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>the biharmonic energy cannot be factorised</source>
@@ -5609,7 +5609,7 @@
     </message>
     <message>
         <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
-        <translation>les coordonnées sont gardées en simple précision ; sinon, elles prendraient %1 Mio</translation>
+        <translation>les coordonnées sont gardées en simple précision&#x202f;; sinon, elles prendraient %1 Mio</translation>
     </message>
     <message>
         <source>the directions and spacing of its voxels enclose no volume</source>
@@ -5624,12 +5624,8 @@
         <translation>l’OpenGL du pilote est antérieur à 3.2</translation>
     </message>
     <message>
-        <source>the file does not say its axes; LPS is assumed</source>
-        <translation>le fichier n’indique pas ses axes ; LPS est supposé</translation>
-    </message>
-    <message>
         <source>the file does not state its axes: LPS is assumed</source>
-        <translation>le fichier n’indique pas ses axes : LPS est supposé</translation>
+        <translation>le fichier n’indique pas ses axes&#xa0;: LPS est supposé</translation>
     </message>
     <message>
         <source>the file is cut off before its data</source>
@@ -5637,93 +5633,93 @@
     </message>
     <message>
         <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
-        <translation>le fichier est tronqué ou endommagé : une liste de %1 %2 devrait avoir plus de valeurs qu’il n’en reste</translation>
+        <translation>le fichier est tronqué ou endommagé&#xa0;: une liste de %1 %2 devrait avoir plus de valeurs qu’il n’en reste</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
         <translation>
-            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL : son en-tête promet %n triangle (%2 octets), mais il a %3 octets</numerusform>
-            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL : son en-tête promet %n triangles (%2 octets), mais il a %3 octets</numerusform>
+            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL&#xa0;: son en-tête promet %n triangle (%2 octets), mais il a %3 octets</numerusform>
+            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL&#xa0;: son en-tête promet %n triangles (%2 octets), mais il a %3 octets</numerusform>
         </translation>
     </message>
     <message>
         <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
-        <translation>le fichier est tronqué : %1 devrait avoir %2 octets, mais il n’en reste que %3</translation>
+        <translation>le fichier est tronqué&#xa0;: %1 devrait avoir %2 octets, mais il n’en reste que %3</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
         <translation>
-            <numerusform>le fichier est tronqué : %2 nombres devraient suivre, mais il ne reste que %n octet</numerusform>
-            <numerusform>le fichier est tronqué : %2 nombres devraient suivre, mais il ne reste que %n octets</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: %2 nombres devraient suivre, mais il ne reste que %n octet</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: %2 nombres devraient suivre, mais il ne reste que %n octets</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
         <translation>
-            <numerusform>le fichier est tronqué : %2 valeurs sont promises, il n’y a que %n octet</numerusform>
-            <numerusform>le fichier est tronqué : %2 valeurs sont promises, il n’y a que %n octets</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: %2 valeurs sont promises, il n’y a que %n octet</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: %2 valeurs sont promises, il n’y a que %n octets</numerusform>
         </translation>
     </message>
     <message>
         <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
-        <translation>le fichier est tronqué : le tampon %1 devrait avoir %2 octets, mais il en a %3</translation>
+        <translation>le fichier est tronqué&#xa0;: le tampon %1 devrait avoir %2 octets, mais il en a %3</translation>
     </message>
     <message>
         <source>the file is cut off: it ends where %1 should stand</source>
-        <translation>le fichier est tronqué : il se termine là où devrait être %1</translation>
+        <translation>le fichier est tronqué&#xa0;: il se termine là où devrait être %1</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
         <translation>
-            <numerusform>le fichier est tronqué : il a %n octet, un en-tête NIfTI seul en a 348</numerusform>
-            <numerusform>le fichier est tronqué : il a %n octets, un en-tête NIfTI seul en a 348</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: il a %n octet, un en-tête NIfTI seul en a 348</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: il a %n octets, un en-tête NIfTI seul en a 348</numerusform>
         </translation>
     </message>
     <message>
         <source>the file is cut off: it has fewer lines than its header says</source>
-        <translation>le fichier est tronqué : il a moins de lignes que ne l’indique son en-tête</translation>
+        <translation>le fichier est tronqué&#xa0;: il a moins de lignes que ne l’indique son en-tête</translation>
     </message>
     <message>
         <source>the file is cut off: it should have %1 bytes, but has %2</source>
-        <translation>le fichier est tronqué : il devrait avoir %1 octets, mais il en a %2</translation>
+        <translation>le fichier est tronqué&#xa0;: il devrait avoir %1 octets, mais il en a %2</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
         <translation>
-            <numerusform>le fichier est tronqué : sa %n image a trop peu de pixels</numerusform>
-            <numerusform>le fichier est tronqué : ses %n images ont trop peu de pixels</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: sa %n image a trop peu de pixels</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: ses %n images ont trop peu de pixels</numerusform>
         </translation>
     </message>
     <message>
         <source>the file is cut off: its end is missing</source>
-        <translation>le fichier est tronqué : sa fin manque</translation>
+        <translation>le fichier est tronqué&#xa0;: sa fin manque</translation>
     </message>
     <message>
         <source>the file is cut off: its header has no ElementDataFile</source>
-        <translation>le fichier est tronqué : son en-tête n’a pas d’ElementDataFile</translation>
+        <translation>le fichier est tronqué&#xa0;: son en-tête n’a pas d’ElementDataFile</translation>
     </message>
     <message>
         <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
-        <translation>le fichier est tronqué : son en-tête promet %1 octets de pixels, il y en a %2</translation>
+        <translation>le fichier est tronqué&#xa0;: son en-tête promet %1 octets de pixels, il y en a %2</translation>
     </message>
     <message>
         <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
-        <translation>le fichier est tronqué : son en-tête promet %1 octets de voxels, il y en a %2</translation>
+        <translation>le fichier est tronqué&#xa0;: son en-tête promet %1 octets de voxels, il y en a %2</translation>
     </message>
     <message numerus="yes">
         <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
         <translation>
-            <numerusform>le fichier est tronqué : son en-tête promet %2 de %3, plus que ne peut contenir le %n octet qui reste</numerusform>
-            <numerusform>le fichier est tronqué : son en-tête promet %2 de %3, plus que ne peuvent contenir les %n octets qui restent</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: son en-tête promet %2 de %3, plus que ne peut contenir le %n octet qui reste</numerusform>
+            <numerusform>le fichier est tronqué&#xa0;: son en-tête promet %2 de %3, plus que ne peuvent contenir les %n octets qui restent</numerusform>
         </translation>
     </message>
     <message>
         <source>the file is cut off: its header promises more voxels than there are</source>
-        <translation>le fichier est tronqué : son en-tête promet plus de voxels qu’il n’y en a</translation>
+        <translation>le fichier est tronqué&#xa0;: son en-tête promet plus de voxels qu’il n’y en a</translation>
     </message>
     <message>
         <source>the file is cut off: its packed data end too early</source>
-        <translation>le fichier est tronqué : ses données compressées s’arrêtent trop tôt</translation>
+        <translation>le fichier est tronqué&#xa0;: ses données compressées s’arrêtent trop tôt</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -5735,19 +5731,19 @@
     </message>
     <message>
         <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
-        <translation>le fichier indique les axes %1, que Viscera ne connaît pas ; LPS est supposé</translation>
+        <translation>le fichier indique les axes %1, que Viscera ne connaît pas&#x202f;; LPS est supposé</translation>
     </message>
     <message>
         <source>the file states its axes: %1</source>
-        <translation>le fichier indique ses axes : %1</translation>
+        <translation>le fichier indique ses axes&#xa0;: %1</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be read: %2</source>
-        <translation>le fichier de ses voxels, %1, ne peut pas être lu : %2</translation>
+        <translation>le fichier de ses voxels, %1, ne peut pas être lu&#xa0;: %2</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be used: %2</source>
-        <translation>le fichier de ses voxels, %1, ne peut pas être utilisé : %2</translation>
+        <translation>le fichier de ses voxels, %1, ne peut pas être utilisé&#xa0;: %2</translation>
     </message>
     <message>
         <source>the file&apos;s %1 meshes were joined to one surface</source>
@@ -5770,8 +5766,8 @@
         <translation>la première est 0</translation>
     </message>
     <message>
-        <source>the first one there is: &quot;%1&quot;</source>
-        <translation>la première qui existe : « %1 »</translation>
+        <source>the first one is: &quot;%1&quot;</source>
+        <translation>la première est&#xa0;: «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the first phase</source>
@@ -5791,7 +5787,7 @@
     </message>
     <message>
         <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
-        <translation>les images d’un film doivent avoir une même taille : celle-ci fait %1 x %2, la première %3 x %4</translation>
+        <translation>les images d’un film doivent avoir une même taille&#xa0;: celle-ci fait %1 x %2, la première %3 x %4</translation>
     </message>
     <message>
         <source>the handle %1 comes twice</source>
@@ -5803,7 +5799,7 @@
     </message>
     <message>
         <source>the handles enclose nothing: %1</source>
-        <translation>les poignées n’entourent rien : %1</translation>
+        <translation>les poignées n’entourent rien&#xa0;: %1</translation>
     </message>
     <message>
         <source>the handles that may compensate cannot restore the volume</source>
@@ -5823,11 +5819,11 @@
     </message>
     <message>
         <source>the label &quot;%1&quot; comes twice</source>
-        <translation>l’étiquette « %1 » apparaît deux fois</translation>
+        <translation>l’étiquette «&#xa0;%1&#xa0;» apparaît deux fois</translation>
     </message>
     <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>l’étiquette « %1 » n’est pas un repère de la séquence %2</translation>
+        <translation>l’étiquette «&#xa0;%1&#xa0;» n’est pas un repère de la séquence %2</translation>
     </message>
     <message>
         <source>the label map has no segment number %1</source>
@@ -5835,7 +5831,7 @@
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
-        <translation>le repère « %1 » apparaît deux fois</translation>
+        <translation>le repère «&#xa0;%1&#xa0;» apparaît deux fois</translation>
     </message>
     <message>
         <source>the landmark lies %1 outside the organ</source>
@@ -5851,7 +5847,7 @@
     </message>
     <message>
         <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
-        <translation>la dernière phase est égale à la première et est omise : la phase %1 serait à nouveau la phase 1</translation>
+        <translation>la dernière phase est égale à la première et est omise&#xa0;: la phase %1 serait à nouveau la phase 1</translation>
     </message>
     <message>
         <source>the layers</source>
@@ -5875,11 +5871,11 @@
     </message>
     <message>
         <source>the motion is the textbook's, fitted to one image: it is not this patient's own</source>
-        <translation>le mouvement est celui du manuel, ajusté à une image : ce n’est pas celui de ce patient</translation>
+        <translation>le mouvement est celui du manuel, ajusté à une image&#xa0;: ce n’est pas celui de ce patient</translation>
     </message>
     <message>
         <source>the motion of an organ cannot be made again: nothing is known of how it was made</source>
-        <translation>le mouvement d’un organe ne peut pas être refait : on ne sait pas comment il a été fait</translation>
+        <translation>le mouvement d’un organe ne peut pas être refait&#xa0;: on ne sait pas comment il a été fait</translation>
     </message>
     <message>
         <source>the movie cannot be written</source>
@@ -5943,7 +5939,7 @@
     </message>
     <message>
         <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
-        <translation>le décalage de la région « %1 » est réduit à %2 mm, la distance de sa poignée la plus proche d’une zone</translation>
+        <translation>le décalage de la région «&#xa0;%1&#xa0;» est réduit à %2 mm, la distance de sa poignée la plus proche d’une zone</translation>
     </message>
     <message>
         <source>the offsets of its cells (%1) do not fit their points</source>
@@ -5951,7 +5947,7 @@
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
-        <translation>l’organe est %1 fois aussi long que celui d’un adulte ; vérifiez son unité</translation>
+        <translation>l’organe est %1 fois aussi long que celui d’un adulte&#x202f;; vérifiez son unité</translation>
     </message>
     <message>
         <source>the organ is in %1 pieces</source>
@@ -5964,8 +5960,8 @@
     <message numerus="yes">
         <source>the organ is open: %n boundary {edge|edges}</source>
         <translation>
-            <numerusform>l’organe est ouvert : %n arête de bord</numerusform>
-            <numerusform>l’organe est ouvert : %n arêtes de bord</numerusform>
+            <numerusform>l’organe est ouvert&#xa0;: %n arête de bord</numerusform>
+            <numerusform>l’organe est ouvert&#xa0;: %n arêtes de bord</numerusform>
         </translation>
     </message>
     <message>
@@ -5985,8 +5981,8 @@
         <translation>les données compressées sont endommagées</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file: its header is not as the standard wants it</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM : son en-tête n’est pas conforme à la norme</translation>
+        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
+        <translation>Il est endommagé ou n’est pas un fichier DICOM&#xa0;: son en-tête n’est pas conforme à la norme DICOM</translation>
     </message>
     <message>
         <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
@@ -6069,7 +6065,7 @@
     </message>
     <message>
         <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>l’organe type n’a pas de surface « %1 »</translation>
+        <translation>l’organe type n’a pas de surface «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6077,11 +6073,11 @@
     </message>
     <message>
         <source>the scan cannot be opened: %1</source>
-        <translation>l’examen ne peut pas être ouvert : %1</translation>
+        <translation>l’examen ne peut pas être ouvert&#xa0;: %1</translation>
     </message>
     <message>
         <source>the size is plausible: %1</source>
-        <translation>la taille est plausible : %1</translation>
+        <translation>la taille est plausible&#xa0;: %1</translation>
     </message>
     <message>
         <source>the size of a colour table</source>
@@ -6101,15 +6097,15 @@
     </message>
     <message>
         <source>the solid could not be written: %1</source>
-        <translation>le solide n’a pas pu être écrit : %1</translation>
+        <translation>le solide n’a pas pu être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; has two files of one phase</source>
-        <translation>la surface « %1 » a deux fichiers d’une même phase</translation>
+        <translation>la surface «&#xa0;%1&#xa0;» a deux fichiers d’une même phase</translation>
     </message>
     <message>
         <source>the surface &quot;%1&quot; is missing in phase number %2</source>
-        <translation>la surface « %1 » manque dans la phase numéro %2</translation>
+        <translation>la surface «&#xa0;%1&#xa0;» manque dans la phase numéro %2</translation>
     </message>
     <message>
         <source>the surface consists of %1 separate pieces</source>
@@ -6148,12 +6144,12 @@
         <translation>la surface a de la place pour %1 poignées sur %2</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres</source>
-        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres</source>
+        <translation>la taille de %1 mm n’est pas plausible pour un organe&#x202f;; les coordonnées sont supposées en millimètres</translation>
     </message>
     <message>
-        <source>the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, they may be %2</source>
-        <translation>la surface mesure %1 mm, ce qu’aucun organe ne fait ; les coordonnées sont prises en millimètres, ce sont peut-être des %2</translation>
+        <source>the size of %1 mm is implausible for an organ; coordinates are assumed to be in millimetres, they may be in %2</source>
+        <translation>la taille de %1 mm n’est pas plausible pour un organe&#x202f;; les coordonnées sont supposées en millimètres, mais peuvent être en %2</translation>
     </message>
     <message>
         <source>the surface is closed</source>
@@ -6222,7 +6218,7 @@
     </message>
     <message>
         <source>the volume cannot be kept here: %1</source>
-        <translation>le volume ne peut pas être gardé ici : %1</translation>
+        <translation>le volume ne peut pas être gardé ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>the volumes</source>
@@ -6230,7 +6226,7 @@
     </message>
     <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
-        <translation>les ondes ont %1 % de la profondeur de celles d’un adulte : %2</translation>
+        <translation>les ondes ont %1 % de la profondeur de celles d’un adulte&#xa0;: %2</translation>
     </message>
     <message>
         <source>there are %1</source>
@@ -6242,7 +6238,7 @@
     </message>
     <message>
         <source>there are no tetrahedra in it; the surface may be open</source>
-        <translation>elle ne contient pas de tétraèdres ; la surface est peut-être ouverte</translation>
+        <translation>elle ne contient pas de tétraèdres&#x202f;; la surface est peut-être ouverte</translation>
     </message>
     <message numerus="yes">
         <source>there are values for %n {point|points}, but the surface has %2</source>
@@ -6253,7 +6249,7 @@
     </message>
     <message>
         <source>there are: %1</source>
-        <translation>il y a : %1</translation>
+        <translation>il y a&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is a second list of points</source>
@@ -6261,7 +6257,7 @@
     </message>
     <message>
         <source>there is no %1 &quot;%2&quot;</source>
-        <translation>« %2 » n’est pas une valeur de %1</translation>
+        <translation>«&#xa0;%2&#xa0;» n’est pas une valeur de %1</translation>
     </message>
     <message>
         <source>there is no colour map of this name</source>
@@ -6269,7 +6265,7 @@
     </message>
     <message>
         <source>there is no coordinate system &quot;%1&quot;</source>
-        <translation>il n’y a pas de système de coordonnées « %1 »</translation>
+        <translation>il n’y a pas de système de coordonnées «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>there is no handle %1</source>
@@ -6293,15 +6289,15 @@
     </message>
     <message>
         <source>there is no repair &quot;%1&quot;</source>
-        <translation>il n’y a pas de réparation « %1 »</translation>
+        <translation>il n’y a pas de réparation «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>there is no sequence &quot;%1&quot;</source>
-        <translation>il n’y a pas de séquence « %1 »</translation>
+        <translation>il n’y a pas de séquence «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>there is no sequence &quot;%1&quot; for other organs</source>
-        <translation>il n’y a pas de séquence « %1 » pour d’autres organes</translation>
+        <translation>il n’y a pas de séquence «&#xa0;%1&#xa0;» pour d’autres organes</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -6333,10 +6329,10 @@
     </message>
     <message>
         <source>there is no way &quot;%1&quot; to make groups</source>
-        <translation>il n’y a pas de façon « %1 » de former des groupes</translation>
+        <translation>il n’y a pas de façon «&#xa0;%1&#xa0;» de former des groupes</translation>
     </message>
     <message>
-        <source>thinning out the surface</source>
+        <source>simplifying the surface</source>
         <translation>simplification de la surface</translation>
     </message>
     <message>
@@ -6345,7 +6341,7 @@
     </message>
     <message>
         <source>this is a fault of the program; please report it</source>
-        <translation>c’est une faute du programme ; merci de la signaler</translation>
+        <translation>c’est une faute du programme&#x202f;; merci de la signaler</translation>
     </message>
     <message>
         <source>this is not a PNG picture</source>
@@ -6353,11 +6349,11 @@
     </message>
     <message>
         <source>this is not a line of a MetaImage header: %1</source>
-        <translation>ce n’est pas une ligne d’un en-tête MetaImage : %1</translation>
+        <translation>ce n’est pas une ligne d’un en-tête MetaImage&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is not a line of an NRRD header: %1</source>
-        <translation>ce n’est pas une ligne d’un en-tête NRRD : %1</translation>
+        <translation>ce n’est pas une ligne d’un en-tête NRRD&#xa0;: %1</translation>
     </message>
     <message>
         <source>this system has no parameters</source>
@@ -6365,15 +6361,15 @@
     </message>
     <message>
         <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
-        <translation>trop peu de repères : il y a %1 mais ni fundus ni pylorus</translation>
+        <translation>trop peu de repères&#xa0;: il y a %1 mais ni fundus ni pylorus</translation>
     </message>
     <message>
         <source>too few landmarks: there is %1 but no %2</source>
-        <translation>trop peu de repères : il y a %1 mais pas %2</translation>
+        <translation>trop peu de repères&#xa0;: il y a %1 mais pas %2</translation>
     </message>
     <message>
         <source>too few landmarks: there is right but neither apex nor base</source>
-        <translation>trop peu de repères : il y a right mais ni apex ni base</translation>
+        <translation>trop peu de repères&#xa0;: il y a right mais ni apex ni base</translation>
     </message>
     <message>
         <source>track surfaces that are not within each other one by one</source>
@@ -6437,7 +6433,7 @@
     </message>
     <message>
         <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
-        <translation>le travail non enregistré ne peut pas être protégé : le dossier n’est pas accessible en écriture</translation>
+        <translation>le travail non enregistré ne peut pas être protégé&#xa0;: le dossier n’est pas accessible en écriture</translation>
     </message>
     <message>
         <source>update Viscera</source>
@@ -6465,11 +6461,11 @@
     </message>
     <message>
         <source>use one of: %1</source>
-        <translation>utilisez l’un de : %1</translation>
+        <translation>utilisez l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>use one of: heartbeat, peristalsis, breathing</source>
-        <translation>utilisez l’une de : heartbeat, peristalsis, breathing</translation>
+        <translation>utilisez l’une de&#xa0;: heartbeat, peristalsis, breathing</translation>
     </message>
     <message>
         <source>use viridis or diverging</source>
@@ -6508,8 +6504,8 @@
         <translation>attendez un instant</translation>
     </message>
     <message>
-        <source>wait until the witness points are there</source>
-        <translation>attendez que les points témoins soient là</translation>
+        <source>wait until the witness points are computed</source>
+        <translation>attendez que les points témoins soient calculés</translation>
     </message>
     <message>
         <source>wave fades at the pylorus</source>
@@ -6521,7 +6517,7 @@
     </message>
     <message>
         <source>wave in the body</source>
-        <translation>onde dans le corps</translation>
+        <translation>onde dans le corps gastrique</translation>
     </message>
     <message>
         <source>witness point %1 has a coordinate that is not finite</source>
@@ -6676,11 +6672,11 @@
     </message>
     <message>
         <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; atria: left off by %3 ml, right by %4 ml</source>
-        <translation>Les ventricules ne peuvent pas atteindre leurs volumes : il manque %1 ml à gauche, %2 ml à droite ; atriums : %3 ml à gauche, %4 ml à droite</translation>
+        <translation>Les ventricules ne peuvent pas atteindre leurs volumes&#xa0;: il manque %1 ml à gauche, %2 ml à droite&#x202f;; atriums&#xa0;: %3 ml à gauche, %4 ml à droite</translation>
     </message>
     <message>
         <source>The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml</source>
-        <translation>Les ventricules ne peuvent pas atteindre leurs volumes : il manque %1 ml à gauche, %2 ml à droite</translation>
+        <translation>Les ventricules ne peuvent pas atteindre leurs volumes&#xa0;: il manque %1 ml à gauche, %2 ml à droite</translation>
     </message>
     <message>
         <source>check that the cavities lie inside the handles of their walls</source>
@@ -6804,8 +6800,8 @@
     <message numerus="yes">
         <source>a ventricle is not where its frame says: only %n {handle meets|handles meet} its wall</source>
         <translation>
-            <numerusform>un ventricule n’est pas où ses axes l’indiquent : seule %n poignée touche sa paroi</numerusform>
-            <numerusform>un ventricule n’est pas où ses axes l’indiquent : seules %n poignées touchent sa paroi</numerusform>
+            <numerusform>un ventricule n’est pas où ses axes l’indiquent&#xa0;: seule %n poignée touche sa paroi</numerusform>
+            <numerusform>un ventricule n’est pas où ses axes l’indiquent&#xa0;: seules %n poignées touchent sa paroi</numerusform>
         </translation>
     </message>
     <message>
@@ -6865,7 +6861,7 @@
     </message>
     <message>
         <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
-        <translation>choisissez de 0 à 0,4 ; les personnes ont de 0,048 à 0,106</translation>
+        <translation>choisissez de 0 à 0,4&#x202f;; les personnes ont de 0,048 à 0,106</translation>
     </message>
     <message>
         <source>the heart cannot be brought to the volume that it has to hold</source>
@@ -6987,15 +6983,15 @@
     </message>
     <message>
         <source>effective areas of normal valves: doi 10.1016/j.echo.2017.02.009</source>
-        <translation>surfaces effectives de valves normales : doi 10.1016/j.echo.2017.02.009</translation>
+        <translation>surfaces effectives de valves normales&#xa0;: doi 10.1016/j.echo.2017.02.009</translation>
     </message>
     <message>
         <source>mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007</source>
-        <translation>une régurgitation légère est inférieure à 0,1 cm² : doi 10.1016/j.echo.2017.01.007</translation>
+        <translation>une régurgitation légère est inférieure à 0,1 cm²&#xa0;: doi 10.1016/j.echo.2017.01.007</translation>
     </message>
     <message>
         <source>mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007</source>
-        <translation>une régurgitation légère est inférieure à 0,2 cm² : doi 10.1016/j.echo.2017.01.007</translation>
+        <translation>une régurgitation légère est inférieure à 0,2 cm²&#xa0;: doi 10.1016/j.echo.2017.01.007</translation>
     </message>
     <message>
         <source>20 % around the healthy adult at rest</source>
@@ -7014,8 +7010,8 @@
         <translation>jusqu’à 2 unités Wood</translation>
     </message>
     <message>
-        <source>as much lubricates a healthy heart</source>
-        <translation>c’est ce qui lubrifie un cœur sain</translation>
+        <source>the amount in a healthy heart</source>
+        <translation>la quantité dans un cœur sain</translation>
     </message>
     <message>
         <source>the circulation has no parameter of that name</source>
@@ -7023,7 +7019,7 @@
     </message>
     <message>
         <source>the nearest is %1; docs/circulation.md lists all</source>
-        <translation>le plus proche est %1 ; docs/circulation.md les donne tous</translation>
+        <translation>le plus proche est %1&#x202f;; docs/circulation.md les donne tous</translation>
     </message>
     <message>
         <source>%1 is out of its range</source>
@@ -7083,15 +7079,15 @@
     </message>
     <message>
         <source>The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
-        <translation>La circulation a le ventricule mesuré : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
+        <translation>La circulation a le ventricule mesuré&#xa0;: %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
     </message>
     <message>
         <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg</source>
-        <translation>Aucune circulation n’a exactement ce ventricule ; la plus proche : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
+        <translation>Aucune circulation n’a exactement ce ventricule&#x202f;; la plus proche&#xa0;: %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg</translation>
     </message>
     <message>
         <source>No circulation has just that ventricle; the nearest one found: %1 ml, ejection fraction %2, mean aortic pressure %3 mmHg; at the limit of its range: %4</source>
-        <translation>Aucune circulation n’a exactement ce ventricule ; la plus proche : %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg ; à la limite de son intervalle : %4</translation>
+        <translation>Aucune circulation n’a exactement ce ventricule&#x202f;; la plus proche&#xa0;: %1 ml, fraction d’éjection %2, pression aortique moyenne %3 mmHg&#x202f;; à la limite de son intervalle&#xa0;: %4</translation>
     </message>
     <message>
         <source>the circulation to start with</source>
@@ -7100,13 +7096,13 @@
     <message numerus="yes">
         <source>After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats alternate, or the circulation fails; try a lower rate or a larger stressed volume</source>
         <translation>
-            <numerusform>Après %n battement les volumes changent encore de %2 ml d’un battement à l’autre : des battements forts et faibles alternent, ou la circulation défaille ; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
-            <numerusform>Après %n battements les volumes changent encore de %2 ml d’un battement à l’autre : des battements forts et faibles alternent, ou la circulation défaille ; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
+            <numerusform>Après %n battement les volumes changent encore de %2 ml d’un battement à l’autre&#xa0;: des battements forts et faibles alternent, ou la circulation défaille&#x202f;; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
+            <numerusform>Après %n battements les volumes changent encore de %2 ml d’un battement à l’autre&#xa0;: des battements forts et faibles alternent, ou la circulation défaille&#x202f;; essayez une fréquence plus basse ou un volume contraint plus grand</numerusform>
         </translation>
     </message>
     <message>
         <source>the circulation breaks down: its pressures grow without bounds</source>
-        <translation>la circulation s’effondre : ses pressions croissent sans limite</translation>
+        <translation>la circulation s’effondre&#xa0;: ses pressions croissent sans limite</translation>
     </message>
     <message>
         <source>beat %1</source>
@@ -7211,7 +7207,7 @@
     </message>
     <message>
         <source>It is not a closed surface, even with its holes filled: %1</source>
-        <translation>Ce n’est pas une surface fermée, même avec ses trous comblés : %1</translation>
+        <translation>Ce n’est pas une surface fermée, même avec ses trous comblés&#xa0;: %1</translation>
     </message>
     <message>
         <source>repair the surfaces in the program that made them</source>
@@ -7227,7 +7223,7 @@
     </message>
     <message>
         <source>the volume cannot be kept throughout the cycle: %1</source>
-        <translation>le volume ne peut pas être maintenu pendant tout le cycle : %1</translation>
+        <translation>le volume ne peut pas être maintenu pendant tout le cycle&#xa0;: %1</translation>
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
@@ -7279,7 +7275,7 @@
     </message>
     <message>
         <source>a number does not fit into a lesson: %1</source>
-        <translation>un nombre ne tient pas dans une leçon : %1</translation>
+        <translation>un nombre ne tient pas dans une leçon&#xa0;: %1</translation>
     </message>
     <message>
         <source>check the size of the organ, and its motion</source>
@@ -7295,15 +7291,15 @@
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
-        <translation>le système « %1 » n’a pas rendu de liaison de la bonne taille</translation>
+        <translation>le système «&#xa0;%1&#xa0;» n’a pas rendu de liaison de la bonne taille</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed: %2</source>
-        <translation>le système « %1 » a échoué : %2</translation>
+        <translation>le système «&#xa0;%1&#xa0;» a échoué&#xa0;: %2</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; failed</source>
-        <translation>le système « %1 » a échoué</translation>
+        <translation>le système «&#xa0;%1&#xa0;» a échoué</translation>
     </message>
     <message>
         <source>choose another system</source>
@@ -7327,11 +7323,11 @@
     </message>
     <message>
         <source>it cannot be loaded: %1</source>
-        <translation>il ne peut pas être chargé : %1</translation>
+        <translation>il ne peut pas être chargé&#xa0;: %1</translation>
     </message>
     <message>
         <source>it failed while loading: %1</source>
-        <translation>il a échoué au chargement : %1</translation>
+        <translation>il a échoué au chargement&#xa0;: %1</translation>
     </message>
     <message>
         <source>it failed while loading</source>
@@ -7339,7 +7335,7 @@
     </message>
     <message>
         <source>plugin %1: %2</source>
-        <translation>plugin %1 : %2</translation>
+        <translation>plugin %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>The coordinate system has a parameter without a name</source>
@@ -7347,11 +7343,11 @@
     </message>
     <message>
         <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
-        <translation>Le système de coordonnées propose deux fois le paramètre « %1 »</translation>
+        <translation>Le système de coordonnées propose deux fois le paramètre «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
-        <translation>La valeur standard du paramètre « %1 » est hors de ses limites</translation>
+        <translation>La valeur standard du paramètre «&#xa0;%1&#xa0;» est hors de ses limites</translation>
     </message>
     <message>
         <source>There is no coordinate system to add</source>
@@ -7359,15 +7355,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
-        <translation>« %1 » ne peut pas être l’identifiant d’un système de coordonnées</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être l’identifiant d’un système de coordonnées</translation>
     </message>
     <message>
         <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
-        <translation>utilisez des minuscules, des chiffres et des tirets simples, comme dans « s-celestial »</translation>
+        <translation>utilisez des minuscules, des chiffres et des tirets simples, comme dans «&#xa0;s-celestial&#xa0;»</translation>
     </message>
     <message>
         <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
-        <translation>Il y a déjà un système de coordonnées « %1 » (%2)</translation>
+        <translation>Il y a déjà un système de coordonnées «&#xa0;%1&#xa0;» (%2)</translation>
     </message>
     <message>
         <source>remove one of the two, or give one another id</source>
@@ -7375,7 +7371,7 @@
     </message>
     <message>
         <source>There is no coordinate system &quot;%1&quot;</source>
-        <translation>Le système de coordonnées « %1 » n’existe pas</translation>
+        <translation>Le système de coordonnées «&#xa0;%1&#xa0;» n’existe pas</translation>
     </message>
     <message>
         <source>none is loaded</source>
@@ -7391,7 +7387,7 @@
     </message>
     <message>
         <source>none: the organs are as in their files</source>
-        <translation>aucune : les organes sont comme dans leurs fichiers</translation>
+        <translation>aucune&#xa0;: les organes sont comme dans leurs fichiers</translation>
     </message>
     <message>
         <source>in %1 groups</source>
@@ -7467,7 +7463,7 @@
     </message>
     <message>
         <source>Open: the surface has holes and holds no volume.</source>
-        <translation>Ouvert : la surface a des trous et n’enferme aucun volume.</translation>
+        <translation>Ouvert&#xa0;: la surface a des trous et n’enferme aucun volume.</translation>
     </message>
     <message>
         <source>mean in a rectangle</source>
@@ -7486,12 +7482,12 @@
         <translation>Nom</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Quoi</translation>
+        <source>Kind</source>
+        <translation>Type</translation>
     </message>
     <message>
-        <source>On</source>
-        <translation>Sur</translation>
+        <source>Measured on</source>
+        <translation>Mesuré sur</translation>
     </message>
     <message>
         <source>Rest shape</source>
@@ -7511,7 +7507,7 @@
     </message>
     <message>
         <source>sample organ &quot;%1&quot;, %2 resolution</source>
-        <translation>organe type « %1 », résolution %2</translation>
+        <translation>organe type «&#xa0;%1&#xa0;», résolution %2</translation>
     </message>
     <message>
         <source>low</source>
@@ -7530,16 +7526,16 @@
         <translation>créé dans le programme</translation>
     </message>
     <message>
-        <source>nothing: it is as it was read</source>
-        <translation>rien : il est tel qu’il a été lu</translation>
+        <source>none</source>
+        <translation>aucun</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>De</translation>
+        <source>Source</source>
+        <translation>Source</translation>
     </message>
     <message>
-        <source>What was found and done</source>
-        <translation>Ce qui a été trouvé et fait</translation>
+        <source>Findings and repairs</source>
+        <translation>Constats et réparations</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7555,7 +7551,7 @@
     </message>
     <message>
         <source>All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes LPS (to the left, to the back, to the head). Viscera is a program for teaching and research, not a medical device.</source>
-        <translation>Toutes les longueurs sont en millimètres, tous les volumes en millilitres ; les positions sont dans les axes LPS du patient (vers la gauche, vers l’arrière, vers la tête). Viscera est un programme pour l’enseignement et la recherche, pas un dispositif médical.</translation>
+        <translation>Toutes les longueurs sont en millimètres, tous les volumes en millilitres&#x202f;; les positions sont dans les axes LPS du patient (vers la gauche, vers l’arrière, vers la tête). Viscera est un programme pour l’enseignement et la recherche, pas un dispositif médical.</translation>
     </message>
     <message>
         <source>There is no organ to report on</source>
@@ -7659,7 +7655,7 @@
     </message>
     <message>
         <source>A volume could not be kept: %1</source>
-        <translation>Un volume n’a pas pu être maintenu : %1</translation>
+        <translation>Un volume n’a pas pu être maintenu&#xa0;: %1</translation>
     </message>
     <message>
         <source>From the front</source>
@@ -7738,7 +7734,7 @@
         <translation>95e centile</translation>
     </message>
     <message>
-        <source>%1, the worst of a cycle</source>
+        <source>%1, extreme over a cycle</source>
         <translation>%1, valeur extrême d’un cycle</translation>
     </message>
     <message>
@@ -7807,7 +7803,7 @@
     </message>
     <message>
         <source>no point: the tissue is turned inside out nowhere</source>
-        <translation>aucun point : le tissu n’est retourné nulle part</translation>
+        <translation>aucun point&#xa0;: le tissu n’est retourné nulle part</translation>
     </message>
     <message>
         <source>%1 of %2 points are turned inside out</source>
@@ -7822,8 +7818,8 @@
         <translation>± %1; de %2 à %3; %4; %5 voxels</translation>
     </message>
     <message>
-        <source>Not all of what the window showed can be brought back</source>
-        <translation>Tout ce que la fenêtre montrait ne peut pas être rétabli</translation>
+        <source>The view cannot be restored completely</source>
+        <translation>La vue ne peut pas être rétablie entièrement</translation>
     </message>
     <message>
         <source>the session's view</source>
@@ -7831,7 +7827,7 @@
     </message>
     <message>
         <source>the organs and the handles are complete; save the session anew</source>
-        <translation>les organes et les poignées sont complets ; enregistrez de nouveau la session</translation>
+        <translation>les organes et les poignées sont complets&#x202f;; enregistrez de nouveau la session</translation>
     </message>
     <message>
         <source>There is no such normal range</source>
@@ -7879,11 +7875,11 @@
     </message>
     <message>
         <source>1815 people without kidney disease, by magnetic resonance; the deviation is that of the quartiles</source>
-        <translation>1815 personnes sans maladie rénale, par résonance magnétique ; l’écart est celui des quartiles</translation>
+        <translation>1815 personnes sans maladie rénale, par résonance magnétique&#x202f;; l’écart est celui des quartiles</translation>
     </message>
     <message>
         <source>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and &quot;Simplifying the measurement of gastric accommodation using SPECT&quot; (mean)</source>
-        <translation>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (dispersion), et « Simplifying the measurement of gastric accommodation using SPECT » (moyenne)</translation>
+        <translation>Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (dispersion), et «&#xa0;Simplifying the measurement of gastric accommodation using SPECT&#xa0;» (moyenne)</translation>
     </message>
     <message>
         <source>customary at the bedside</source>
@@ -7891,7 +7887,7 @@
     </message>
     <message>
         <source>Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower bound is customary</source>
-        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065 : la normale est inférieure à 120/80 ; la limite inférieure est celle d’usage</translation>
+        <translation>Whelton 2018, doi 10.1161/HYP.0000000000000065&#xa0;: la normale est inférieure à 120/80&#x202f;; la limite inférieure est celle d’usage</translation>
     </message>
     <message>
         <source>mass of the muscle</source>
@@ -7915,7 +7911,7 @@
     </message>
     <message>
         <source>magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound finds less, 12 to 15 mm</source>
-        <translation>résonance magnétique : 16,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006) ; l’échographie donne moins, de 12 à 15 mm</translation>
+        <translation>résonance magnétique&#xa0;: 16,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006)&#x202f;; l’échographie donne moins, de 12 à 15 mm</translation>
     </message>
     <message>
         <source>excursion of the tricuspid annulus (TAPSE)</source>
@@ -7923,7 +7919,7 @@
     </message>
     <message>
         <source>magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)</source>
-        <translation>résonance magnétique : 23,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006) ; en échographie, moins de 17 mm est anormal (Lang et autres 2015, doi 10.1016/j.echo.2014.10.003)</translation>
+        <translation>résonance magnétique&#xa0;: 23,4 mm (Carlsson et autres 2007, doi 10.1152/ajpheart.01376.2006)&#x202f;; en échographie, moins de 17 mm est anormal (Lang et autres 2015, doi 10.1016/j.echo.2014.10.003)</translation>
     </message>
     <message>
         <source>twist of the apex against the base</source>
@@ -7931,7 +7927,7 @@
     </message>
     <message>
         <source>magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi 10.1186/1532-429X-14-49)</source>
-        <translation>résonance magnétique : apex environ 10 degrés, base environ 3 en sens inverse (Young et Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
+        <translation>résonance magnétique&#xa0;: apex environ 10 degrés, base environ 3 en sens inverse (Young et Cowan 2012, doi 10.1186/1532-429X-14-49)</translation>
     </message>
     <message>
         <source>thickening of the free wall</source>
@@ -7939,7 +7935,7 @@
     </message>
     <message>
         <source>magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi 10.1186/1532-429X-11-S1-P61)</source>
-        <translation>résonance magnétique : 4,4 ± 1,4 mm dans les coupes moyennes (Ubachs et autres 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
+        <translation>résonance magnétique&#xa0;: 4,4 ± 1,4 mm dans les coupes moyennes (Ubachs et autres 2009, doi 10.1186/1532-429X-11-S1-P61)</translation>
     </message>
     <message>
         <source>healthy adults at rest</source>
@@ -7979,23 +7975,23 @@
     </message>
     <message>
         <source>Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations</source>
-        <translation>Kovacs 2009, doi 10.1183/09031936.00145608 : moyenne ± 2 écarts types</translation>
+        <translation>Kovacs 2009, doi 10.1183/09031936.00145608&#xa0;: moyenne ± 2 écarts types</translation>
     </message>
     <message>
         <source>between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</source>
-        <translation>entre le couplage le plus efficient (0,5) et le plus puissant (1) : Burkhoff et Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
+        <translation>entre le couplage le plus efficient (0,5) et le plus puissant (1)&#xa0;: Burkhoff et Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
     </message>
     <message>
         <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
-        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009 : même une sténose légère reste au-dessous de 20 mmHg</translation>
+        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009&#xa0;: même une sténose légère reste au-dessous de 20 mmHg</translation>
     </message>
     <message>
         <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
-        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007 : une régurgitation légère est inférieure à 30 %</translation>
+        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007&#xa0;: une régurgitation légère est inférieure à 30 %</translation>
     </message>
     <message>
         <source>reference woman and man; no spread is given</source>
-        <translation>femme et homme de référence ; la dispersion n’est pas donnée</translation>
+        <translation>femme et homme de référence&#x202f;; la dispersion n’est pas donnée</translation>
     </message>
     <message>
         <source>1248 people without liver disease, by magnetic resonance</source>
@@ -8051,7 +8047,7 @@
     </message>
     <message>
         <source>adults at rest, from 1 : 2 to 1 : 1</source>
-        <translation>adultes au repos, de 1 : 2 à 1 : 1</translation>
+        <translation>adultes au repos, de 1&#xa0;: 2 à 1&#xa0;: 1</translation>
     </message>
     <message>
         <source>way down in quiet breathing</source>
@@ -8066,8 +8062,8 @@
         <translation>il n’y a pas de poignées à enregistrer</translation>
     </message>
     <message>
-        <source>It is not a file that a report can be</source>
-        <translation>Un rapport ne peut pas être un tel fichier</translation>
+        <source>A report cannot be written as this kind of file</source>
+        <translation>Un rapport ne peut pas être écrit dans ce type de fichier</translation>
     </message>
     <message>
         <source>There is no scan to export</source>
@@ -8083,7 +8079,7 @@
     </message>
     <message>
         <source>9 healthy people, by magnetic resonance; 28 people of doi 10.1046/j.1365-2982.2001.00285.x have 1.6 +- 0.2</source>
-        <translation>9 personnes saines, par résonance magnétique ; 28 personnes de doi 10.1046/j.1365-2982.2001.00285.x ont 1,6 ± 0,2</translation>
+        <translation>9 personnes saines, par résonance magnétique&#x202f;; 28 personnes de doi 10.1046/j.1365-2982.2001.00285.x ont 1,6 ± 0,2</translation>
     </message>
     <message>
         <source>from %1</source>
@@ -8095,11 +8091,11 @@
     </message>
     <message>
         <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>l’organe type « %1 » n’existe pas</translation>
+        <translation>l’organe type «&#xa0;%1&#xa0;» n’existe pas</translation>
     </message>
     <message>
         <source>there is no resolution &quot;%1&quot;</source>
-        <translation>la résolution « %1 » n’existe pas</translation>
+        <translation>la résolution «&#xa0;%1&#xa0;» n’existe pas</translation>
     </message>
     <message>
         <source>use low, medium or high</source>
@@ -8107,7 +8103,7 @@
     </message>
     <message>
         <source>the sample organs cannot be listed: %1</source>
-        <translation>les organes types ne peuvent pas être listés : %1</translation>
+        <translation>les organes types ne peuvent pas être listés&#xa0;: %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>

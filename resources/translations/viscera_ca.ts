@@ -84,10 +84,6 @@
         <translation>Restableix</translation>
     </message>
     <message>
-        <source>Back to the shape as sent (R)</source>
-        <translation>Torna a la forma original (R)</translation>
-    </message>
-    <message>
         <source>Drag a handle.</source>
         <translation>Arrossegueu un tirador.</translation>
     </message>
@@ -138,10 +134,6 @@
     <message>
         <source>%1 % of rest</source>
         <translation>%1 % del repòs</translation>
-    </message>
-    <message>
-        <source>%1 % by the handles</source>
-        <translation>%1 % pels tiradors</translation>
     </message>
     <message>
         <source>%1: ejection fraction</source>
@@ -308,10 +300,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Notes</translation>
     </message>
     <message>
-        <source>Name on it</source>
-        <translation>Nom a sobre</translation>
-    </message>
-    <message>
         <source>Normal range</source>
         <translation>Interval normal</translation>
     </message>
@@ -414,11 +402,11 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Enregistrat</translation>
+        <translation>Enregistrada</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Mesurat</translation>
+        <translation>Mesurada</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -442,7 +430,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Ona al cos</translation>
+        <translation>Ona al cos gàstric</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -467,6 +455,18 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Back to the original shape (R)</source>
+        <translation>Torna a la forma original (R)</translation>
+    </message>
+    <message>
+        <source>%1 % from moved handles</source>
+        <translation>%1 % per tiradors moguts</translation>
+    </message>
+    <message>
+        <source>Label in the view</source>
+        <translation>Etiqueta a la vista</translation>
     </message>
 </context>
 <context>
@@ -545,12 +545,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Greix</translation>
     </message>
     <message>
-        <source>Gall</source>
-        <translation>Bilis</translation>
-    </message>
-    <message>
         <source>Another colour...</source>
         <translation>Un altre color...</translation>
+    </message>
+    <message>
+        <source>Bile</source>
+        <translation>Bilis</translation>
     </message>
 </context>
 <context>
@@ -586,48 +586,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Pulmonary valve</source>
         <translation>Vàlvula pulmonar</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::WarpExport</name>
-    <message>
-        <source>Export the &amp;warped scan...</source>
-        <translation>Exporta l’exploració de&amp;formada...</translation>
-    </message>
-    <message>
-        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
-        <translation>Escriu l’exploració tal com la deforma la postura, amb un mapa d’etiquetes dels òrgans en aquesta postura</translation>
-    </message>
-    <message>
-        <source>Export the warped scan</source>
-        <translation>Exporta l’exploració deformada</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
-        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>Exporting the warped scan</source>
-        <translation>S’exporta l’exploració deformada</translation>
-    </message>
-    <message>
-        <source>The warped scan was written to %1.</source>
-        <translation>S’ha escrit l’exploració deformada a %1.</translation>
-    </message>
-    <message>
-        <source>Its labels are beside it: %1.</source>
-        <translation>Les etiquetes són al costat: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>La postura plega el teixit en %n vòxel: el valor és una estimació.</numerusform>
-            <numerusform>La postura plega el teixit en %n vòxels: els valors són estimacions.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -826,10 +784,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>  %1 / min</translation>
     </message>
     <message>
-        <source>The same organ in the present pose, kept</source>
-        <translation>El mateix òrgan en la postura actual, fixada</translation>
-    </message>
-    <message>
         <source>The errors of both coordinate systems</source>
         <translation>Els errors de tots dos sistemes de coordenades</translation>
     </message>
@@ -840,6 +794,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La segona vista de la sessió no es mostra: %1 no és instal·lat aquí.</translation>
+    </message>
+    <message>
+        <source>The same organ, kept in the present pose</source>
+        <translation>El mateix òrgan, fixat en la postura actual</translation>
     </message>
 </context>
 <context>
@@ -884,10 +842,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Profunditat</translation>
     </message>
     <message>
-        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
-        <translation>Distància de la secció al centre dels òrgans, com a part del camí fins a la vora</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
     </message>
@@ -918,6 +872,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retalla el que és més a prop de l’observador</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
+        <translation>Distància de la secció al centre dels òrgans, en percentatge de la distància fins a la vora</translation>
     </message>
 </context>
 <context>
@@ -1109,12 +1067,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>all that are free</source>
-        <translation>tots els lliures</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>no hi ha cap tirador prop de la imatge simètrica</translation>
+    </message>
+    <message>
+        <source>all free handles</source>
+        <translation>tots els lliures</translation>
     </message>
 </context>
 <context>
@@ -1658,13 +1616,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Open %1</source>
         <translation>Obre %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n més a la pàgina del seu òrgan a Explora</numerusform>
-            <numerusform>%n més a les pàgines dels seus òrgans a Explora</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save handles</source>
         <translation>Desa els tiradors</translation>
@@ -1717,12 +1668,19 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>S’ha escrit %1 a %2</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 no hi és.</translation>
-    </message>
-    <message>
         <source>Look for files...</source>
         <translation>Cerca els fitxers...</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>No s’ha trobat %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n troballa més; vegeu la pàgina de l’òrgan al mode Explora</numerusform>
+            <numerusform>%n troballes més; vegeu les pàgines dels òrgans al mode Explora</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1900,14 +1858,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Afegeix els tiradors seleccionats al grup triat</translation>
     </message>
     <message>
-        <source>Take out</source>
-        <translation>Treu</translation>
-    </message>
-    <message>
-        <source>Take the selected handles out of the chosen group</source>
-        <translation>Treu els tiradors seleccionats del grup triat</translation>
-    </message>
-    <message>
         <source>Colour...</source>
         <translation>Color...</translation>
     </message>
@@ -1988,6 +1938,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>L’agrupació automàtica ha afegit %n tirador de cantó a %1 de %2 grups.</numerusform>
             <numerusform>L’agrupació automàtica ha afegit %n tiradors de cantó a %1 de %2 grups.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Remove from group</source>
+        <translation>Treu del grup</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles from the chosen group</source>
+        <translation>Treu els tiradors seleccionats del grup triat</translation>
     </message>
 </context>
 <context>
@@ -2682,10 +2640,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Escena glTF animada (.glb)</translation>
     </message>
     <message>
-        <source>As the window</source>
-        <translation>Com la finestra</translation>
-    </message>
-    <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
         <translation>Llengua dels botons i missatges de la pàgina; els textos de sota es queden com estan</translation>
     </message>
@@ -2718,16 +2672,20 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Textos de la lliçó</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Què és</translation>
-    </message>
-    <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
         <source>The shape of a head or a face can identify a patient.</source>
         <translation>La forma d’un cap o d’una cara pot identificar un pacient.</translation>
+    </message>
+    <message>
+        <source>Language of the window</source>
+        <translation>Llengua de la finestra</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipus</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2723,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>S’exporta la lliçó</translation>
     </message>
     <message>
-        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
-        <translation>S’ha escrit a %1 (%2 MB). El moviment es desvia %3 mm com a màxim.</translation>
+        <source>Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.</source>
+        <translation>S’ha escrit a %1 (%2 MB). El moviment del fitxer difereix en %3 mm com a màxim.</translation>
     </message>
 </context>
 <context>
@@ -2796,10 +2754,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Només és possible en part: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Enregistrament d’una pel·lícula</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Voleu tancar sense aquests fitxers?</translation>
     </message>
@@ -2820,8 +2774,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>&amp;Espera</translation>
     </message>
     <message>
-        <source>%1: this view is kept</source>
-        <translation>%1: aquesta vista s’ha desat</translation>
+        <source>View kept as %1</source>
+        <translation>Vista desada com a %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Escriptura d’una pel·lícula</translation>
     </message>
 </context>
 <context>
@@ -2956,10 +2914,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         </translation>
     </message>
     <message>
-        <source>It was cancelled.</source>
-        <translation>S’ha cancel·lat.</translation>
-    </message>
-    <message>
         <source>Motion from a series</source>
         <translation>Moviment a partir d’una sèrie</translation>
     </message>
@@ -2985,6 +2939,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Distance from the measured surface</source>
         <translation>Distància al que s’ha mesurat</translation>
+    </message>
+    <message>
+        <source>The search for the motion was cancelled.</source>
+        <translation>S’ha cancel·lat la cerca del moviment.</translation>
     </message>
 </context>
 <context>
@@ -3172,10 +3130,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Troba el moviment</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència de claus, una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
-    </message>
-    <message>
         <source>Folder...</source>
         <translation>Carpeta...</translation>
     </message>
@@ -3208,10 +3162,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>L’última fase torna a la primera</translation>
     </message>
     <message>
-        <source>60 or 120</source>
-        <translation>60 o 120</translation>
-    </message>
-    <message>
         <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
         <translation>60 per a una superfície, 120 per a diverses. Amb més se segueixen millor les superfícies</translation>
     </message>
@@ -3228,20 +3178,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation> mm</translation>
     </message>
     <message>
-        <source>All alike</source>
-        <translation>Totes igual</translation>
-    </message>
-    <message>
         <source>Larger distances count less: for label maps with outliers</source>
         <translation>Les distàncies grans compten menys: per a mapes d’etiquetes amb valors atípics</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
         <translation>Les distàncies compten menys a partir de</translation>
-    </message>
-    <message>
-        <source>None; as in 3, 7</source>
-        <translation>Cap; p. ex. 3, 7</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3272,16 +3214,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Superfície</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Què és</translation>
-    </message>
-    <message>
         <source>Label %1; a double click gives the surface another name</source>
         <translation>Etiqueta %1; un doble clic canvia el nom de la superfície</translation>
-    </message>
-    <message>
-        <source>What %1 is</source>
-        <translation>Què és %1</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -3345,6 +3279,30 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>A single image shows no motion</source>
         <translation>Una sola imatge no mostra moviment</translation>
     </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file with several phases. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència de claus, una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer amb diverses fases. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automàtic</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sense límit</translation>
+    </message>
+    <message>
+        <source>For example 3, 7</source>
+        <translation>Per exemple 3, 7</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Funció</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Funció de %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3389,16 +3347,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Taula de volums al costat (.csv)</translation>
     </message>
     <message>
-        <source>Cancel the recording</source>
-        <translation>Cancel·la l’enregistrament</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Enregistra</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Descarta l’enregistrament</translation>
     </message>
     <message>
         <source>Record what the view shows</source>
@@ -3415,6 +3365,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Record as</source>
         <translation>Enregistra com a</translation>
+    </message>
+    <message>
+        <source>Cancel the movie</source>
+        <translation>Cancel·la la pel·lícula</translation>
+    </message>
+    <message>
+        <source>Discard the movie</source>
+        <translation>Descarta la pel·lícula</translation>
     </message>
 </context>
 <context>
@@ -3727,20 +3685,20 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Se cerca al costat de %1</translation>
     </message>
     <message>
-        <source>Beside %1 lies the scan %2.</source>
-        <translation>Al costat de %1 hi ha l’exploració %2.</translation>
-    </message>
-    <message>
-        <source>Beside %1 lies the label map %2.</source>
-        <translation>Al costat de %1 hi ha el mapa d’etiquetes %2.</translation>
-    </message>
-    <message>
         <source>Open the scan</source>
         <translation>Obre l’exploració</translation>
     </message>
     <message>
         <source>Open its organs</source>
         <translation>Obre’n els òrgans</translation>
+    </message>
+    <message>
+        <source>The scan %2 is in the same folder as %1.</source>
+        <translation>L’exploració %2 és a la mateixa carpeta que %1.</translation>
+    </message>
+    <message>
+        <source>The label map %2 is in the same folder as %1.</source>
+        <translation>El mapa d’etiquetes %2 és a la mateixa carpeta que %1.</translation>
     </message>
 </context>
 <context>
@@ -3838,10 +3796,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Vàlvules i flux</translation>
     </message>
     <message>
-        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>En el cor de mostra que batega: valves tan obertes com les vàlvules i una fletxa on flueix sang, tan gruixuda com l’obertura i tan llarga com ràpida és la sang</translation>
-    </message>
-    <message>
         <source>Record a &amp;key</source>
         <translation>Enregistra una &amp;clau</translation>
     </message>
@@ -3934,10 +3888,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Guarda aquesta circulació per comparar-hi: bucles discontinus i una segona columna de valors</translation>
     </message>
     <message>
-        <source>For&amp;get</source>
-        <translation>&amp;Oblida</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Acaba la comparació</translation>
     </message>
@@ -3962,10 +3912,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Transparent</translation>
     </message>
     <message>
-        <source>Close the wall</source>
-        <translation>Paret opaca</translation>
-    </message>
-    <message>
         <source>Key at %1 s</source>
         <translation>Clau a %1 s</translation>
     </message>
@@ -3978,20 +3924,32 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Compara amb la pos&amp;tura actual</translation>
     </message>
     <message>
-        <source>Keep these organs as they are posed now in a second view, and go on here</source>
-        <translation>Fixa aquests òrgans en la postura actual en una segona vista i continua aquí</translation>
-    </message>
-    <message>
-        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
-        <translation>La pel·lícula no mostra distàncies, superfícies alienes ni talls deformats.</translation>
-    </message>
-    <message>
-        <source>This sequence says nothing about valves: choose the heartbeat</source>
-        <translation>Aquesta seqüència no diu res de les vàlvules: trieu el batec del cor</translation>
-    </message>
-    <message>
         <source>Only the sample heart has valves to show</source>
         <translation>Només el cor de mostra té vàlvules per mostrar</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and arrows whose width shows the opening and whose length shows the speed of the blood</source>
+        <translation>En el cor de mostra que batega: valves tan obertes com les vàlvules, i fletxes que mostren amb l’amplada l’obertura i amb la llargada la velocitat de la sang</translation>
+    </message>
+    <message>
+        <source>This sequence has no valves; choose the heartbeat</source>
+        <translation>Aquesta seqüència no té vàlvules; trieu el batec del cor</translation>
+    </message>
+    <message>
+        <source>Show the present pose in a second view, to compare it with later poses</source>
+        <translation>Mostra la postura actual en una segona vista, per comparar-la amb postures posteriors</translation>
+    </message>
+    <message>
+        <source>&amp;Discard kept circulation</source>
+        <translation>&amp;Descarta la circulació guardada</translation>
+    </message>
+    <message>
+        <source>Make the wall opaque</source>
+        <translation>Fes opaca la paret</translation>
+    </message>
+    <message>
+        <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
+        <translation>La pel·lícula no mostra els colors de les distàncies, ni superfícies mesurades ni talls deformats.</translation>
     </message>
 </context>
 <context>
@@ -4242,10 +4200,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>En els eixos del pacient, mm: positiu cap a l’esquerra, l’esquena i el cap</translation>
     </message>
     <message>
-        <source>Witness %1</source>
-        <translation>Testimoni %1</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punt de superfície %1</translation>
     </message>
@@ -4288,6 +4242,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Witness point %1</source>
+        <translation>Punt testimoni %1</translation>
     </message>
 </context>
 <context>
@@ -4510,10 +4468,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>passos</translation>
     </message>
     <message>
-        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Una marca indica que la fase requereix atenció; la descripció de la fila diu per què</translation>
-    </message>
-    <message>
         <source>Time of the phase</source>
         <translation>Temps de la fase</translation>
     </message>
@@ -4540,10 +4494,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Volume of the fit</source>
         <translation>Volum de l’ajust</translation>
-    </message>
-    <message>
-        <source>How well the voxels agree: 1 for all</source>
-        <translation>Com coincideixen els vòxels: 1 si coincideixen tots</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4594,16 +4544,24 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>La sessió no desa les superfícies mesurades. Per veure-les, calculeu de nou el moviment: Seqüència &gt; Moviment a partir d’una sèrie</translation>
     </message>
     <message>
-        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
-        <translation>Les superfícies mesurades en la fase més propera, com de vidre a la vista</translation>
-    </message>
-    <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Acoloreix els òrgans segons la distància a les superfícies mesurades de la fase més propera</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
         <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
+        <translation>Una marca indica que la fase requereix atenció; la descripció emergent de la fila en dona el motiu</translation>
+    </message>
+    <message>
+        <source>Dice coefficient of the voxels; 1 if all agree</source>
+        <translation>Coeficient de Dice dels vòxels; 1 si coincideixen tots</translation>
+    </message>
+    <message>
+        <source>Show the measured surfaces of the nearest phase, translucent</source>
+        <translation>Mostra les superfícies mesurades de la fase més propera, translúcides</translation>
     </message>
 </context>
 <context>
@@ -5429,10 +5387,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Escala logarítmica</translation>
     </message>
     <message>
-        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
-        <translation>Gradua els colors per factors, per distingir valors petits al costat de grans</translation>
-    </message>
-    <message>
         <source>Same range in both &amp;views</source>
         <translation>La mateixa escala a les &amp;dues vistes</translation>
     </message>
@@ -5447,6 +5401,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
         <translation>Mostra la seqüència a l’instant en què la tensió rotacional és més gran</translation>
+    </message>
+    <message>
+        <source>Use a logarithmic colour scale, which separates small values</source>
+        <translation>Fa servir una escala de colors logarítmica, que distingeix els valors petits</translation>
     </message>
 </context>
 <context>
@@ -5523,16 +5481,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Plegats</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
-        <translation>Punts testimoni on el teixit està girat del revés; en magenta a tots els mapes llevat del seu</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporta</translation>
-    </message>
-    <message>
-        <source>Look inside</source>
-        <translation>Mira a dins</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5559,18 +5509,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Distància de la secció al centre de l’òrgan; a la vista, la fletxa la mou i la vora la inclina</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Visible</translation>
-    </message>
-    <message>
-        <source>Show what is above</source>
-        <translation>Mostra el que és per sobre</translation>
-    </message>
-    <message>
-        <source>Show what is below</source>
-        <translation>Mostra el que és per sota</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Límit</translation>
     </message>
@@ -5589,10 +5527,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Crosses of the stretch</source>
         <translation>Creus de l’estirament</translation>
-    </message>
-    <message>
-        <source>The shapes that small balls of tissue take, at about 300 places</source>
-        <translation>Les formes que prenen petites boles de teixit, en uns 300 llocs</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -5713,6 +5647,30 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
         <translation>Colors del valor més baix al més alt; els mapes d’angles i els de raons conserven cadascun la seva pròpia tria</translation>
     </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta, except on the map of folded tissue</source>
+        <translation>Punts testimoni on el teixit està girat del revés; en magenta, llevat del mapa de teixit plegat</translation>
+    </message>
+    <message>
+        <source>Cut and glyphs</source>
+        <translation>Secció i glifs</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Teixit</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Per sobre del límit</translation>
+    </message>
+    <message>
+        <source>Below the limit</source>
+        <translation>Per sota del límit</translation>
+    </message>
+    <message>
+        <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
+        <translation>Glifs de l’estirament en uns 300 punts: la forma que pren una petita esfera de teixit</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5743,10 +5701,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>positive</source>
         <translation>positives</translation>
-    </message>
-    <message>
-        <source>No handle ever pushes the organ the other way</source>
-        <translation>Cap tirador no empeny mai l’òrgan en sentit contrari</translation>
     </message>
     <message>
         <source>interpolating</source>
@@ -5815,6 +5769,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>These handles allow up to %1.</source>
         <translation>Aquests tiradors permeten fins a %1.</translation>
+    </message>
+    <message>
+        <source>No coordinate is negative: the organ follows the direction of every handle</source>
+        <translation>Cap coordenada no és negativa: l’òrgan segueix la direcció de cada tirador</translation>
     </message>
 </context>
 <context>
@@ -6239,6 +6197,48 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::WarpExport</name>
+    <message>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Exporta l’exploració de&amp;formada...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Escriu l’exploració tal com la deforma la postura, amb un mapa d’etiquetes dels òrgans en aquesta postura</translation>
+    </message>
+    <message>
+        <source>Export the warped scan</source>
+        <translation>Exporta l’exploració deformada</translation>
+    </message>
+    <message>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the warped scan</source>
+        <translation>S’exporta l’exploració deformada</translation>
+    </message>
+    <message>
+        <source>The warped scan was written to %1.</source>
+        <translation>S’ha escrit l’exploració deformada a %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Les etiquetes són al costat: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>La postura plega el teixit en %n vòxel: el valor és una estimació.</numerusform>
+            <numerusform>La postura plega el teixit en %n vòxels: els valors són estimacions.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::WelcomeCard</name>
     <message>
         <source>Welcome</source>
@@ -6284,10 +6284,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Disposició estàndard</translation>
     </message>
     <message>
-        <source>Restore the first arrangement of all panels</source>
-        <translation>Restaura la disposició inicial de tots els panells</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Pantalla completa</translation>
     </message>
@@ -6326,6 +6322,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Import</source>
         <translation>Importa</translation>
+    </message>
+    <message>
+        <source>Move all panels to their default places</source>
+        <translation>Mou tots els panells als seus llocs predeterminats</translation>
     </message>
 </context>
 <context>

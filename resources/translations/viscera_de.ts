@@ -84,10 +84,6 @@
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Back to the shape as sent (R)</source>
-        <translation>Zurück zur ursprünglichen Form (R)</translation>
-    </message>
-    <message>
         <source>Drag a handle.</source>
         <translation>Ziehen Sie an einem Griff.</translation>
     </message>
@@ -138,10 +134,6 @@
     <message>
         <source>%1 % of rest</source>
         <translation>%1 % der Ruhe</translation>
-    </message>
-    <message>
-        <source>%1 % by the handles</source>
-        <translation>%1 % durch die Griffe</translation>
     </message>
     <message>
         <source>%1: ejection fraction</source>
@@ -308,10 +300,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Bemerkungen</translation>
     </message>
     <message>
-        <source>Name on it</source>
-        <translation>Name darauf</translation>
-    </message>
-    <message>
         <source>Normal range</source>
         <translation>Normbereich</translation>
     </message>
@@ -468,6 +456,18 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>Back to the original shape (R)</source>
+        <translation>Zurück zur ursprünglichen Form (R)</translation>
+    </message>
+    <message>
+        <source>%1 % from moved handles</source>
+        <translation>%1 % durch bewegte Griffe</translation>
+    </message>
+    <message>
+        <source>Label in the view</source>
+        <translation>Beschriftung in der Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -545,12 +545,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Fett</translation>
     </message>
     <message>
-        <source>Gall</source>
-        <translation>Galle</translation>
-    </message>
-    <message>
         <source>Another colour...</source>
         <translation>Andere Farbe...</translation>
+    </message>
+    <message>
+        <source>Bile</source>
+        <translation>Galle</translation>
     </message>
 </context>
 <context>
@@ -586,48 +586,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Pulmonary valve</source>
         <translation>Pulmonalklappe</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::WarpExport</name>
-    <message>
-        <source>Export the &amp;warped scan...</source>
-        <translation>Verformten S&amp;can exportieren...</translation>
-    </message>
-    <message>
-        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
-        <translation>Den Scan so schreiben, wie die Pose ihn verformt, mit einer Labelmap der Organe in dieser Pose</translation>
-    </message>
-    <message>
-        <source>Export the warped scan</source>
-        <translation>Verformten Scan exportieren</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
-        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>Exporting the warped scan</source>
-        <translation>Verformter Scan wird exportiert</translation>
-    </message>
-    <message>
-        <source>The warped scan was written to %1.</source>
-        <translation>Der verformte Scan wurde in %1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Its labels are beside it: %1.</source>
-        <translation>Seine Labels liegen daneben: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>Die Pose faltet das Gewebe an %n Voxel: Sein Wert ist geschätzt.</numerusform>
-            <numerusform>Die Pose faltet das Gewebe an %n Voxeln: Ihre Werte sind geschätzt.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -826,10 +784,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>  %1 / min</translation>
     </message>
     <message>
-        <source>The same organ in the present pose, kept</source>
-        <translation>Dasselbe Organ in der jetzigen Pose, festgehalten</translation>
-    </message>
-    <message>
         <source>The errors of both coordinate systems</source>
         <translation>Die Fehler beider Koordinatensysteme</translation>
     </message>
@@ -840,6 +794,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>Die zweite Ansicht der Sitzung wird nicht gezeigt: %1 ist hier nicht installiert.</translation>
+    </message>
+    <message>
+        <source>The same organ, kept in the present pose</source>
+        <translation>Dasselbe Organ, in der jetzigen Pose festgehalten</translation>
     </message>
 </context>
 <context>
@@ -884,10 +842,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
-        <translation>Abstand des Schnitts von der Mitte der Organe, als Anteil des Wegs bis zu ihrem Rand</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Koronal</translation>
     </message>
@@ -918,6 +872,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Wegschneiden, was dem Betrachter am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
+        <translation>Abstand des Schnitts von der Mitte der Organe, in Prozent des Abstands bis zu ihrem Rand</translation>
     </message>
 </context>
 <context>
@@ -1109,12 +1067,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>all that are free</source>
-        <translation>alle freien</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>kein Griff liegt nahe dem Spiegelbild</translation>
+    </message>
+    <message>
+        <source>all free handles</source>
+        <translation>alle freien Griffe</translation>
     </message>
 </context>
 <context>
@@ -1658,13 +1616,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n weiterer auf der Seite seines Organs in Erkunden</numerusform>
-            <numerusform>%n weitere auf den Seiten ihrer Organe in Erkunden</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save handles</source>
         <translation>Griffe speichern</translation>
@@ -1717,12 +1668,19 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>%1 in %2 geschrieben</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 ist nicht da.</translation>
-    </message>
-    <message>
         <source>Look for files...</source>
         <translation>Dateien suchen...</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>%1 wurde nicht gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n weiterer Befund; siehe die Seite des Organs im Modus Erkunden</numerusform>
+            <numerusform>%n weitere Befunde; siehe die Seiten der Organe im Modus Erkunden</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1900,14 +1858,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Die gewählten Griffe der gewählten Gruppe hinzufügen</translation>
     </message>
     <message>
-        <source>Take out</source>
-        <translation>Herausnehmen</translation>
-    </message>
-    <message>
-        <source>Take the selected handles out of the chosen group</source>
-        <translation>Die gewählten Griffe aus der gewählten Gruppe nehmen</translation>
-    </message>
-    <message>
         <source>Colour...</source>
         <translation>Farbe...</translation>
     </message>
@@ -1988,6 +1938,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriff hinzugefügt.</numerusform>
             <numerusform>Das automatische Gruppieren hat %1 von %2 Gruppen %n Eckgriffe hinzugefügt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Remove from group</source>
+        <translation>Aus Gruppe lösen</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles from the chosen group</source>
+        <translation>Die gewählten Griffe aus der gewählten Gruppe entfernen</translation>
     </message>
 </context>
 <context>
@@ -2682,10 +2640,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Animierte glTF-Szene (.glb)</translation>
     </message>
     <message>
-        <source>As the window</source>
-        <translation>Wie das Fenster</translation>
-    </message>
-    <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
         <translation>Sprache der Schaltflächen und Meldungen der Seite; die Texte unten bleiben, wie sie sind</translation>
     </message>
@@ -2718,16 +2672,20 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Texte der Lektion</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Was es ist</translation>
-    </message>
-    <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
         <source>The shape of a head or a face can identify a patient.</source>
         <translation>Die Form eines Kopfs oder Gesichts kann einen Patienten erkennbar machen.</translation>
+    </message>
+    <message>
+        <source>Language of the window</source>
+        <translation>Sprache des Fensters</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2723,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Lektion wird exportiert</translation>
     </message>
     <message>
-        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
-        <translation>In %1 geschrieben (%2 MB). Ihre Bewegung weicht um höchstens %3 mm ab.</translation>
+        <source>Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.</source>
+        <translation>In %1 geschrieben (%2 MB). Die Bewegung in der Datei weicht um höchstens %3 mm ab.</translation>
     </message>
 </context>
 <context>
@@ -2796,10 +2754,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Nur teilweise möglich: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Ein Film wird aufgenommen</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Ohne diese Dateien schließen?</translation>
     </message>
@@ -2820,8 +2774,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>&amp;Warten</translation>
     </message>
     <message>
-        <source>%1: this view is kept</source>
-        <translation>%1: diese Ansicht ist aufbewahrt</translation>
+        <source>View kept as %1</source>
+        <translation>Ansicht aufbewahrt als %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Ein Film wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -2956,10 +2914,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         </translation>
     </message>
     <message>
-        <source>It was cancelled.</source>
-        <translation>Es wurde abgebrochen.</translation>
-    </message>
-    <message>
         <source>Motion from a series</source>
         <translation>Bewegung aus einer Serie</translation>
     </message>
@@ -2985,6 +2939,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Distance from the measured surface</source>
         <translation>Abstand von den Messdaten</translation>
+    </message>
+    <message>
+        <source>The search for the motion was cancelled.</source>
+        <translation>Die Suche nach der Bewegung wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -3172,10 +3130,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Bewegung bestimmen</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine Schlüsselbildfolge mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
-    </message>
-    <message>
         <source>Folder...</source>
         <translation>Ordner...</translation>
     </message>
@@ -3208,10 +3162,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Die letzte Phase führt zur ersten zurück</translation>
     </message>
     <message>
-        <source>60 or 120</source>
-        <translation>60 oder 120</translation>
-    </message>
-    <message>
         <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
         <translation>60 für eine Oberfläche, 120 für mehrere. Mehr folgen den Oberflächen genauer</translation>
     </message>
@@ -3228,20 +3178,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation> mm</translation>
     </message>
     <message>
-        <source>All alike</source>
-        <translation>Alle gleich</translation>
-    </message>
-    <message>
         <source>Larger distances count less: for label maps with outliers</source>
         <translation>Größere Abstände zählen weniger: für Labelmaps mit Ausreißern</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
         <translation>Abstände zählen weniger ab</translation>
-    </message>
-    <message>
-        <source>None; as in 3, 7</source>
-        <translation>Keine; wie in 3, 7</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3272,16 +3214,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Was es ist</translation>
-    </message>
-    <message>
         <source>Label %1; a double click gives the surface another name</source>
         <translation>Label %1; ein Doppelklick gibt der Oberfläche einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>What %1 is</source>
-        <translation>Was %1 ist</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -3345,6 +3279,30 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>A single image shows no motion</source>
         <translation>Ein einzelnes Bild zeigt keine Bewegung</translation>
     </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file with several phases. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine Schlüsselbildfolge mit einem Schlüsselbild je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Phasen. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Keine Grenze</translation>
+    </message>
+    <message>
+        <source>For example 3, 7</source>
+        <translation>Zum Beispiel 3, 7</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Rolle von %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3389,16 +3347,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Volumentabelle daneben (.csv)</translation>
     </message>
     <message>
-        <source>Cancel the recording</source>
-        <translation>Aufnahme abbrechen</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Aufnahme verwerfen</translation>
     </message>
     <message>
         <source>Record what the view shows</source>
@@ -3415,6 +3365,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Record as</source>
         <translation>Aufnehmen als</translation>
+    </message>
+    <message>
+        <source>Cancel the movie</source>
+        <translation>Film abbrechen</translation>
+    </message>
+    <message>
+        <source>Discard the movie</source>
+        <translation>Film verwerfen</translation>
     </message>
 </context>
 <context>
@@ -3727,20 +3685,20 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Suche neben %1</translation>
     </message>
     <message>
-        <source>Beside %1 lies the scan %2.</source>
-        <translation>Neben %1 liegt der Scan %2.</translation>
-    </message>
-    <message>
-        <source>Beside %1 lies the label map %2.</source>
-        <translation>Neben %1 liegt die Labelmap %2.</translation>
-    </message>
-    <message>
         <source>Open the scan</source>
         <translation>Scan öffnen</translation>
     </message>
     <message>
         <source>Open its organs</source>
         <translation>Deren Organe öffnen</translation>
+    </message>
+    <message>
+        <source>The scan %2 is in the same folder as %1.</source>
+        <translation>Der Scan %2 liegt im selben Ordner wie %1.</translation>
+    </message>
+    <message>
+        <source>The label map %2 is in the same folder as %1.</source>
+        <translation>Die Labelmap %2 liegt im selben Ordner wie %1.</translation>
     </message>
 </context>
 <context>
@@ -3838,10 +3796,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>&amp;Klappen und Fluss</translation>
     </message>
     <message>
-        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>Im schlagenden Beispielherz: Segel, so weit geöffnet wie die Klappen, und ein Pfeil, wo Blut fließt, so dick wie die Öffnung und so lang, wie das Blut schnell ist</translation>
-    </message>
-    <message>
         <source>Record a &amp;key</source>
         <translation>Schl&amp;üsselbild aufzeichnen</translation>
     </message>
@@ -3934,10 +3888,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Diesen Kreislauf zum Vergleich merken: gestrichelte Schleifen und eine zweite Spalte mit Zahlen</translation>
     </message>
     <message>
-        <source>For&amp;get</source>
-        <translation>Ver&amp;werfen</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Den Vergleich beenden</translation>
     </message>
@@ -3962,10 +3912,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Durchsichtig</translation>
     </message>
     <message>
-        <source>Close the wall</source>
-        <translation>Wand schließen</translation>
-    </message>
-    <message>
         <source>Key at %1 s</source>
         <translation>Schlüsselbild bei %1 s</translation>
     </message>
@@ -3978,20 +3924,32 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Mit der &amp;jetzigen Pose vergleichen</translation>
     </message>
     <message>
-        <source>Keep these organs as they are posed now in a second view, and go on here</source>
-        <translation>Diese Organe in ihrer jetzigen Pose in einer zweiten Ansicht festhalten und hier weiterarbeiten</translation>
-    </message>
-    <message>
-        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
-        <translation>Der Film enthält keine Abstände, keine fremden Oberflächen und keine verformten Schichten.</translation>
-    </message>
-    <message>
-        <source>This sequence says nothing about valves: choose the heartbeat</source>
-        <translation>Diese Sequenz sagt nichts über Klappen: wählen Sie den Herzschlag</translation>
-    </message>
-    <message>
         <source>Only the sample heart has valves to show</source>
         <translation>Nur das Beispielherz hat Klappen, die gezeigt werden können</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and arrows whose width shows the opening and whose length shows the speed of the blood</source>
+        <translation>Im schlagenden Beispielherz: Segel, so weit geöffnet wie die Klappen, und Pfeile, deren Breite die Öffnung und deren Länge die Geschwindigkeit des Blutes zeigt</translation>
+    </message>
+    <message>
+        <source>This sequence has no valves; choose the heartbeat</source>
+        <translation>Diese Sequenz hat keine Klappen; wählen Sie den Herzschlag</translation>
+    </message>
+    <message>
+        <source>Show the present pose in a second view, to compare it with later poses</source>
+        <translation>Die jetzige Pose in einer zweiten Ansicht zeigen, um sie mit späteren Posen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard kept circulation</source>
+        <translation>Behaltenen Krei&amp;slauf verwerfen</translation>
+    </message>
+    <message>
+        <source>Make the wall opaque</source>
+        <translation>Wand undurchsichtig machen</translation>
+    </message>
+    <message>
+        <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
+        <translation>Der Film zeigt keine Abstandsfarben, keine gemessenen Oberflächen und keine verformten Schichten.</translation>
     </message>
 </context>
 <context>
@@ -4242,10 +4200,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>In den Achsen des Patienten, mm: positiv nach links, zum Rücken und zum Kopf</translation>
     </message>
     <message>
-        <source>Witness %1</source>
-        <translation>Messpunkt %1</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Oberflächenpunkt %1</translation>
     </message>
@@ -4288,6 +4242,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Witness point %1</source>
+        <translation>Messpunkt %1</translation>
     </message>
 </context>
 <context>
@@ -4510,10 +4468,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Eine Marke zeigt, dass die Phase Aufmerksamkeit braucht; der Tooltip der Zeile sagt, warum</translation>
-    </message>
-    <message>
         <source>Time of the phase</source>
         <translation>Zeit der Phase</translation>
     </message>
@@ -4540,10 +4494,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volume of the fit</source>
         <translation>Volumen der Anpassung</translation>
-    </message>
-    <message>
-        <source>How well the voxels agree: 1 for all</source>
-        <translation>Wie gut die Voxel übereinstimmen: 1, wenn alle</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4594,16 +4544,24 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Eine Sitzung behält die gemessenen Oberflächen nicht. Um sie zu sehen, bestimmen Sie die Bewegung erneut: Sequenz &gt; Bewegung aus einer Serie</translation>
     </message>
     <message>
-        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
-        <translation>Die in der nächsten Phase gemessenen Oberflächen, als Glas in der Ansicht</translation>
-    </message>
-    <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Die Organe nach ihrem Abstand von den gemessenen Oberflächen der nächsten Phase färben</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
         <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
+        <translation>Eine Marke zeigt, dass die Phase Aufmerksamkeit braucht; der Tooltip der Zeile nennt den Grund</translation>
+    </message>
+    <message>
+        <source>Dice coefficient of the voxels; 1 if all agree</source>
+        <translation>Dice-Koeffizient der Voxel; 1, wenn alle übereinstimmen</translation>
+    </message>
+    <message>
+        <source>Show the measured surfaces of the nearest phase, translucent</source>
+        <translation>Die gemessenen Oberflächen der nächsten Phase durchscheinend zeigen</translation>
     </message>
 </context>
 <context>
@@ -5429,10 +5387,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Logarith&amp;mischer Bereich</translation>
     </message>
     <message>
-        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
-        <translation>Die Farben nach Faktoren abstufen, damit kleine Werte neben großen unterscheidbar sind</translation>
-    </message>
-    <message>
         <source>Same range in both &amp;views</source>
         <translation>Gleicher Bereich in beiden Ansi&amp;chten</translation>
     </message>
@@ -5447,6 +5401,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
         <translation>Die Sequenz zu dem Zeitpunkt zeigen, an dem der Rotationsstress am größten ist</translation>
+    </message>
+    <message>
+        <source>Use a logarithmic colour scale, which separates small values</source>
+        <translation>Eine logarithmische Farbskala verwenden, die kleine Werte unterscheidbar macht</translation>
     </message>
 </context>
 <context>
@@ -5523,16 +5481,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Gefaltet</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
-        <translation>Messpunkte, an denen das Gewebe umgestülpt ist; auf jeder Karte außer der eigenen in Magenta</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Look inside</source>
-        <translation>Hineinsehen</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5559,18 +5509,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Abstand des Schnitts von der Mitte des Organs; der Pfeil in der Ansicht bewegt ihn, der Rand kippt ihn</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
-        <source>Show what is above</source>
-        <translation>Zeigen, was darüber liegt</translation>
-    </message>
-    <message>
-        <source>Show what is below</source>
-        <translation>Zeigen, was darunter liegt</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Grenze</translation>
     </message>
@@ -5589,10 +5527,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Crosses of the stretch</source>
         <translation>Kreuze der Streckung</translation>
-    </message>
-    <message>
-        <source>The shapes that small balls of tissue take, at about 300 places</source>
-        <translation>Die Formen, die kleine Kugeln aus Gewebe annehmen, an etwa 300 Stellen</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -5713,6 +5647,30 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
         <translation>Farben vom niedrigsten zum höchsten Wert; Karten von Winkeln und Karten von Verhältnissen behalten je eine eigene Auswahl</translation>
     </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta, except on the map of folded tissue</source>
+        <translation>Messpunkte, an denen das Gewebe umgestülpt ist; in Magenta, außer auf der Karte des gefalteten Gewebes</translation>
+    </message>
+    <message>
+        <source>Cut and glyphs</source>
+        <translation>Schnitt und Glyphen</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Über der Grenze</translation>
+    </message>
+    <message>
+        <source>Below the limit</source>
+        <translation>Unter der Grenze</translation>
+    </message>
+    <message>
+        <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
+        <translation>Glyphen der Streckung an etwa 300 Punkten: die Form, die eine kleine Kugel aus Gewebe annimmt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5743,10 +5701,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>positive</source>
         <translation>positiv</translation>
-    </message>
-    <message>
-        <source>No handle ever pushes the organ the other way</source>
-        <translation>Kein Griff schiebt das Organ je in die Gegenrichtung</translation>
     </message>
     <message>
         <source>interpolating</source>
@@ -5815,6 +5769,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>These handles allow up to %1.</source>
         <translation>Diese Griffe erlauben bis zu %1.</translation>
+    </message>
+    <message>
+        <source>No coordinate is negative: the organ follows the direction of every handle</source>
+        <translation>Keine Koordinate ist negativ: Das Organ folgt der Richtung jedes Griffs</translation>
     </message>
 </context>
 <context>
@@ -6191,7 +6149,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>%1: show its normal range in the chart</source>
-        <translation>%1: im Diagramm zeigen, was dafür normal ist</translation>
+        <translation>%1: Normbereich im Diagramm zeigen</translation>
     </message>
     <message>
         <source>%1 %2 ml</source>
@@ -6236,6 +6194,48 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WarpExport</name>
+    <message>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Verformten S&amp;can exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Den Scan so schreiben, wie die Pose ihn verformt, mit einer Labelmap der Organe in dieser Pose</translation>
+    </message>
+    <message>
+        <source>Export the warped scan</source>
+        <translation>Verformten Scan exportieren</translation>
+    </message>
+    <message>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the warped scan</source>
+        <translation>Verformter Scan wird exportiert</translation>
+    </message>
+    <message>
+        <source>The warped scan was written to %1.</source>
+        <translation>Der verformte Scan wurde in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Seine Labels liegen daneben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>Die Pose faltet das Gewebe an %n Voxel: Sein Wert ist geschätzt.</numerusform>
+            <numerusform>Die Pose faltet das Gewebe an %n Voxeln: Ihre Werte sind geschätzt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6284,10 +6284,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>&amp;Standardanordnung</translation>
     </message>
     <message>
-        <source>Restore the first arrangement of all panels</source>
-        <translation>Die anfängliche Anordnung aller Bedienfelder wiederherstellen</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Vollbild</translation>
     </message>
@@ -6326,6 +6322,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Import</source>
         <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Move all panels to their default places</source>
+        <translation>Alle Bedienfelder an ihren Standardplatz bewegen</translation>
     </message>
 </context>
 <context>

@@ -2,16 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>viscera::app::WarpExport</name>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>The pose folds the tissue at %n voxel: their values are estimates.</numerusform>
-            <numerusform>The pose folds the tissue at %n voxels: their values are estimates.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>viscera::app::BindingMessages</name>
     <message numerus="yes">
         <source>%n vertices of %1 have no coordinates in the cage.</source>
@@ -75,17 +65,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n more on the page of its organ in Explore</numerusform>
-            <numerusform>%n more on the pages of their organs in Explore</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>The %n vertices of %1 are now the handles.</source>
         <translation>
             <numerusform>The %n vertex of %1 are now the handles.</numerusform>
             <numerusform>The %n vertices of %1 are now the handles.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n more finding; see the organ&apos;s page in Explore mode</numerusform>
+            <numerusform>%n more findings; see the organs&apos; pages in Explore mode</numerusform>
         </translation>
     </message>
 </context>
@@ -349,6 +339,16 @@
         <translation>
             <numerusform>%n point lies outside the handles&apos; hull and stay where they are.</numerusform>
             <numerusform>%n points lie outside the handles&apos; hull and stay where they are.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WarpExport</name>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>The pose folds the tissue at %n voxel: their values are estimates.</numerusform>
+            <numerusform>The pose folds the tissue at %n voxels: their values are estimates.</numerusform>
         </translation>
     </message>
 </context>

@@ -84,10 +84,6 @@
         <translation>Restablecer</translation>
     </message>
     <message>
-        <source>Back to the shape as sent (R)</source>
-        <translation>Volver a la forma original (R)</translation>
-    </message>
-    <message>
         <source>Drag a handle.</source>
         <translation>Arrastre un tirador.</translation>
     </message>
@@ -138,10 +134,6 @@
     <message>
         <source>%1 % of rest</source>
         <translation>%1 % del reposo</translation>
-    </message>
-    <message>
-        <source>%1 % by the handles</source>
-        <translation>%1 % por los tiradores</translation>
     </message>
     <message>
         <source>%1: ejection fraction</source>
@@ -308,10 +300,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Notas</translation>
     </message>
     <message>
-        <source>Name on it</source>
-        <translation>Nombre encima</translation>
-    </message>
-    <message>
         <source>Normal range</source>
         <translation>Intervalo normal</translation>
     </message>
@@ -414,11 +402,11 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Grabado</translation>
+        <translation>Grabada</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Medido</translation>
+        <translation>Medida</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -442,7 +430,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Onda en el cuerpo</translation>
+        <translation>Onda en el cuerpo gástrico</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -467,6 +455,18 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Back to the original shape (R)</source>
+        <translation>Volver a la forma original (R)</translation>
+    </message>
+    <message>
+        <source>%1 % from moved handles</source>
+        <translation>%1 % por tiradores movidos</translation>
+    </message>
+    <message>
+        <source>Label in the view</source>
+        <translation>Etiqueta en la vista</translation>
     </message>
 </context>
 <context>
@@ -545,12 +545,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Grasa</translation>
     </message>
     <message>
-        <source>Gall</source>
-        <translation>Bilis</translation>
-    </message>
-    <message>
         <source>Another colour...</source>
         <translation>Otro color...</translation>
+    </message>
+    <message>
+        <source>Bile</source>
+        <translation>Bilis</translation>
     </message>
 </context>
 <context>
@@ -586,48 +586,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Pulmonary valve</source>
         <translation>Válvula pulmonar</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::WarpExport</name>
-    <message>
-        <source>Export the &amp;warped scan...</source>
-        <translation>&amp;Exportar el estudio deformado...</translation>
-    </message>
-    <message>
-        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
-        <translation>Guardar el estudio deformado por la pose, con un mapa de etiquetas de los órganos en esa pose</translation>
-    </message>
-    <message>
-        <source>Export the warped scan</source>
-        <translation>Exportar el estudio deformado</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
-        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>Exporting the warped scan</source>
-        <translation>Exportando el estudio deformado</translation>
-    </message>
-    <message>
-        <source>The warped scan was written to %1.</source>
-        <translation>El estudio deformado se ha guardado en %1.</translation>
-    </message>
-    <message>
-        <source>Its labels are beside it: %1.</source>
-        <translation>Sus etiquetas están al lado: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>La pose pliega el tejido en %n vóxel: su valor es una estimación.</numerusform>
-            <numerusform>La pose pliega el tejido en %n vóxeles: sus valores son estimaciones.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -826,10 +784,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>  %1 / min</translation>
     </message>
     <message>
-        <source>The same organ in the present pose, kept</source>
-        <translation>El mismo órgano en la pose actual, conservada</translation>
-    </message>
-    <message>
         <source>The errors of both coordinate systems</source>
         <translation>Los errores de ambos sistemas de coordenadas</translation>
     </message>
@@ -840,6 +794,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La segunda vista de la sesión no se muestra: %1 no está instalado aquí.</translation>
+    </message>
+    <message>
+        <source>The same organ, kept in the present pose</source>
+        <translation>El mismo órgano, conservado en la pose actual</translation>
     </message>
 </context>
 <context>
@@ -884,10 +842,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Profundidad</translation>
     </message>
     <message>
-        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
-        <translation>Distancia de la sección al centro de los órganos, como fracción del trayecto hasta su borde</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
     </message>
@@ -918,6 +872,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retirar lo más cercano al observador</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
+        <translation>Distancia de la sección al centro de los órganos, en porcentaje de la distancia hasta su borde</translation>
     </message>
 </context>
 <context>
@@ -1109,12 +1067,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>all that are free</source>
-        <translation>todos los libres</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>ningún tirador cerca de la imagen especular</translation>
+    </message>
+    <message>
+        <source>all free handles</source>
+        <translation>todos los libres</translation>
     </message>
 </context>
 <context>
@@ -1658,13 +1616,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Open %1</source>
         <translation>Abrir %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n más en la página de su órgano, en Explorar</numerusform>
-            <numerusform>%n más en las páginas de sus órganos, en Explorar</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save handles</source>
         <translation>Guardar tiradores</translation>
@@ -1717,12 +1668,19 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>%1 guardado en %2</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 no está.</translation>
-    </message>
-    <message>
         <source>Look for files...</source>
         <translation>Buscar archivos...</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>No se encontró %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n hallazgo más; vea la página del órgano en el modo Explorar</numerusform>
+            <numerusform>%n hallazgos más; vea las páginas de los órganos en el modo Explorar</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1815,7 +1773,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message>
         <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
-        <translation>Hace latir %1 y sus cavidades como el corazón de un libro de texto. La forma actual cuenta como final de la diástole. El resultado es una secuencia de fotogramas clave.</translation>
+        <translation>Hace latir %1 y sus cavidades como el corazón de un manual. La forma actual cuenta como final de la diástole. El resultado es una secuencia de fotogramas clave.</translation>
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
@@ -1900,14 +1858,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Añadir los tiradores seleccionados al grupo elegido</translation>
     </message>
     <message>
-        <source>Take out</source>
-        <translation>Sacar</translation>
-    </message>
-    <message>
-        <source>Take the selected handles out of the chosen group</source>
-        <translation>Sacar los tiradores seleccionados del grupo elegido</translation>
-    </message>
-    <message>
         <source>Colour...</source>
         <translation>Color...</translation>
     </message>
@@ -1988,6 +1938,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>La agrupación automática ha añadido %n tirador de esquina a %1 de %2 grupos.</numerusform>
             <numerusform>La agrupación automática ha añadido %n tiradores de esquina a %1 de %2 grupos.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Remove from group</source>
+        <translation>Sacar del grupo</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles from the chosen group</source>
+        <translation>Sacar los tiradores seleccionados del grupo elegido</translation>
     </message>
 </context>
 <context>
@@ -2546,7 +2504,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Add key</source>
-        <translation>Añadir fotograma</translation>
+        <translation>Añadir clave</translation>
     </message>
     <message>
         <source>Store the present pose as a key (Ctrl+K)</source>
@@ -2682,10 +2640,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Escena glTF animada (.glb)</translation>
     </message>
     <message>
-        <source>As the window</source>
-        <translation>Como la ventana</translation>
-    </message>
-    <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
         <translation>Idioma de los botones y mensajes de la página; los textos de abajo no cambian</translation>
     </message>
@@ -2718,16 +2672,20 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Textos de la lección</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Qué es</translation>
-    </message>
-    <message>
         <source>Text</source>
         <translation>Texto</translation>
     </message>
     <message>
         <source>The shape of a head or a face can identify a patient.</source>
         <translation>La forma de una cabeza o una cara puede identificar a un paciente.</translation>
+    </message>
+    <message>
+        <source>Language of the window</source>
+        <translation>Idioma de la ventana</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2723,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Exportando la lección</translation>
     </message>
     <message>
-        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
-        <translation>Guardado en %1 (%2 MB). Su movimiento se desvía %3 mm como máximo.</translation>
+        <source>Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.</source>
+        <translation>Guardado en %1 (%2 MB). El movimiento del archivo difiere en %3 mm como máximo.</translation>
     </message>
 </context>
 <context>
@@ -2796,10 +2754,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Solo es posible en parte: %1</translation>
     </message>
     <message>
-        <source>Recording a movie</source>
-        <translation>Grabación de una película</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>¿Cerrar sin estos archivos?</translation>
     </message>
@@ -2820,8 +2774,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>&amp;Esperar</translation>
     </message>
     <message>
-        <source>%1: this view is kept</source>
-        <translation>%1: esta vista se ha guardado</translation>
+        <source>View kept as %1</source>
+        <translation>Vista guardada como %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Escritura de una película</translation>
     </message>
 </context>
 <context>
@@ -2956,10 +2914,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         </translation>
     </message>
     <message>
-        <source>It was cancelled.</source>
-        <translation>Se canceló.</translation>
-    </message>
-    <message>
         <source>Motion from a series</source>
         <translation>Movimiento de una serie</translation>
     </message>
@@ -2984,7 +2938,11 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>Distance from the measured surface</source>
-        <translation>Distancia a lo medido</translation>
+        <translation>Distancia a la superficie medida</translation>
+    </message>
+    <message>
+        <source>The search for the motion was cancelled.</source>
+        <translation>Se canceló la búsqueda del movimiento.</translation>
     </message>
 </context>
 <context>
@@ -3172,10 +3130,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Hallar el movimiento</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia con un fotograma clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
-    </message>
-    <message>
         <source>Folder...</source>
         <translation>Carpeta...</translation>
     </message>
@@ -3208,10 +3162,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>La última fase enlaza con la primera</translation>
     </message>
     <message>
-        <source>60 or 120</source>
-        <translation>60 o 120</translation>
-    </message>
-    <message>
         <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
         <translation>60 para una superficie, 120 para varias. Un número mayor sigue más de cerca las superficies</translation>
     </message>
@@ -3228,20 +3178,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation> mm</translation>
     </message>
     <message>
-        <source>All alike</source>
-        <translation>Todas por igual</translation>
-    </message>
-    <message>
         <source>Larger distances count less: for label maps with outliers</source>
         <translation>Las distancias mayores cuentan menos: para mapas de etiquetas con valores atípicos</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
         <translation>Cuentan menos las distancias desde</translation>
-    </message>
-    <message>
-        <source>None; as in 3, 7</source>
-        <translation>Ninguna; p. ej. 3, 7</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3261,7 +3203,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
     <message>
         <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
-        <translation>Una sola imagen no muestra movimiento. Ábrala con Archivo &gt; Abrir y elija después «Ajustar una secuencia a un órgano» en el modo Reproducir para dar al corazón y a sus cavidades el latido del libro de texto.</translation>
+        <translation>Una sola imagen no muestra movimiento. Ábrala con Archivo &gt; Abrir y elija después «Ajustar una secuencia a un órgano» en el modo Reproducir para dar al corazón y a sus cavidades el latido del manual.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3272,16 +3214,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Superficie</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Qué es</translation>
-    </message>
-    <message>
         <source>Label %1; a double click gives the surface another name</source>
         <translation>Etiqueta %1; un doble clic da otro nombre a la superficie</translation>
-    </message>
-    <message>
-        <source>What %1 is</source>
-        <translation>Qué es %1</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -3345,6 +3279,30 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>A single image shows no motion</source>
         <translation>Una sola imagen no muestra movimiento</translation>
     </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file with several phases. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia con un fotograma clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo con varias fases. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sin límite</translation>
+    </message>
+    <message>
+        <source>For example 3, 7</source>
+        <translation>Por ejemplo 3, 7</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Función de %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MovieBox</name>
@@ -3389,16 +3347,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Tabla de volúmenes al lado (.csv)</translation>
     </message>
     <message>
-        <source>Cancel the recording</source>
-        <translation>Cancelar la grabación</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Grabar</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Descartar la grabación</translation>
     </message>
     <message>
         <source>Record what the view shows</source>
@@ -3415,6 +3365,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Record as</source>
         <translation>Grabar como</translation>
+    </message>
+    <message>
+        <source>Cancel the movie</source>
+        <translation>Cancelar la película</translation>
+    </message>
+    <message>
+        <source>Discard the movie</source>
+        <translation>Descartar la película</translation>
     </message>
 </context>
 <context>
@@ -3727,20 +3685,20 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Buscando junto a %1</translation>
     </message>
     <message>
-        <source>Beside %1 lies the scan %2.</source>
-        <translation>Junto a %1 está el estudio %2.</translation>
-    </message>
-    <message>
-        <source>Beside %1 lies the label map %2.</source>
-        <translation>Junto a %1 está el mapa de etiquetas %2.</translation>
-    </message>
-    <message>
         <source>Open the scan</source>
         <translation>Abrir el estudio</translation>
     </message>
     <message>
         <source>Open its organs</source>
         <translation>Abrir sus órganos</translation>
+    </message>
+    <message>
+        <source>The scan %2 is in the same folder as %1.</source>
+        <translation>El estudio %2 está en la misma carpeta que %1.</translation>
+    </message>
+    <message>
+        <source>The label map %2 is in the same folder as %1.</source>
+        <translation>El mapa de etiquetas %2 está en la misma carpeta que %1.</translation>
     </message>
 </context>
 <context>
@@ -3838,10 +3796,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>&amp;Válvulas y flujo</translation>
     </message>
     <message>
-        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>En el corazón de muestra que late: valvas tan abiertas como las válvulas y una flecha donde fluye sangre, tan gruesa como la apertura y tan larga como rápida es la sangre</translation>
-    </message>
-    <message>
         <source>Record a &amp;key</source>
         <translation>Grabar un fotograma &amp;clave</translation>
     </message>
@@ -3934,10 +3888,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Conservar esta circulación para comparar: bucles discontinuos y una segunda columna de valores</translation>
     </message>
     <message>
-        <source>For&amp;get</source>
-        <translation>&amp;Descartar</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Terminar la comparación</translation>
     </message>
@@ -3962,10 +3912,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Ver a través</translation>
     </message>
     <message>
-        <source>Close the wall</source>
-        <translation>Cerrar la pared</translation>
-    </message>
-    <message>
         <source>Key at %1 s</source>
         <translation>Fotograma clave en %1 s</translation>
     </message>
@@ -3978,20 +3924,32 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Comparar con la pose a&amp;ctual</translation>
     </message>
     <message>
-        <source>Keep these organs as they are posed now in a second view, and go on here</source>
-        <translation>Conservar estos órganos en su pose actual en una segunda vista y seguir aquí</translation>
-    </message>
-    <message>
-        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
-        <translation>La película no muestra distancias, superficies ajenas ni cortes deformados.</translation>
-    </message>
-    <message>
-        <source>This sequence says nothing about valves: choose the heartbeat</source>
-        <translation>Esta secuencia no dice nada de las válvulas: elija el latido</translation>
-    </message>
-    <message>
         <source>Only the sample heart has valves to show</source>
         <translation>Solo el corazón de muestra tiene válvulas que mostrar</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and arrows whose width shows the opening and whose length shows the speed of the blood</source>
+        <translation>En el corazón de muestra que late: valvas tan abiertas como las válvulas, y flechas cuyo ancho muestra la apertura y cuya longitud, la velocidad de la sangre</translation>
+    </message>
+    <message>
+        <source>This sequence has no valves; choose the heartbeat</source>
+        <translation>Esta secuencia no tiene válvulas; elija el latido</translation>
+    </message>
+    <message>
+        <source>Show the present pose in a second view, to compare it with later poses</source>
+        <translation>Mostrar la pose actual en una segunda vista, para compararla con poses posteriores</translation>
+    </message>
+    <message>
+        <source>&amp;Discard kept circulation</source>
+        <translation>&amp;Descartar la circulación conservada</translation>
+    </message>
+    <message>
+        <source>Make the wall opaque</source>
+        <translation>Hacer opaca la pared</translation>
+    </message>
+    <message>
+        <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
+        <translation>La película no muestra los colores de las distancias, las superficies medidas ni los cortes deformados.</translation>
     </message>
 </context>
 <context>
@@ -4242,10 +4200,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>En los ejes del paciente, mm: positivo hacia la izquierda, la espalda y la cabeza</translation>
     </message>
     <message>
-        <source>Witness %1</source>
-        <translation>Testigo %1</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punto de superficie %1</translation>
     </message>
@@ -4288,6 +4242,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Witness point %1</source>
+        <translation>Punto testigo %1</translation>
     </message>
 </context>
 <context>
@@ -4510,10 +4468,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>pasos</translation>
     </message>
     <message>
-        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Una marca indica que la fase requiere atención; la descripción de la fila dice por qué</translation>
-    </message>
-    <message>
         <source>Time of the phase</source>
         <translation>Tiempo de la fase</translation>
     </message>
@@ -4540,10 +4494,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Volume of the fit</source>
         <translation>Volumen del ajuste</translation>
-    </message>
-    <message>
-        <source>How well the voxels agree: 1 for all</source>
-        <translation>Concordancia de los vóxeles: 1 si coinciden todos</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4594,16 +4544,24 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>La sesión no guarda las superficies medidas. Para verlas, calcule de nuevo el movimiento: Secuencia &gt; Movimiento de una serie</translation>
     </message>
     <message>
-        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
-        <translation>Las superficies medidas en la fase más próxima, como vidrio en la vista</translation>
-    </message>
-    <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Colorear los órganos según su distancia a las superficies medidas de la fase más próxima</translation>
     </message>
     <message>
         <source>%1, %2 (%3)</source>
         <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
+        <translation>Una marca indica que la fase requiere atención; la descripción emergente de la fila da el motivo</translation>
+    </message>
+    <message>
+        <source>Dice coefficient of the voxels; 1 if all agree</source>
+        <translation>Coeficiente de Dice de los vóxeles; 1 si coinciden todos</translation>
+    </message>
+    <message>
+        <source>Show the measured surfaces of the nearest phase, translucent</source>
+        <translation>Mostrar las superficies medidas de la fase más próxima, translúcidas</translation>
     </message>
 </context>
 <context>
@@ -4932,7 +4890,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
-        <translation>Viscera terminó sin guardar. Ha conservado una copia del trabajo de %1.</translation>
+        <translation>Viscera terminó sin guardar. Ha conservado una copia del trabajo del %1.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -5429,10 +5387,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>I&amp;ntervalo logarítmico</translation>
     </message>
     <message>
-        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
-        <translation>Graduar los colores por factores, para distinguir valores pequeños junto a grandes</translation>
-    </message>
-    <message>
         <source>Same range in both &amp;views</source>
         <translation>Mismo intervalo en ambas &amp;vistas</translation>
     </message>
@@ -5447,6 +5401,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
         <translation>Mostrar la secuencia en el instante en que el estrés rotacional es mayor</translation>
+    </message>
+    <message>
+        <source>Use a logarithmic colour scale, which separates small values</source>
+        <translation>Usar una escala de colores logarítmica, que distingue los valores pequeños</translation>
     </message>
 </context>
 <context>
@@ -5523,16 +5481,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Plegado</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
-        <translation>Puntos testigo en los que el tejido está vuelto del revés; en magenta en todos los mapas salvo el suyo</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Look inside</source>
-        <translation>Mirar dentro</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5559,18 +5509,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Distancia de la sección al centro del órgano; la flecha de la vista la mueve, el borde la inclina</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Mostrado</translation>
-    </message>
-    <message>
-        <source>Show what is above</source>
-        <translation>Mostrar lo que está por encima</translation>
-    </message>
-    <message>
-        <source>Show what is below</source>
-        <translation>Mostrar lo que está por debajo</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Límite</translation>
     </message>
@@ -5589,10 +5527,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Crosses of the stretch</source>
         <translation>Cruces del estiramiento</translation>
-    </message>
-    <message>
-        <source>The shapes that small balls of tissue take, at about 300 places</source>
-        <translation>Las formas que adoptan pequeñas bolas de tejido en unos 300 lugares</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -5713,6 +5647,30 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
         <translation>Colores del valor más bajo al más alto; los mapas de ángulos y los de razones conservan cada uno su propia elección</translation>
     </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta, except on the map of folded tissue</source>
+        <translation>Puntos testigo en los que el tejido está vuelto del revés; en magenta, salvo en el mapa de tejido plegado</translation>
+    </message>
+    <message>
+        <source>Cut and glyphs</source>
+        <translation>Sección y glifos</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tejido</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Por encima del límite</translation>
+    </message>
+    <message>
+        <source>Below the limit</source>
+        <translation>Por debajo del límite</translation>
+    </message>
+    <message>
+        <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
+        <translation>Glifos del estiramiento en unos 300 puntos: la forma que adopta una pequeña esfera de tejido</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5743,10 +5701,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>positive</source>
         <translation>positivas</translation>
-    </message>
-    <message>
-        <source>No handle ever pushes the organ the other way</source>
-        <translation>Ningún tirador empuja nunca el órgano en sentido contrario</translation>
     </message>
     <message>
         <source>interpolating</source>
@@ -5815,6 +5769,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>These handles allow up to %1.</source>
         <translation>Estos tiradores permiten hasta %1.</translation>
+    </message>
+    <message>
+        <source>No coordinate is negative: the organ follows the direction of every handle</source>
+        <translation>Ninguna coordenada es negativa: el órgano sigue la dirección de cada tirador</translation>
     </message>
 </context>
 <context>
@@ -6239,6 +6197,48 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::WarpExport</name>
+    <message>
+        <source>Export the &amp;warped scan...</source>
+        <translation>&amp;Exportar el estudio deformado...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Guardar el estudio deformado por la pose, con un mapa de etiquetas de los órganos en esa pose</translation>
+    </message>
+    <message>
+        <source>Export the warped scan</source>
+        <translation>Exportar el estudio deformado</translation>
+    </message>
+    <message>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the warped scan</source>
+        <translation>Exportando el estudio deformado</translation>
+    </message>
+    <message>
+        <source>The warped scan was written to %1.</source>
+        <translation>El estudio deformado se ha guardado en %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Sus etiquetas están al lado: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>La pose pliega el tejido en %n vóxel: su valor es una estimación.</numerusform>
+            <numerusform>La pose pliega el tejido en %n vóxeles: sus valores son estimaciones.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::WelcomeCard</name>
     <message>
         <source>Welcome</source>
@@ -6284,10 +6284,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>&amp;Disposición estándar</translation>
     </message>
     <message>
-        <source>Restore the first arrangement of all panels</source>
-        <translation>Restaurar la disposición inicial de todos los paneles</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Pantalla completa</translation>
     </message>
@@ -6326,6 +6322,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Import</source>
         <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Move all panels to their default places</source>
+        <translation>Mover todos los paneles a sus lugares predeterminados</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>%1. Drag or use the arrow keys to turn, two fingers, the wheel or plus and minus to come nearer.</source>
-        <translation>%1. Faites glisser ou utilisez les flèches pour tourner ; deux doigts, la molette ou plus et moins pour approcher.</translation>
+        <translation>%1. Faites glisser ou utilisez les flèches pour tourner&#x202f;; deux doigts, la molette ou plus et moins pour approcher.</translation>
     </message>
     <message>
         <source>View</source>
@@ -84,16 +84,12 @@
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Back to the shape as sent (R)</source>
-        <translation>Revenir à la forme d’origine (R)</translation>
-    </message>
-    <message>
         <source>Drag a handle.</source>
         <translation>Faites glisser une poignée.</translation>
     </message>
     <message>
         <source>Handle %1: arrow keys, plus and minus move it.</source>
-        <translation>Poignée %1 : les flèches, plus et moins la déplacent.</translation>
+        <translation>Poignée %1&#xa0;: les flèches, plus et moins la déplacent.</translation>
     </message>
     <message>
         <source>Previous slide (Page Up)</source>
@@ -105,7 +101,7 @@
     </message>
     <message>
         <source>%1 of %2: %3</source>
-        <translation>%1 sur %2 : %3</translation>
+        <translation>%1 sur %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -140,12 +136,8 @@
         <translation>%1 % du repos</translation>
     </message>
     <message>
-        <source>%1 % by the handles</source>
-        <translation>%1 % par les poignées</translation>
-    </message>
-    <message>
         <source>%1: ejection fraction</source>
-        <translation>%1 : fraction d’éjection</translation>
+        <translation>%1&#xa0;: fraction d’éjection</translation>
     </message>
     <message>
         <source>Stroke volume</source>
@@ -201,7 +193,7 @@
     </message>
     <message>
         <source>Volumes over one cycle: %1</source>
-        <translation>Volumes sur un cycle : %1</translation>
+        <translation>Volumes sur un cycle&#xa0;: %1</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -215,13 +207,13 @@ Page Down, Page Up: next and previous slide; B: dark screen
 J, K: choose a handle; arrow keys, plus and minus move it; Escape lets it go
 1, 3, 7: front, left, above
 N: names, H: handles, X: wall, R: reset, T: light or dark, Home: beginning</source>
-        <translation>Espace : lire ou arrêter
-Flèches : tourner l’image quand elle a le focus, sinon parcourir le cycle
-Plus, moins : approcher, éloigner
-Page suiv., Page préc. : diapositive suivante et précédente ; B : écran noir
-J, K : choisir une poignée ; les flèches, plus et moins la déplacent ; Échap la lâche
-1, 3, 7 : devant, gauche, dessus
-N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine : début</translation>
+        <translation>Espace&#xa0;: lire ou arrêter
+Flèches&#xa0;: tourner l’image quand elle a le focus, sinon parcourir le cycle
+Plus, moins&#xa0;: approcher, éloigner
+Page suiv., Page préc.&#xa0;: diapositive suivante et précédente&#x202f;; B&#xa0;: écran noir
+J, K&#xa0;: choisir une poignée&#x202f;; les flèches, plus et moins la déplacent&#x202f;; Échap la lâche
+1, 3, 7&#xa0;: devant, gauche, dessus
+N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: clair ou sombre, Origine&#xa0;: début</translation>
     </message>
     <message>
         <source>Next</source>
@@ -237,15 +229,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>What is marked?</source>
-        <translation>Qu’est-ce qui est marqué ?</translation>
+        <translation>Qu’est-ce qui est marqué&#x202f;?</translation>
     </message>
     <message>
         <source>Which phase is this?</source>
-        <translation>Quelle est cette phase ?</translation>
+        <translation>Quelle est cette phase&#x202f;?</translation>
     </message>
     <message>
         <source>Which chamber shrinks now?</source>
-        <translation>Quelle cavité rétrécit maintenant ?</translation>
+        <translation>Quelle cavité rétrécit maintenant&#x202f;?</translation>
     </message>
     <message>
         <source>Both</source>
@@ -261,7 +253,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>No. The answer is: %1.</source>
-        <translation>Non. La réponse est : %1.</translation>
+        <translation>Non. La réponse est&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 of %2 right</source>
@@ -306,10 +298,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Notes</source>
         <translation>Notes</translation>
-    </message>
-    <message>
-        <source>Name on it</source>
-        <translation>Nom dessus</translation>
     </message>
     <message>
         <source>Normal range</source>
@@ -414,11 +402,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Recorded</source>
-        <translation>Enregistré</translation>
+        <translation>Enregistrée</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation>Mesuré</translation>
+        <translation>Mesurée</translation>
     </message>
     <message>
         <source>Atrial systole</source>
@@ -442,7 +430,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Wave in the body</source>
-        <translation>Onde dans le corps</translation>
+        <translation>Onde dans le corps gastrique</translation>
     </message>
     <message>
         <source>Wave in the antrum</source>
@@ -468,16 +456,28 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>Back to the original shape (R)</source>
+        <translation>Revenir à la forme d’origine (R)</translation>
+    </message>
+    <message>
+        <source>%1 % from moved handles</source>
+        <translation>%1 % par poignées déplacées</translation>
+    </message>
+    <message>
+        <source>Label in the view</source>
+        <translation>Étiquette dans la vue</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
     <message>
         <source>Replace the file?</source>
-        <translation>Remplacer le fichier ?</translation>
+        <translation>Remplacer le fichier&#x202f;?</translation>
     </message>
     <message>
         <source>%1 already exists. Do you want to replace it?</source>
-        <translation>%1 existe déjà. Voulez-vous le remplacer ?</translation>
+        <translation>%1 existe déjà. Voulez-vous le remplacer&#x202f;?</translation>
     </message>
 </context>
 <context>
@@ -545,12 +545,12 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Graisse</translation>
     </message>
     <message>
-        <source>Gall</source>
-        <translation>Bile</translation>
-    </message>
-    <message>
         <source>Another colour...</source>
         <translation>Autre couleur...</translation>
+    </message>
+    <message>
+        <source>Bile</source>
+        <translation>Bile</translation>
     </message>
 </context>
 <context>
@@ -589,52 +589,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
 </context>
 <context>
-    <name>viscera::app::WarpExport</name>
-    <message>
-        <source>Export the &amp;warped scan...</source>
-        <translation>Exporter l’&amp;examen déformé...</translation>
-    </message>
-    <message>
-        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
-        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
-    </message>
-    <message>
-        <source>Export the warped scan</source>
-        <translation>Exporter l’examen déformé</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
-        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>Exporting the warped scan</source>
-        <translation>Exportation de l’examen déformé</translation>
-    </message>
-    <message>
-        <source>The warped scan was written to %1.</source>
-        <translation>L’examen déformé a été écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>Its labels are beside it: %1.</source>
-        <translation>Ses étiquettes sont à côté&#x202f;: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
-        <translation>
-            <numerusform>La pose replie le tissu dans %n voxel&#x202f;: sa valeur est une estimation.</numerusform>
-            <numerusform>La pose replie le tissu dans %n voxels&#x202f;: leurs valeurs sont des estimations.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>viscera::app::BindingMessages</name>
     <message>
         <source>%1 is not bound to these handles: binding was cancelled.</source>
-        <translation>%1 n’est pas lié à ces poignées&#x202f;: la liaison a été annulée.</translation>
+        <translation>%1 n’est pas lié à ces poignées&#xa0;: la liaison a été annulée.</translation>
     </message>
     <message>
         <source>Bind now</source>
@@ -682,15 +640,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Précharge : volume contraint</translation>
+        <translation>Précharge&#xa0;: volume contraint</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcharge : systémique</translation>
+        <translation>Postcharge&#xa0;: systémique</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcharge : pulmonaire</translation>
+        <translation>Postcharge&#xa0;: pulmonaire</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -710,15 +668,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1. Marked: normal, %2 %3 (%4)</source>
-        <translation>%1. Repère&#x202f;: normale, %2 %3 (%4)</translation>
+        <translation>%1. Repère&#xa0;: normale, %2 %3 (%4)</translation>
     </message>
     <message>
         <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
-        <translation>Seul le cœur type peut être mû par le modèle de circulation&#x202f;; les graphiques montrent ses résultats pour tout organe.</translation>
+        <translation>Seul le cœur type peut être animé par le modèle de circulation&#x202f;; les graphiques montrent ses résultats pour tout organe.</translation>
     </message>
     <message>
         <source>Textbook beat</source>
-        <translation>Battement type</translation>
+        <translation>Battement du manuel</translation>
     </message>
     <message>
         <source>Volumes of healthy adults over one beat at this rate</source>
@@ -730,7 +688,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
-        <translation>Un modèle du cœur et des vaisseaux&#x202f;: pressions, boucles pression-volume, valves et bruits</translation>
+        <translation>Un modèle du cœur et des vaisseaux&#xa0;: pressions, boucles pression-volume, valves et bruits</translation>
     </message>
     <message>
         <source>Rate, preload, afterload</source>
@@ -746,7 +704,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Before: %1</source>
-        <translation>Avant&#x202f;: %1</translation>
+        <translation>Avant&#xa0;: %1</translation>
     </message>
     <message>
         <source>Fitted to the volume and the ejection fraction of a left ventricle.</source>
@@ -799,7 +757,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Sample %1</source>
-        <translation>Organe type&#x202f;: %1</translation>
+        <translation>Organe type&#xa0;: %1</translation>
     </message>
     <message>
         <source>Open files...</source>
@@ -826,10 +784,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>  %1 / min</translation>
     </message>
     <message>
-        <source>The same organ in the present pose, kept</source>
-        <translation>Le même organe dans la pose actuelle, gardée</translation>
-    </message>
-    <message>
         <source>The errors of both coordinate systems</source>
         <translation>Les erreurs des deux systèmes de coordonnées</translation>
     </message>
@@ -839,7 +793,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
-        <translation>La seconde vue de la session n’est pas affichée&#x202f;: %1 n’est pas installé ici.</translation>
+        <translation>La seconde vue de la session n’est pas affichée&#xa0;: %1 n’est pas installé ici.</translation>
+    </message>
+    <message>
+        <source>The same organ, kept in the present pose</source>
+        <translation>Le même organe, gardé dans la pose actuelle</translation>
     </message>
 </context>
 <context>
@@ -858,7 +816,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
-        <translation>Un fichier .csv à deux colonnes&#x202f;: la fraction du cycle (ou time_s) et le volume en ml. À chaque instant, les poignées bougent le moins possible pour atteindre ce volume</translation>
+        <translation>Un fichier .csv à deux colonnes&#xa0;: la fraction du cycle (ou time_s) et le volume en ml. À chaque instant, les poignées bougent le moins possible pour atteindre ce volume</translation>
     </message>
     <message>
         <source>Let the sequence alone determine the volume again</source>
@@ -882,10 +840,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
-    </message>
-    <message>
-        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
-        <translation>Distance de la section au milieu des organes, en fraction du chemin jusqu’à leur bord</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -918,6 +872,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retirer ce qui est le plus proche de l’observateur</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
+        <translation>Distance de la section au milieu des organes, en pourcentage de la distance jusqu’à leur bord</translation>
     </message>
 </context>
 <context>
@@ -1090,7 +1048,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
-        <translation>Un glissement déplace aussi les poignées symétriques&#x202f;; le plan de miroir passe par le milieu de l’organe au repos (M&#x202f;: plan suivant)</translation>
+        <translation>Un glissement déplace aussi les poignées symétriques&#x202f;; le plan de miroir passe par le milieu de l’organe au repos (M&#xa0;: plan suivant)</translation>
     </message>
     <message>
         <source>Moves along</source>
@@ -1109,12 +1067,12 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>all that are free</source>
-        <translation>toutes celles qui sont libres</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>aucune poignée près de l’image miroir</translation>
+    </message>
+    <message>
+        <source>all free handles</source>
+        <translation>toutes les poignées libres</translation>
     </message>
 </context>
 <context>
@@ -1144,15 +1102,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Towards the patient&apos;s left; negative: right (R/L)</source>
-        <translation>Vers la gauche du patient&#x202f;; négatif&#x202f;: droite (R/L)</translation>
+        <translation>Vers la gauche du patient&#x202f;; négatif&#xa0;: droite (R/L)</translation>
     </message>
     <message>
         <source>Towards the patient&apos;s back; negative: front (A/P)</source>
-        <translation>Vers le dos du patient&#x202f;; négatif&#x202f;: avant (A/P)</translation>
+        <translation>Vers le dos du patient&#x202f;; négatif&#xa0;: avant (A/P)</translation>
     </message>
     <message>
         <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
-        <translation>Vers la tête du patient&#x202f;; négatif&#x202f;: pieds (S/I)</translation>
+        <translation>Vers la tête du patient&#x202f;; négatif&#xa0;: pieds (S/I)</translation>
     </message>
     <message>
         <source>Move the selected handles once by this distance; locked volumes are kept</source>
@@ -1160,7 +1118,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
-        <translation>Déplacé de %1 sur %2 mm&#x202f;: le volume verrouillé ne permet pas plus dans cette direction.</translation>
+        <translation>Déplacé de %1 sur %2 mm&#xa0;: le volume verrouillé ne permet pas plus dans cette direction.</translation>
     </message>
 </context>
 <context>
@@ -1195,7 +1153,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Vertices for which the system has no coordinates; they do not move</source>
-        <translation>Sommets pour lesquels le système n’a pas de coordonnées ; ils ne bougent pas</translation>
+        <translation>Sommets pour lesquels le système n’a pas de coordonnées&#x202f;; ils ne bougent pas</translation>
     </message>
     <message>
         <source>Binding time</source>
@@ -1254,7 +1212,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
-        <translation>Faites glisser sur une coupe de coin à coin&#x202f;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
+        <translation>Faites glisser sur une coupe de coin à coin&#xa0;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Rectangle</source>
@@ -1270,7 +1228,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
-        <translation>Faites glisser sur une coupe du centre au bord&#x202f;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
+        <translation>Faites glisser sur une coupe du centre au bord&#xa0;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -1523,7 +1481,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation&#x202f;: %1</translation>
+        <translation>Exportation&#xa0;: %1</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -1565,7 +1523,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
-        <translation>Ouvrir un patient&#x202f;: un dossier avec un masque par organe, tel que TotalSegmentator l’écrit</translation>
+        <translation>Ouvrir un patient&#xa0;: un dossier avec un masque par organe, tel que TotalSegmentator l’écrit</translation>
     </message>
     <message>
         <source>&amp;Import with check...</source>
@@ -1605,7 +1563,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
-        <translation>Pour les coordonnées qui demandent une cage&#x202f;: charger une surface fermée autour de l’organe&#x202f;; ses sommets deviennent les poignées</translation>
+        <translation>Pour les coordonnées qui demandent une cage&#xa0;: charger une surface fermée autour de l’organe&#x202f;; ses sommets deviennent les poignées</translation>
     </message>
     <message>
         <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
@@ -1658,13 +1616,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>Open %1</source>
         <translation>Ouvrir %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more on the pages of their organs in Explore</source>
-        <translation>
-            <numerusform>%n autre sur la page de son organe dans Explorer</numerusform>
-            <numerusform>%n autres sur les pages de leurs organes dans Explorer</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save handles</source>
         <translation>Enregistrer les poignées</translation>
@@ -1710,19 +1661,26 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation&#x202f;: %1</translation>
+        <translation>Exportation&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 written to %2</source>
         <translation>%1 écrit dans %2</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 n’est pas là.</translation>
-    </message>
-    <message>
         <source>Look for files...</source>
         <translation>Chercher les fichiers...</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>%1 est introuvable.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more findings; see the organs&apos; pages in Explore mode</source>
+        <translation>
+            <numerusform>%n autre constat&#xa0;: voir la page de l’organe en mode Explorer</numerusform>
+            <numerusform>%n autres constats&#xa0;: voir les pages des organes en mode Explorer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1799,7 +1757,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1: click its place in the view</source>
-        <translation>%1&#x202f;: placez-le d’un clic dans la vue</translation>
+        <translation>%1&#xa0;: placez-le d’un clic dans la vue</translation>
     </message>
     <message>
         <source>click the organ</source>
@@ -1811,7 +1769,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 is open; a sequence needs a closed surface.</source>
-        <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
+        <translation>%1&#xa0;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
     </message>
     <message>
         <source>Makes %1 and its chambers beat like a textbook heart. The present shape counts as the end of diastole. The result is a key sequence.</source>
@@ -1819,7 +1777,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
-        <translation>Meut %1 comme l’organe type. Les repères que vous ne placez pas sont trouvés d’après sa forme.</translation>
+        <translation>Anime %1 comme l’organe type. Les repères que vous ne placez pas sont trouvés d’après sa forme.</translation>
     </message>
     <message>
         <source>Fitting %1</source>
@@ -1838,11 +1796,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 is made for a %2, but the name %3 suggests another organ.</source>
-        <translation>%1 est faite pour un organe « %2 », mais le nom %3 suggère un autre organe.</translation>
+        <translation>%1 est faite pour un organe «&#xa0;%2&#xa0;», mais le nom %3 suggère un autre organe.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
-        <translation>%1&#x202f;: ajuster à %2&#x202f;?</translation>
+        <translation>%1&#xa0;: ajuster à %2&#x202f;?</translation>
     </message>
     <message>
         <source>Fit it anyway</source>
@@ -1858,18 +1816,18 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 is open; a sequence needs a closed surface</source>
-        <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée</translation>
+        <translation>%1&#xa0;: surface ouverte&#x202f;; une séquence demande une surface fermée</translation>
     </message>
     <message>
         <source>Show the sample %1</source>
-        <translation>Montrer l’organe type&#x202f;: %1</translation>
+        <translation>Montrer l’organe type&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::GroupPanel</name>
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
-        <translation>Pas de groupes&#x202f;: toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
+        <translation>Pas de groupes&#xa0;: toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
     </message>
     <message>
         <source>Groups</source>
@@ -1898,14 +1856,6 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <message>
         <source>Add the selected handles to the chosen group</source>
         <translation>Ajouter les poignées sélectionnées au groupe choisi</translation>
-    </message>
-    <message>
-        <source>Take out</source>
-        <translation>Retirer</translation>
-    </message>
-    <message>
-        <source>Take the selected handles out of the chosen group</source>
-        <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
     </message>
     <message>
         <source>Colour...</source>
@@ -1969,7 +1919,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
-        <translation>Aucun système de coordonnées à groupes n’est chargé&#x202f;: le plugin manque.</translation>
+        <translation>Aucun système de coordonnées à groupes n’est chargé&#xa0;: le plugin manque.</translation>
     </message>
     <message>
         <source>Use %1</source>
@@ -1988,6 +1938,14 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
             <numerusform>Le groupement automatique a ajouté %n poignée de coin à %1 des %2 groupes.</numerusform>
             <numerusform>Le groupement automatique a ajouté %n poignées de coin à %1 des %2 groupes.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Remove from group</source>
+        <translation>Retirer du groupe</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles from the chosen group</source>
+        <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
     </message>
 </context>
 <context>
@@ -2149,7 +2107,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
-        <translation>%1&#x202f;: l’organe n’est pas lié aux poignées.</translation>
+        <translation>%1&#xa0;: l’organe n’est pas lié aux poignées.</translation>
     </message>
     <message>
         <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
@@ -2164,7 +2122,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
-        <translation>Cliquez sur l’organe pour ajouter une poignée, faites-la glisser pour la déplacer, Suppr la supprime ; la forme au repos reste</translation>
+        <translation>Cliquez sur l’organe pour ajouter une poignée, faites-la glisser pour la déplacer, Suppr la supprime&#x202f;; la forme au repos reste</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2356,7 +2314,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
-        <translation>Viscera %1&#x202f;: des organes déformés par des poignées, sans cage. BSD-3-Clause&#x202f;; un programme pour la recherche et l’enseignement, pas un dispositif médical.</translation>
+        <translation>Viscera %1&#xa0;: des organes déformés par des poignées, sans cage. BSD-3-Clause&#x202f;; un programme pour la recherche et l’enseignement, pas un dispositif médical.</translation>
     </message>
     <message>
         <source>Look around</source>
@@ -2364,7 +2322,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
-        <translation>Faites glisser avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
+        <translation>Faites glisser avec le bouton gauche pour tourner, avec Maj pour déplacer&#x202f;; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer&#x202f;; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
     </message>
     <message>
         <source>Play a motion</source>
@@ -2372,7 +2330,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
-        <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle&#x202f;: faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
+        <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle&#xa0;: faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
     </message>
     <message>
         <source>Handles</source>
@@ -2380,7 +2338,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
-        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez sur l’organe pour en ajouter une, faites-la glisser pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
+        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#xa0;: cliquez sur l’organe pour en ajouter une, faites-la glisser pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
     </message>
     <message>
         <source>Deform</source>
@@ -2396,7 +2354,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
-        <translation>Les couleurs montrent à quel point la pose distord le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace lit la séquence et la carte suit.</translation>
+        <translation>Les couleurs montrent à quel point la pose distord le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point&#x202f;; C l’ouvre, M montre la carte suivante. Espace lit la séquence et la carte suit.</translation>
     </message>
     <message>
         <source>Your own organs</source>
@@ -2404,7 +2362,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
-        <translation>Ouvrez des surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) ou des cartes d’étiquettes (NIfTI, NRRD, DICOM-SEG) avec Ctrl+O ou déposez-les ici ; elles reçoivent aussitôt des poignées. Ctrl+S enregistre le tout comme session. ? montre toutes les touches.</translation>
+        <translation>Ouvrez des surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) ou des cartes d’étiquettes (NIfTI, NRRD, DICOM-SEG) avec Ctrl+O ou déposez-les ici&#x202f;; elles reçoivent aussitôt des poignées. Ctrl+S enregistre le tout comme session.&#x202f;? montre toutes les touches.</translation>
     </message>
 </context>
 <context>
@@ -2437,7 +2395,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Repairing: %1</source>
-        <translation>Réparation&#x202f;: %1</translation>
+        <translation>Réparation&#xa0;: %1</translation>
     </message>
     <message>
         <source>Checking again</source>
@@ -2456,15 +2414,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
-        <translation>%1 organes&#x202f;: %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
+        <translation>%1 organes&#xa0;: %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
     </message>
     <message>
         <source>%1 of %2 organs are not life-sized; a change of unit applies to all organs from surface files</source>
-        <translation>%1 organes sur %2 ne sont pas grandeur nature ; un changement d’unité s’applique à tous les organes lus dans des fichiers de surface</translation>
+        <translation>%1 organes sur %2 ne sont pas grandeur nature&#x202f;; un changement d’unité s’applique à tous les organes lus dans des fichiers de surface</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
-        <translation>%1&#x202f;: %2 organes sur %3</translation>
+        <translation>%1&#xa0;: %2 organes sur %3</translation>
     </message>
     <message>
         <source>Import</source>
@@ -2534,7 +2492,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
-        <translation>Posez l’organe en mode Déformer et pressez Ctrl+K&#x202f;: chaque clé mémorise cette pose.</translation>
+        <translation>Donnez une pose à l’organe en mode Déformer et appuyez sur Ctrl+K&#xa0;: chaque clé mémorise cette pose.</translation>
     </message>
     <message>
         <source>Time of the next key</source>
@@ -2682,16 +2640,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Scène glTF animée (.glb)</translation>
     </message>
     <message>
-        <source>As the window</source>
-        <translation>Comme la fenêtre</translation>
-    </message>
-    <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
         <translation>Langue des boutons et messages de la page&#x202f;; les textes ci-dessous restent tels quels</translation>
     </message>
     <message>
         <source>A reader of the lesson sees only these texts: it holds no file names, no dates and no hidden organs. Check the texts for names of patients; double-click a text to change it.</source>
-        <translation>Le lecteur de la leçon ne voit que ces textes : elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients ; double-cliquez sur un texte pour le changer.</translation>
+        <translation>Le lecteur de la leçon ne voit que ces textes&#xa0;: elle ne contient ni noms de fichiers, ni dates, ni organes masqués. Vérifiez que les textes ne contiennent pas de noms de patients&#x202f;; double-cliquez sur un texte pour le changer.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2718,16 +2672,20 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Textes de la leçon</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Nature</translation>
-    </message>
-    <message>
         <source>Text</source>
         <translation>Texte</translation>
     </message>
     <message>
         <source>The shape of a head or a face can identify a patient.</source>
         <translation>La forme d’une tête ou d’un visage peut identifier un patient.</translation>
+    </message>
+    <message>
+        <source>Language of the window</source>
+        <translation>Langue de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2723,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Exportation de la leçon</translation>
     </message>
     <message>
-        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
-        <translation>Écrit dans %1 (%2 Mo). Son mouvement s’écarte de %3 mm au plus.</translation>
+        <source>Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.</source>
+        <translation>Écrit dans %1 (%2 Mo). Le mouvement du fichier diffère de %3 mm au plus.</translation>
     </message>
 </context>
 <context>
@@ -2785,7 +2743,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>%1: checked, no problems found</source>
-        <translation>%1&#x202f;: contrôlé, aucun problème trouvé</translation>
+        <translation>%1&#xa0;: contrôlé, aucun problème trouvé</translation>
     </message>
     <message>
         <source>Viscera cancelled the drag because you chose another mode.</source>
@@ -2793,19 +2751,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Only partly possible: %1</source>
-        <translation>Possible en partie seulement : %1</translation>
-    </message>
-    <message>
-        <source>Recording a movie</source>
-        <translation>Enregistrement d’un film</translation>
+        <translation>Possible en partie seulement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Close without these files?</source>
-        <translation>Fermer sans ces fichiers ?</translation>
+        <translation>Fermer sans ces fichiers&#x202f;?</translation>
     </message>
     <message>
         <source>Viscera is still writing: %1.</source>
-        <translation>Viscera écrit encore&#x202f;: %1.</translation>
+        <translation>Viscera écrit encore&#xa0;: %1.</translation>
     </message>
     <message>
         <source>If you close Viscera now, it does not finish these files.</source>
@@ -2820,8 +2774,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>&amp;Attendre</translation>
     </message>
     <message>
-        <source>%1: this view is kept</source>
-        <translation>%1 : cette vue est conservée</translation>
+        <source>View kept as %1</source>
+        <translation>Vue conservée sous le nom %1</translation>
+    </message>
+    <message>
+        <source>Writing a movie</source>
+        <translation>Écriture d’un film</translation>
     </message>
 </context>
 <context>
@@ -2864,11 +2822,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lieu dans la pose, dans les axes du patient : positif vers la gauche, le dos et la tête</translation>
+        <translation>Lieu dans la pose, dans les axes du patient&#xa0;: positif vers la gauche, le dos et la tête</translation>
     </message>
     <message>
         <source>%1: at rest %2 mm</source>
-        <translation>%1 : au repos %2 mm</translation>
+        <translation>%1&#xa0;: au repos %2 mm</translation>
     </message>
     <message>
         <source>no tissue</source>
@@ -2884,7 +2842,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
-        <translation>Profil le long de la ligne entre deux sondes ; la valeur est la plus grande</translation>
+        <translation>Profil le long de la ligne entre deux sondes&#x202f;; la valeur est la plus grande</translation>
     </message>
 </context>
 <context>
@@ -2951,13 +2909,9 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message numerus="yes">
         <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
-            <numerusform>Mouvement de %n phase. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
-            <numerusform>Mouvement de %n phases. Distance moyenne aux surfaces mesurées&#x202f;: %1.</numerusform>
+            <numerusform>Mouvement de %n phase. Distance moyenne aux surfaces mesurées&#xa0;: %1.</numerusform>
+            <numerusform>Mouvement de %n phases. Distance moyenne aux surfaces mesurées&#xa0;: %1.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>It was cancelled.</source>
-        <translation>Annulé.</translation>
     </message>
     <message>
         <source>Motion from a series</source>
@@ -2970,8 +2924,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message numerus="yes">
         <source>%n phases need attention: see the table below the chart.</source>
         <translation>
-            <numerusform>%n phase demande attention&#x202f;: voir le tableau sous le graphique.</numerusform>
-            <numerusform>%n phases demandent attention&#x202f;: voir le tableau sous le graphique.</numerusform>
+            <numerusform>%n phase demande attention&#xa0;: voir le tableau sous le graphique.</numerusform>
+            <numerusform>%n phases demandent attention&#xa0;: voir le tableau sous le graphique.</numerusform>
         </translation>
     </message>
     <message>
@@ -2984,7 +2938,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Distance from the measured surface</source>
-        <translation>Distance à ce qui a été mesuré</translation>
+        <translation>Distance à la surface mesurée</translation>
+    </message>
+    <message>
+        <source>The search for the motion was cancelled.</source>
+        <translation>La recherche du mouvement a été annulée.</translation>
     </message>
 </context>
 <context>
@@ -3007,11 +2965,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler&#x202f;: %1</translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir&#x202f;: %1</translation>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -3067,7 +3025,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>The next start uses this language: %1.</source>
-        <translation>Le prochain démarrage utilisera cette langue : %1.</translation>
+        <translation>Le prochain démarrage utilisera cette langue&#xa0;: %1.</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -3172,10 +3130,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Trouver le mouvement</translation>
     </message>
     <message>
-        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
-    </message>
-    <message>
         <source>Folder...</source>
         <translation>Dossier...</translation>
     </message>
@@ -3197,7 +3151,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Duration of one whole cycle: the number of phases times the step between them</source>
-        <translation>Durée d’un cycle entier : le nombre de phases multiplié par le pas entre elles</translation>
+        <translation>Durée d’un cycle entier&#xa0;: le nombre de phases multiplié par le pas entre elles</translation>
     </message>
     <message>
         <source>Duration of one cycle</source>
@@ -3206,10 +3160,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>The last phase leads back to the first</source>
         <translation>La dernière phase ramène à la première</translation>
-    </message>
-    <message>
-        <source>60 or 120</source>
-        <translation>60 ou 120</translation>
     </message>
     <message>
         <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
@@ -3228,20 +3178,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation> mm</translation>
     </message>
     <message>
-        <source>All alike</source>
-        <translation>Toutes égales</translation>
-    </message>
-    <message>
         <source>Larger distances count less: for label maps with outliers</source>
-        <translation>Les grandes distances comptent moins&#x202f;: pour des cartes d’étiquettes aberrantes</translation>
+        <translation>Les grandes distances comptent moins&#xa0;: pour des cartes d’étiquettes à valeurs aberrantes</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
-        <translation>Distances moindres au-delà de</translation>
-    </message>
-    <message>
-        <source>None; as in 3, 7</source>
-        <translation>Aucune&#x202f;; comme 3, 7</translation>
+        <translation>Pondération réduite au-delà de</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3261,7 +3203,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
-        <translation>Une image seule ne montre pas de mouvement. Ouvrez-la avec Fichier &gt; Ouvrir, puis choisissez « Ajuster une séquence à un organe » en mode Lire pour donner au cœur et à ses cavités le battement du manuel.</translation>
+        <translation>Une image seule ne montre pas de mouvement. Ouvrez-la avec Fichier &gt; Ouvrir, puis choisissez «&#xa0;Ajuster une séquence à un organe&#xa0;» en mode Lire pour donner au cœur et à ses cavités le battement du manuel.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3272,16 +3214,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Surface</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Nature</translation>
-    </message>
-    <message>
         <source>Label %1; a double click gives the surface another name</source>
         <translation>Étiquette %1&#x202f;; un double-clic donne un autre nom à la surface</translation>
-    </message>
-    <message>
-        <source>What %1 is</source>
-        <translation>Nature de %1</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -3302,15 +3236,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message numerus="yes">
         <source>%1: label maps, %n phases</source>
         <translation>
-            <numerusform>%1&#x202f;: cartes d’étiquettes, %n phase</numerusform>
-            <numerusform>%1&#x202f;: cartes d’étiquettes, %n phases</numerusform>
+            <numerusform>%1&#xa0;: cartes d’étiquettes, %n phase</numerusform>
+            <numerusform>%1&#xa0;: cartes d’étiquettes, %n phases</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: surfaces, %n phases</source>
         <translation>
-            <numerusform>%1&#x202f;: surfaces, %n phase</numerusform>
-            <numerusform>%1&#x202f;: surfaces, %n phases</numerusform>
+            <numerusform>%1&#xa0;: surfaces, %n phase</numerusform>
+            <numerusform>%1&#xa0;: surfaces, %n phases</numerusform>
         </translation>
     </message>
     <message>
@@ -3344,6 +3278,30 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>A single image shows no motion</source>
         <translation>Une image seule ne montre pas de mouvement</translation>
+    </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a key sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file with several phases. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence de clés, une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier à plusieurs phases. Le résultat remplace les organes ouverts&#x202f;; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sans limite</translation>
+    </message>
+    <message>
+        <source>For example 3, 7</source>
+        <translation>Par exemple 3, 7</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Rôle de %1</translation>
     </message>
 </context>
 <context>
@@ -3389,16 +3347,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Tableau des volumes à côté (.csv)</translation>
     </message>
     <message>
-        <source>Cancel the recording</source>
-        <translation>Annuler l’enregistrement</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Abandonner l’enregistrement</translation>
     </message>
     <message>
         <source>Record what the view shows</source>
@@ -3415,6 +3365,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Record as</source>
         <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Cancel the movie</source>
+        <translation>Annuler le film</translation>
+    </message>
+    <message>
+        <source>Discard the movie</source>
+        <translation>Abandonner le film</translation>
     </message>
 </context>
 <context>
@@ -3512,7 +3470,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Done: %1</source>
-        <translation>Fait&#x202f;: %1</translation>
+        <translation>Fait&#xa0;: %1</translation>
     </message>
     <message>
         <source>More repairs</source>
@@ -3660,7 +3618,7 @@ Un double-clic ou F2 renomme&#x202f;; un clic sur le carré change la couleur</t
     </message>
     <message>
         <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
-        <translation>Le volume est verrouillé&#x202f;: le mode Déformer le garde (clic ou K pour déverrouiller)</translation>
+        <translation>Le volume est verrouillé&#xa0;: le mode Déformer le garde (clic ou K pour déverrouiller)</translation>
     </message>
     <message>
         <source>Lock the volume (click or K)</source>
@@ -3727,20 +3685,20 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Recherche à côté de %1</translation>
     </message>
     <message>
-        <source>Beside %1 lies the scan %2.</source>
-        <translation>À côté de %1 se trouve l’examen %2.</translation>
-    </message>
-    <message>
-        <source>Beside %1 lies the label map %2.</source>
-        <translation>À côté de %1 se trouve la carte d’étiquettes %2.</translation>
-    </message>
-    <message>
         <source>Open the scan</source>
         <translation>Ouvrir l’examen</translation>
     </message>
     <message>
         <source>Open its organs</source>
         <translation>Ouvrir ses organes</translation>
+    </message>
+    <message>
+        <source>The scan %2 is in the same folder as %1.</source>
+        <translation>L’examen %2 est dans le même dossier que %1.</translation>
+    </message>
+    <message>
+        <source>The label map %2 is in the same folder as %1.</source>
+        <translation>La carte d’étiquettes %2 est dans le même dossier que %1.</translation>
     </message>
 </context>
 <context>
@@ -3771,7 +3729,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
-        <translation>Surface corporelle&#x202f;: les intervalles que la source donne par mètre carré sont multipliés par elle</translation>
+        <translation>Surface corporelle&#xa0;: les intervalles que la source donne par mètre carré sont multipliés par elle</translation>
     </message>
 </context>
 <context>
@@ -3831,15 +3789,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
-        <translation>Sous les phases d’un cœur&#x202f;: un électrocardiogramme schématique, B1 et B2, et quelles valves sont ouvertes</translation>
+        <translation>Sous les phases d’un cœur&#xa0;: un électrocardiogramme schématique, B1 et B2, et quelles valves sont ouvertes</translation>
     </message>
     <message>
         <source>&amp;Valves and flow</source>
         <translation>&amp;Valves et flux</translation>
-    </message>
-    <message>
-        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
-        <translation>Dans le cœur type qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
     </message>
     <message>
         <source>Record a &amp;key</source>
@@ -3895,11 +3849,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Compare with the te&amp;xtbook&apos;s heart</source>
-        <translation>Comparer avec le cœur &amp;type</translation>
+        <translation>Comparer avec le cœur du &amp;manuel</translation>
     </message>
     <message>
         <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
-        <translation>Montrer le cœur type avec son battement type à côté de ces organes, à leur fréquence</translation>
+        <translation>Montrer le cœur type avec son battement du manuel à côté de ces organes, à leur fréquence</translation>
     </message>
     <message>
         <source>&amp;One view</source>
@@ -3919,7 +3873,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
-        <translation>Quand une circulation meut le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
+        <translation>Quand une circulation anime le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
     </message>
     <message>
         <source>Keep circ&amp;ulation for comparison</source>
@@ -3931,11 +3885,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
-        <translation>Garder cette circulation pour comparer&#x202f;: boucles en tirets et seconde colonne de valeurs</translation>
-    </message>
-    <message>
-        <source>For&amp;get</source>
-        <translation>&amp;Oublier</translation>
+        <translation>Garder cette circulation pour comparer&#xa0;: boucles en tirets et seconde colonne de valeurs</translation>
     </message>
     <message>
         <source>End the comparison</source>
@@ -3962,10 +3912,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Transparence</translation>
     </message>
     <message>
-        <source>Close the wall</source>
-        <translation>Refermer la paroi</translation>
-    </message>
-    <message>
         <source>Key at %1 s</source>
         <translation>Clé à %1 s</translation>
     </message>
@@ -3978,20 +3924,32 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Comparer avec la pose act&amp;uelle</translation>
     </message>
     <message>
-        <source>Keep these organs as they are posed now in a second view, and go on here</source>
-        <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
-    </message>
-    <message>
-        <source>The movie leaves out distances, surfaces of others and warped slices.</source>
-        <translation>Le film ne montre ni les distances, ni les autres surfaces, ni les coupes déformées.</translation>
-    </message>
-    <message>
-        <source>This sequence says nothing about valves: choose the heartbeat</source>
-        <translation>Cette séquence ne dit rien des valves&#x202f;: choisissez le battement du cœur</translation>
-    </message>
-    <message>
         <source>Only the sample heart has valves to show</source>
         <translation>Seul le cœur type a des valves à montrer</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and arrows whose width shows the opening and whose length shows the speed of the blood</source>
+        <translation>Dans le cœur type qui bat&#xa0;: des feuillets ouverts comme les valves, et des flèches dont la largeur montre l’ouverture et la longueur, la vitesse du sang</translation>
+    </message>
+    <message>
+        <source>This sequence has no valves; choose the heartbeat</source>
+        <translation>Cette séquence n’a pas de valves&#x202f;; choisissez le battement du cœur</translation>
+    </message>
+    <message>
+        <source>Show the present pose in a second view, to compare it with later poses</source>
+        <translation>Montrer la pose actuelle dans une seconde vue, pour la comparer aux poses suivantes</translation>
+    </message>
+    <message>
+        <source>&amp;Discard kept circulation</source>
+        <translation>A&amp;bandonner la circulation gardée</translation>
+    </message>
+    <message>
+        <source>Make the wall opaque</source>
+        <translation>Rendre la paroi opaque</translation>
+    </message>
+    <message>
+        <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
+        <translation>Le film ne montre ni les couleurs des distances, ni les surfaces mesurées, ni les coupes déformées.</translation>
     </message>
 </context>
 <context>
@@ -4038,7 +3996,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
-        <translation>Volumes en ml. VES&#x202f;: volume d’éjection systolique, FE&#x202f;: fraction d’éjection.</translation>
+        <translation>Volumes en ml. VES&#xa0;: volume d’éjection systolique, FE&#xa0;: fraction d’éjection.</translation>
     </message>
     <message>
         <source>Ejection fraction</source>
@@ -4090,7 +4048,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
-        <translation>%1, mesuré sur les surfaces. Adultes sains&#x202f;: %2</translation>
+        <translation>%1, mesuré sur les surfaces. Adultes sains&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 ml</source>
@@ -4114,11 +4072,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: %2; %3</source>
-        <translation>%1&#x202f;: %2&#x202f;; %3</translation>
+        <translation>%1&#xa0;: %2&#x202f;; %3</translation>
     </message>
     <message>
         <source>Normal for %1: %2.</source>
-        <translation>Normale pour %1&#x202f;: %2.</translation>
+        <translation>Normale pour %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>, </source>
@@ -4133,7 +4091,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::Playback</name>
     <message>
         <source>The sequence %1 moves its own handles, but the document has others.</source>
-        <translation>La séquence %1 meut ses propres poignées, mais le document en a d’autres.</translation>
+        <translation>La séquence %1 déplace ses propres poignées, mais le document en a d’autres.</translation>
     </message>
     <message>
         <source>Use its handles</source>
@@ -4166,7 +4124,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>The handles could not move back all the way: %1.</source>
-        <translation>Les poignées n’ont pas pu revenir jusqu’au bout&#x202f;: %1.</translation>
+        <translation>Les poignées n’ont pas pu revenir jusqu’au bout&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Volume %1</source>
@@ -4175,8 +4133,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message numerus="yes">
         <source>%1 is open (%n boundary edges), so it has no volume that could be locked.</source>
         <translation>
-            <numerusform>%1&#x202f;: surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
-            <numerusform>%1&#x202f;: surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
+            <numerusform>%1&#xa0;: surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
+            <numerusform>%1&#xa0;: surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
         </translation>
     </message>
     <message>
@@ -4189,7 +4147,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
-        <translation>Ces organes sont ouverts et n’ont pas de volume à verrouiller&#x202f;: %1.</translation>
+        <translation>Ces organes sont ouverts et n’ont pas de volume à verrouiller&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -4239,11 +4197,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>Dans les axes du patient, mm : positif vers la gauche, le dos et la tête</translation>
-    </message>
-    <message>
-        <source>Witness %1</source>
-        <translation>Témoin %1</translation>
+        <translation>Dans les axes du patient, mm&#xa0;: positif vers la gauche, le dos et la tête</translation>
     </message>
     <message>
         <source>Surface point %1</source>
@@ -4289,6 +4243,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>Witness point %1</source>
+        <translation>Point témoin %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ProfileChart</name>
@@ -4309,7 +4267,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::QuizTool</name>
     <message>
         <source>Click: %1</source>
-        <translation>Cliquez&#x202f;: %1</translation>
+        <translation>Cliquez&#xa0;: %1</translation>
     </message>
     <message>
         <source>All %1 found without a mistake.</source>
@@ -4328,11 +4286,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Right: %1</source>
-        <translation>Exact&#x202f;: %1</translation>
+        <translation>Exact&#xa0;: %1</translation>
     </message>
     <message>
         <source>No, that is nearer to: %1</source>
-        <translation>Non, c’est plus proche de&#x202f;: %1</translation>
+        <translation>Non, c’est plus proche de&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4407,8 +4365,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message numerus="yes">
         <source>%1: %n pages.</source>
         <translation>
-            <numerusform>%1&#x202f;: %n page.</numerusform>
-            <numerusform>%1&#x202f;: %n pages.</numerusform>
+            <numerusform>%1&#xa0;: %n page.</numerusform>
+            <numerusform>%1&#xa0;: %n pages.</numerusform>
         </translation>
     </message>
     <message>
@@ -4510,10 +4468,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>étapes</translation>
     </message>
     <message>
-        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Une marque montre que la phase demande attention&#x202f;; l’infobulle de la ligne dit pourquoi</translation>
-    </message>
-    <message>
         <source>Time of the phase</source>
         <translation>Temps de la phase</translation>
     </message>
@@ -4540,10 +4494,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volume of the fit</source>
         <translation>Volume de l’ajustement</translation>
-    </message>
-    <message>
-        <source>How well the voxels agree: 1 for all</source>
-        <translation>Concordance des voxels&#x202f;: 1 si totale</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4583,7 +4533,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
-        <translation>%1&#x202f;: FE %2 %, %3 à %4 ml, %5 l/min</translation>
+        <translation>%1&#xa0;: FE %2 %, %3 à %4 ml, %5 l/min</translation>
     </message>
     <message>
         <source>tissue %1 to %2 ml</source>
@@ -4591,11 +4541,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>A session does not keep the measured surfaces. To see them, find the motion again: Sequence &gt; Motion from a series</source>
-        <translation>Une session ne garde pas les surfaces mesurées. Pour les voir, recalculez le mouvement : Séquence &gt; Mouvement d’une série</translation>
-    </message>
-    <message>
-        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
-        <translation>Les surfaces mesurées à la phase la plus proche, comme du verre dans la vue</translation>
+        <translation>Une session ne garde pas les surfaces mesurées. Pour les voir, recalculez le mouvement&#xa0;: Séquence &gt; Mouvement d’une série</translation>
     </message>
     <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
@@ -4605,12 +4551,24 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1, %2 (%3)</source>
         <translation>%1, %2 (%3)</translation>
     </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
+        <translation>Une marque montre que la phase demande attention&#x202f;; l’infobulle de la ligne en donne la raison</translation>
+    </message>
+    <message>
+        <source>Dice coefficient of the voxels; 1 if all agree</source>
+        <translation>Coefficient de Dice des voxels&#x202f;; 1 si tous concordent</translation>
+    </message>
+    <message>
+        <source>Show the measured surfaces of the nearest phase, translucent</source>
+        <translation>Montrer les surfaces mesurées de la phase la plus proche, translucides</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SampleLoader</name>
     <message>
         <source>Sample %1</source>
-        <translation>Organe type&#x202f;: %1</translation>
+        <translation>Organe type&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4809,8 +4767,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
-            <numerusform>%n autre&#x202f;: voir Examen sur la page d’Explorer.</numerusform>
-            <numerusform>%n autres&#x202f;: voir Examen sur la page d’Explorer.</numerusform>
+            <numerusform>%n autre&#xa0;: voir Examen sur la page d’Explorer.</numerusform>
+            <numerusform>%n autres&#xa0;: voir Examen sur la page d’Explorer.</numerusform>
         </translation>
     </message>
 </context>
@@ -4822,11 +4780,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: can be fitted to %2</source>
-        <translation>%1&#x202f;: peut être ajustée à %2</translation>
+        <translation>%1&#xa0;: peut être ajustée à %2</translation>
     </message>
     <message>
         <source>%1: shows the sample organ and plays</source>
-        <translation>%1 : montre l’organe type et lit la séquence</translation>
+        <translation>%1&#xa0;: montre l’organe type et lit la séquence</translation>
     </message>
 </context>
 <context>
@@ -4959,7 +4917,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Cette version meut l’organe autrement que celle qui a enregistré la session&#x202f;: les poignées diffèrent de %1 mm au plus.</translation>
+        <translation>Cette version anime l’organe autrement que celle qui a enregistré la session&#xa0;: les poignées diffèrent de %1 mm au plus.</translation>
     </message>
 </context>
 <context>
@@ -5029,11 +4987,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::SlicePanes</name>
     <message>
         <source>The scan cannot be warped: %1</source>
-        <translation>L’examen ne peut pas être déformé : %1</translation>
+        <translation>L’examen ne peut pas être déformé&#xa0;: %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
-        <translation>replié par la pose&#x202f;: estimé</translation>
+        <translation>replié par la pose&#xa0;: estimé</translation>
     </message>
 </context>
 <context>
@@ -5098,7 +5056,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: open surface, no volume</source>
-        <translation>%1&#x202f;: surface ouverte, pas de volume</translation>
+        <translation>%1&#xa0;: surface ouverte, pas de volume</translation>
     </message>
     <message>
         <source>%1  %2  (%3, %4)</source>
@@ -5141,7 +5099,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1&#x202f;: %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5247,7 +5205,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation&#x202f;: %1</translation>
+        <translation>Exportation&#xa0;: %1</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -5318,7 +5276,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
-        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle) : cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre ; la carte suit pendant que vous faites glisser une poignée</translation>
+        <translation>Distorsion du tissu due à la pose (contrainte rotationnelle)&#xa0;: cliquez sur l’organe pour lire les valeurs d’un point&#x202f;; C l’ouvre&#x202f;; la carte suit pendant que vous faites glisser une poignée</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5422,15 +5380,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
-        <translation>Garder le point choisi : son lieu et sa valeur suivent la pose dans le tableau</translation>
+        <translation>Garder le point choisi&#xa0;: son lieu et sa valeur suivent la pose dans le tableau</translation>
     </message>
     <message>
         <source>&amp;Logarithmic range</source>
         <translation>É&amp;chelle logarithmique</translation>
-    </message>
-    <message>
-        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
-        <translation>Graduer les couleurs par facteurs, pour distinguer les petites valeurs à côté des grandes</translation>
     </message>
     <message>
         <source>Same range in both &amp;views</source>
@@ -5438,7 +5392,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Beside another view: one range of colours for both stress maps, so that they can be compared</source>
-        <translation>À côté d’une autre vue : une seule échelle de couleurs pour les deux cartes de contrainte, pour les comparer</translation>
+        <translation>À côté d’une autre vue&#xa0;: une seule échelle de couleurs pour les deux cartes de contrainte, pour les comparer</translation>
     </message>
     <message>
         <source>Go to the &amp;time of the maximum</source>
@@ -5447,6 +5401,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Show the sequence at the instant at which the rotational stress is largest</source>
         <translation>Montrer la séquence à l’instant où la contrainte rotationnelle est la plus grande</translation>
+    </message>
+    <message>
+        <source>Use a logarithmic colour scale, which separates small values</source>
+        <translation>Utiliser une échelle de couleurs logarithmique, qui distingue les petites valeurs</translation>
     </message>
 </context>
 <context>
@@ -5480,7 +5438,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
-        <translation>Ce que signifient les couleurs (M&#x202f;: carte suivante). La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré&#x202f;; ce n’est pas une pression.</translation>
+        <translation>Ce que signifient les couleurs (M&#xa0;: carte suivante). La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré&#x202f;; ce n’est pas une pression.</translation>
     </message>
     <message>
         <source>Your pose</source>
@@ -5523,16 +5481,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Replié</translation>
     </message>
     <message>
-        <source>Witness points at which the tissue is turned inside out; in magenta on every map but its own</source>
-        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta sur chaque carte sauf la sienne</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Look inside</source>
-        <translation>Regarder à l’intérieur</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5540,11 +5490,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
-        <translation>Lisse&#x202f;: à travers les tétraèdres</translation>
+        <translation>Lisse&#xa0;: à travers les tétraèdres</translation>
     </message>
     <message>
         <source>Crinkle: whole tetrahedra</source>
-        <translation>Crénelée&#x202f;: tétraèdres entiers</translation>
+        <translation>Crénelée&#xa0;: tétraèdres entiers</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5557,18 +5507,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
         <translation>Distance de la section au milieu de l’organe&#x202f;; la flèche dans la vue la déplace, le bord l’incline</translation>
-    </message>
-    <message>
-        <source>Shown</source>
-        <translation>Affiché</translation>
-    </message>
-    <message>
-        <source>Show what is above</source>
-        <translation>Afficher ce qui est au-dessus</translation>
-    </message>
-    <message>
-        <source>Show what is below</source>
-        <translation>Afficher ce qui est au-dessous</translation>
     </message>
     <message>
         <source>Limit</source>
@@ -5589,10 +5527,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Crosses of the stretch</source>
         <translation>Croix de l’étirement</translation>
-    </message>
-    <message>
-        <source>The shapes that small balls of tissue take, at about 300 places</source>
-        <translation>Les formes que prennent de petites boules de tissu, en 300 endroits environ</translation>
     </message>
     <message>
         <source>Coronal</source>
@@ -5711,7 +5645,31 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Colours from the lowest value to the highest; maps of angles and maps of ratios each keep their own choice</source>
-        <translation>Couleurs de la valeur la plus basse à la plus haute ; les cartes d’angles et les cartes de rapports gardent chacune leur propre choix</translation>
+        <translation>Couleurs de la valeur la plus basse à la plus haute&#x202f;; les cartes d’angles et les cartes de rapports gardent chacune leur propre choix</translation>
+    </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta, except on the map of folded tissue</source>
+        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta, sauf sur la carte du tissu replié</translation>
+    </message>
+    <message>
+        <source>Cut and glyphs</source>
+        <translation>Section et glyphes</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tissu</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Au-dessus de la limite</translation>
+    </message>
+    <message>
+        <source>Below the limit</source>
+        <translation>Au-dessous de la limite</translation>
+    </message>
+    <message>
+        <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
+        <translation>Glyphes de l’étirement en 300 points environ&#xa0;: la forme que prend une petite sphère de tissu</translation>
     </message>
 </context>
 <context>
@@ -5738,15 +5696,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
-        <translation>Fonctionne avec une surface fermée sur les poignées&#x202f;: leur enveloppe convexe, ou une cage chargée</translation>
+        <translation>Fonctionne avec une surface fermée sur les poignées&#xa0;: leur enveloppe convexe, ou une cage chargée</translation>
     </message>
     <message>
         <source>positive</source>
         <translation>positif</translation>
-    </message>
-    <message>
-        <source>No handle ever pushes the organ the other way</source>
-        <translation>Aucune poignée ne pousse jamais l’organe en sens contraire</translation>
     </message>
     <message>
         <source>interpolating</source>
@@ -5810,11 +5764,15 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
-        <translation>La valeur est réglée à %1 %2, mais ces poignées permettent au plus %3 ; c’est donc %3 qui est utilisé.</translation>
+        <translation>La valeur est réglée à %1 %2, mais ces poignées permettent au plus %3&#x202f;; c’est donc %3 qui est utilisé.</translation>
     </message>
     <message>
         <source>These handles allow up to %1.</source>
         <translation>Ces poignées permettent jusqu’à %1.</translation>
+    </message>
+    <message>
+        <source>No coordinate is negative: the organ follows the direction of every handle</source>
+        <translation>Aucune coordonnée n’est négative&#xa0;: l’organe suit la direction de chaque poignée</translation>
     </message>
 </context>
 <context>
@@ -5916,7 +5874,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Ralenti&#x202f;: vitesse à laquelle passe le temps (S)</translation>
+        <translation>Ralenti&#xa0;: vitesse à laquelle passe le temps (S)</translation>
     </message>
     <message>
         <source>1x</source>
@@ -5932,15 +5890,15 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
-        <translation>%1&#x202f;: %2 %3. La fréquence cardiaque de la circulation la fixe.</translation>
+        <translation>%1&#xa0;: %2 %3. La fréquence cardiaque de la circulation la fixe.</translation>
     </message>
     <message>
         <source>%1: %2 to %3 %4</source>
-        <translation>%1&#x202f;: %2 à %3 %4</translation>
+        <translation>%1&#xa0;: %2 à %3 %4</translation>
     </message>
     <message>
         <source>No motion yet: choose a sequence in Play (5)</source>
-        <translation>Pas encore de mouvement&#x202f;: choisissez une séquence dans Lire (5)</translation>
+        <translation>Pas encore de mouvement&#xa0;: choisissez une séquence dans Lire (5)</translation>
     </message>
     <message>
         <source>%1 s into the cycle</source>
@@ -6078,7 +6036,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
-        <translation>Assombrir les plis des organes et adoucir la lumière ; lent sur un ordinateur sans processeur graphique</translation>
+        <translation>Assombrir les plis des organes et adoucir la lumière&#x202f;; lent sur un ordinateur sans processeur graphique</translation>
     </message>
     <message>
         <source>Picture saved as %1</source>
@@ -6137,7 +6095,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1 now has the target volume; its lock keeps this volume from now on.</source>
-        <translation>%1 a maintenant le volume cible ; désormais son verrou garde ce volume.</translation>
+        <translation>%1 a maintenant le volume cible&#x202f;; désormais son verrou garde ce volume.</translation>
     </message>
 </context>
 <context>
@@ -6148,7 +6106,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1&#x202f;: %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -6163,7 +6121,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>normal %1</source>
-        <translation>normale&#x202f;: %1</translation>
+        <translation>normale&#xa0;: %1</translation>
     </message>
     <message>
         <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
@@ -6191,7 +6149,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: show its normal range in the chart</source>
-        <translation>%1&#x202f;: montrer dans le graphique ce qui est normal pour lui</translation>
+        <translation>%1&#xa0;: montrer dans le graphique ce qui est normal pour lui</translation>
     </message>
     <message>
         <source>%1 %2 ml</source>
@@ -6199,11 +6157,11 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1&#x202f;: %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Shaded: normal for %1, %2. %3</source>
-        <translation>Ombré&#x202f;: normale pour %1, %2. %3</translation>
+        <translation>Ombré&#xa0;: normale pour %1, %2. %3</translation>
     </message>
     <message>
         <source>, </source>
@@ -6236,6 +6194,48 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WarpExport</name>
+    <message>
+        <source>Export the &amp;warped scan...</source>
+        <translation>Exporter l’&amp;examen déformé...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose warps it, with a label map of the posed organs</source>
+        <translation>Écrire l’examen tel que la pose le déforme, avec une carte d’étiquettes des organes dans cette pose</translation>
+    </message>
+    <message>
+        <source>Export the warped scan</source>
+        <translation>Exporter l’examen déformé</translation>
+    </message>
+    <message>
+        <source>/warped.nii.gz</source>
+        <translation>/warped.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the warped scan</source>
+        <translation>Exportation de l’examen déformé</translation>
+    </message>
+    <message>
+        <source>The warped scan was written to %1.</source>
+        <translation>L’examen déformé a été écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Ses étiquettes sont à côté&#xa0;: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n voxels: their values are estimates.</source>
+        <translation>
+            <numerusform>La pose replie le tissu dans %n voxel&#xa0;: sa valeur est une estimation.</numerusform>
+            <numerusform>La pose replie le tissu dans %n voxels&#xa0;: leurs valeurs sont des estimations.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6284,10 +6284,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Disposition &amp;standard</translation>
     </message>
     <message>
-        <source>Restore the first arrangement of all panels</source>
-        <translation>Rétablir la disposition initiale de tous les panneaux</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Plein écran</translation>
     </message>
@@ -6326,6 +6322,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Import</source>
         <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Move all panels to their default places</source>
+        <translation>Remettre tous les panneaux à leur place par défaut</translation>
     </message>
 </context>
 <context>

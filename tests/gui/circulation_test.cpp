@@ -175,7 +175,7 @@ TEST_F(PlayedCirculation, MarksStandInTheCurvesOnlyWhileTheirBeatIsPlayed) {
   window().playback().choose(parts().keySequence().sequence());
   window().playback().seek(0.4);
   EXPECT_TRUE(panel->isVisible());
-  EXPECT_TRUE(cursor->marks().rings.empty()) << "the recorded motion has other instants";
+  EXPECT_TRUE(cursor->marks().rings.empty()) << "the key sequence has other instants";
 }
 
 TEST_F(PlayedCirculation, NeitherSourceIsMarkedWhileARecordedMotionIsPlayed) {

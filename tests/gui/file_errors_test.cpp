@@ -42,7 +42,7 @@ const std::vector<BrokenFile>& brokenSurfaces() {
        "aber 84 Bytes"},
       {"b.stl", "solid\nfacet normal 0 0 1\nouter lup\nendsolid\n",
        "Zeile 3: „lup“ ist kein Wort einer STL-Datei"},
-      {"a.obj", "v 0 0 0\nv 1 0 point\n", "Zeile 2: „point“ steht, wo eine Koordinate stehen sollte"},
+      {"a.obj", "v 0 0 0\nv 1 0 point\n", "Zeile 2: eine Koordinate erwartet, aber „point“ gefunden"},
       {"b.obj", "v 0 0 0\nf 1 2\n", "Zeile 2: eine Fläche hat weniger als drei Ecken"},
       {"a.ply", "ply\nformat ascii 1.0\nfaces 3\nend_header\n",
        "Zeile 3: „faces“ ist kein Wort eines PLY-Kopfes"},

@@ -247,7 +247,7 @@ TEST(Phrases, NameTheBeatOfACirculationInTheLanguage) {
         {app::inWords("Heartbeat: Rest"), app::inWords("Heartbeat: mine"), app::inWords("Patient: Rest")});
   };
   EXPECT_EQ(namesIn("de"), QStringList({"Herzschlag: Ruhe", "Herzschlag: mine", "Patient: Rest"}));
-  EXPECT_EQ(namesIn("fr").front(), QStringLiteral("Battement du cœur : Repos"));
+  EXPECT_EQ(namesIn("fr").front(), QStringLiteral("Battement du cœur\u00a0: Repos"));
 }
 
 class GermanSteps : public PlayMode {

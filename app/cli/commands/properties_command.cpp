@@ -218,7 +218,7 @@ std::vector<coordinates::Scene> scenesFor(int points, CommandContext& context) {
 class PropertiesCommand final : public Command {
 public:
   std::string name() const override { return "properties"; }
-  std::string summary() const override { return "Measure what the coordinate systems keep and break"; }
+  std::string summary() const override { return "Measure the properties of the coordinate systems"; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("--systems", systems_, "Only these systems; 'viscera systems' lists them")

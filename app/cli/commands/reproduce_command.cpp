@@ -41,7 +41,7 @@ ordered_json jsonOf(const Result& result) {
 class ReproduceCommand final : public Command {
 public:
   std::string name() const override { return "reproduce"; }
-  std::string summary() const override { return "Do the thesis's figures and tables again, as one page"; }
+  std::string summary() const override { return "Reproduce the thesis's figures and tables as one page"; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("-o,--output", output_, "Folder for index.html, pictures (.svg) and tables (.csv)")

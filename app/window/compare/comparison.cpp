@@ -155,7 +155,7 @@ void Comparison::fillHeader(SideHeader& header) {
   auto* menu = new QMenu(choose);
   menu->addAction(tr("The same organ at another rate"), this, &Comparison::showSameOrgan);
   menu->addAction(tr("The same organ with other coordinates"), this, &Comparison::showOtherCoordinates);
-  menu->addAction(tr("The same organ in the present pose, kept"), this, &Comparison::showKeptPose);
+  menu->addAction(tr("The same organ, kept in the present pose"), this, &Comparison::showKeptPose);
   menu->addSeparator();
   first_.workspace.guarded([&] {
     for (const QString& name : second_->samples.names())

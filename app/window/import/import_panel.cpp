@@ -33,7 +33,7 @@ std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
 constexpr std::size_t kMany = 6;
 
 /// In the list of findings, before those that organs have in common.
-enum { kEveryOrgan, kToLookAt, kFirstShared };
+enum { kEveryOrgan, kToCheck, kFirstShared };
 
 QString summaryOf(const document::ImportDraft& draft) {
   const auto of = [&](auto severity) {
@@ -233,7 +233,7 @@ void ImportPanel::filter() {
   const int row = filter_->isHidden() ? kEveryOrgan : finding_->currentIndex();
   for (const Card& card : cards_) {
     bool wanted = card.name.contains(name, Qt::CaseInsensitive);
-    if (row == kToLookAt)
+    if (row == kToCheck)
       wanted = wanted && card.questionable;
     if (row >= kFirstShared) {
       const auto& organs = shared_[static_cast<std::size_t>(row - kFirstShared)].organs;

@@ -32,7 +32,7 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   format_->addItem(tr("Web page for any browser (.html)"));
   format_->addItem(tr("Animated glTF scene (.glb)"));
   language_->setObjectName(QStringLiteral("lessonLanguage"));
-  language_->addItem(tr("As the window"), QString());
+  language_->addItem(tr("Language of the window"), QString());
   for (const lesson::PageLanguage& language : lesson::pageLanguages())
     language_->addItem(text(language.name), text(language.code));
   language_->setToolTip(tr("Language of the page's buttons and messages; the texts below stay as they are"));
@@ -70,7 +70,7 @@ QWidget* LessonDialog::makeTexts() {
   texts_->setAccessibleName(tr("Texts of the lesson"));
   texts_->setColumnCount(2);
   texts_->setRowCount(static_cast<int>(all.size() - kInTheTable));
-  texts_->setHorizontalHeaderLabels({tr("What it is"), tr("Text")});
+  texts_->setHorizontalHeaderLabels({tr("Kind"), tr("Text")});
   texts_->horizontalHeader()->setSectionResizeMode(kKind, QHeaderView::ResizeToContents);
   texts_->horizontalHeader()->setSectionResizeMode(kText, QHeaderView::Stretch);
   texts_->verticalHeader()->hide();

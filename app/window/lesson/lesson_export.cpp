@@ -80,7 +80,7 @@ void LessonExport::write(const lesson::LessonPlan& plan, const QString& file) {
           return;
         window_.settings.setValue(kFolderKey, QFileInfo(file).absolutePath());
         window_.workspace.say({Message::Severity::info,
-                               tr("Written to %1 (%2 MB). Its motion is off by %3 mm at most.")
+                               tr("Written to %1 (%2 MB). The motion in the file differs by at most %3 mm.")
                                    .arg(file)
                                    .arg(formatNumber(static_cast<double>(QFileInfo(file).size()) / 1e6, 1))
                                    .arg(formatNumber(*result.value, 2)),

@@ -117,8 +117,8 @@ void PlayMode::makeValvesAction(Actions& actions) {
       {tr("&Valves and flow"),
        "beat",
        {Qt::Key_V},
-       tr("In the beating sample heart: leaflets as far open as the valves are, and an arrow "
-          "where blood flows, as thick as the opening and as long as the blood is fast")},
+       tr("In the beating sample heart: leaflets as far open as the valves are, and arrows whose "
+          "width shows the opening and whose length shows the speed of the blood")},
       false, [this](bool on) {
         if (valves_->isEnabled()) // Else the mark goes because no valves can be drawn.
           parts_.view.change([on](presentation::ViewState& state) { state.valves = on; });
@@ -143,7 +143,7 @@ QString PlayMode::whyNoValves() const {
   const bool beside = comparison_->on() && holdsSampleHeart(comparison_->playback());
   if ((here && tells(parts_.playback)) || (beside && tells(comparison_->playback())))
     return {};
-  return here || beside ? tr("This sequence says nothing about valves: choose the heartbeat")
+  return here || beside ? tr("This sequence has no valves; choose the heartbeat")
                         : tr("Only the sample heart has valves to show");
 }
 
@@ -187,7 +187,7 @@ void PlayMode::makeComparisonActions(Actions& actions) {
               {tr("Compare with the present &pose"),
                "compare",
                {},
-               tr("Keep these organs as they are posed now in a second view, and go on here")},
+               tr("Show the present pose in a second view, to compare it with later poses")},
               [this] { comparison_->showKeptPose(); });
   actions.add("play.compareFiles",
               {tr("Compare with another &organ..."),
@@ -233,7 +233,7 @@ void PlayMode::makeCirculationActions(Actions& actions) {
                {tr("Ctrl+B")},
                tr("Keep this circulation to compare with: dashed loops and a second column of numbers")},
               [this] { parts_.workspace.perform(document::keepCirculation()); });
-  actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("End the comparison")},
+  actions.add("play.forgetBefore", {tr("&Discard kept circulation"), "remove", {}, tr("End the comparison")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
   actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
   actions.enableWhile({"play.forgetBefore"},
@@ -376,8 +376,8 @@ void PlayMode::setSeeThrough(bool on) {
       commands.push_back(document::setOrganLook(organ->id, look));
   }
   if (!commands.empty())
-    parts_.workspace.perform(document::combined((on ? tr("See through") : tr("Close the wall")).toStdString(),
-                                                std::move(commands)));
+    parts_.workspace.perform(document::combined(
+        (on ? tr("See through") : tr("Make the wall opaque")).toStdString(), std::move(commands)));
 }
 
 void PlayMode::slower() {
@@ -410,7 +410,8 @@ bool PlayMode::record(const MoviePlan& plan) {
   const bool begun = recorder_->start(plan, sources);
   if (begun && std::any_of(sources.begin(), sources.end(),
                            [](const auto& source) { return source.picture.hasMoreThanMovies(); }))
-    parts_.workspace.note(tr("The movie leaves out distances, surfaces of others and warped slices."));
+    parts_.workspace.note(
+        tr("The movie does not show distance colours, measured surfaces or warped slices."));
   return begun;
 }
 

@@ -106,7 +106,7 @@ void StressMode::makeActions() {
          {tr("&Logarithmic range"),
           nullptr,
           {},
-          tr("Let the colours go by factors, so that small values can be told apart beside large ones")},
+          tr("Use a logarithmic colour scale, which separates small values")},
          &StressLook::logarithmic);
   toggle("stress.sameRange",
          {tr("Same range in both &views"),

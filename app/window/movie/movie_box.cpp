@@ -133,9 +133,9 @@ void MovieBox::setRunning(bool running) {
   running_ = running;
   for (QWidget* control : std::initializer_list<QWidget*>{format_, file_, size_, rate_, cycles_, caption_})
     control->setEnabled(!running);
-  record_->setText(running ? tr("Cancel the recording") : tr("Record"));
+  record_->setText(running ? tr("Cancel the movie") : tr("Record"));
   record_->setIcon(icon(running ? "close" : "record"));
-  record_->setToolTip(running ? tr("Discard the recording") : tr("Record what the view shows"));
+  record_->setToolTip(running ? tr("Discard the movie") : tr("Record what the view shows"));
   if (ended)
     chosen_ = false;
   syncFormat();

@@ -34,7 +34,7 @@ constexpr TissueColor kTissues[] = {
     {QT_TRANSLATE_NOOP("Tissue", "Lung"), "#e3aaa9"},
     {QT_TRANSLATE_NOOP("Tissue", "Bone"), "#e9e0c9"},
     {QT_TRANSLATE_NOOP("Tissue", "Fat"), "#e8cf7a"},
-    {QT_TRANSLATE_NOOP("Tissue", "Gall"), "#6f8f4e"},
+    {QT_TRANSLATE_NOOP("Tissue", "Bile"), "#6f8f4e"},
 };
 constexpr int kPaletteColumns = 6;
 

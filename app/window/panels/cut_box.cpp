@@ -28,7 +28,7 @@ CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWid
   offset_ = new ValueSlider(tr("Depth"), {-kPercent, kPercent, 1, 0, QStringLiteral(" %")}, this);
   offset_->setObjectName(QStringLiteral("cutOffset"));
   offset_->setToolTip(
-      tr("Distance of the cut from the middle of the organs, as a part of the way to their edge"));
+      tr("Distance of the cut from the middle of the organs, in per cent of the distance to their edge"));
   column->addWidget(offset_);
   connect(offset_, &ValueSlider::valueChanged, this, [this](double value) {
     view_.change([value](presentation::ViewState& state) { state.cut.offset = value / kPercent; });

@@ -123,7 +123,7 @@ void DeformPage::syncHandles() {
   for (const document::Handle& handle : rig.handles)
     if (handle.compensates)
       marked.push_back(handle.id);
-  compensating_->setText(marked.empty() ? tr("all that are free") : namesOf(rig, marked));
+  compensating_->setText(marked.empty() ? tr("all free handles") : namesOf(rig, marked));
   const QSignalBlocker quiet(mirror_);
   const presentation::Mirror mirror = view_.state().mirror;
   mirror_->setCurrentIndex(static_cast<int>(mirror));

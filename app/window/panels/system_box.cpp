@@ -105,7 +105,8 @@ void SystemBox::rebuildBadges(const coordinates::Traits& traits) {
   badge(!traits.needsCage, tr("no cage"), tr("Handles may stand anywhere around the organ"));
   badge(traits.needsCage, tr("cage"),
         tr("Works with a closed surface over the handles: their convex hull, or a cage that was loaded"));
-  badge(traits.positive, tr("positive"), tr("No handle ever pushes the organ the other way"));
+  badge(traits.positive, tr("positive"),
+        tr("No coordinate is negative: the organ follows the direction of every handle"));
   badge(traits.interpolates, tr("interpolating"), tr("A point at a handle follows it exactly"));
   badge(traits.closedFormGradient, tr("exact gradient"), tr("Stress is computed without differences"));
   badge(!traits.everywhere, tr("gaps"),

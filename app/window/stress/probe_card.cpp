@@ -61,7 +61,8 @@ void ProbeCard::sync() {
   const auto axis = [](double mm, const QString& positive, const QString& negative) {
     return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 0)).arg(mm >= 0 ? positive : negative);
   };
-  place_->setText(mesh->isWitness(point) ? tr("Witness %1").arg(point) : tr("Surface point %1").arg(point));
+  place_->setText(mesh->isWitness(point) ? tr("Witness point %1").arg(point)
+                                         : tr("Surface point %1").arg(point));
   position_->setText(tr("At rest %1, %2, %3 mm")
                          .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
                               axis(at.z(), tr("S"), tr("I"))));

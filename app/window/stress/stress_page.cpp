@@ -181,8 +181,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   peakTime_->setObjectName(QStringLiteral("stressPeakTime"));
   mean_->setObjectName(QStringLiteral("stressMean"));
   max_->setObjectName(QStringLiteral("stressMax"));
-  folded_->setToolTip(
-      tr("Witness points at which the tissue is turned inside out; in magenta on every map but its own"));
+  folded_->setToolTip(tr("Witness points at which the tissue is turned inside out; in magenta, except on the "
+                         "map of folded tissue"));
   histogram_ = new Histogram(this);
   add(histogram_);
   addButton(actions["stress.maximum"]);
@@ -207,7 +207,7 @@ void StressPage::makeExport(const Actions& actions) {
 }
 
 void StressPage::makeInside(const Actions& actions) {
-  addSection(tr("Look inside"));
+  addSection(tr("Cut and glyphs"));
   addCheck(actions["stress.cut"]);
   style_ = addChoice("stressCutStyle", tr("Cut"),
                      {tr("Smooth: through the tetrahedra"), tr("Crinkle: whole tetrahedra")},
@@ -224,7 +224,7 @@ void StressPage::makeInside(const Actions& actions) {
   directions_ = makeDirections();
   add(directions_);
   addCheck(actions["stress.threshold"]);
-  side_ = addChoice("stressSide", tr("Shown"), {tr("Show what is above"), tr("Show what is below")},
+  side_ = addChoice("stressSide", tr("Tissue"), {tr("Above the limit"), tr("Below the limit")},
                     [](StressLook& look, int index) { look.below = index == 1; });
   limit_ = new ValueSlider(tr("Limit"), {0, 1, 0.01, 2, {}}, this);
   limit_->setObjectName(QStringLiteral("stressLimit"));
@@ -234,7 +234,8 @@ void StressPage::makeInside(const Actions& actions) {
   glyphs_ = addChoice("stressGlyphs", tr("Glyphs"),
                       {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")},
                       [](StressLook& look, int index) { look.glyphs = static_cast<GlyphChoice>(index); });
-  glyphs_->setToolTip(tr("The shapes that small balls of tissue take, at about 300 places"));
+  glyphs_->setToolTip(
+      tr("Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes"));
   addCheck(actions["stress.handles"]);
   addCheck(actions["stress.others"]);
 }

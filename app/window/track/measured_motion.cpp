@@ -114,7 +114,7 @@ void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::Tr
     if (search != searches_)
       return; // Another one took its place.
     if (result.cancelled())
-      return Q_EMIT ended(tr("It was cancelled."));
+      return Q_EMIT ended(tr("The search for the motion was cancelled."));
     if (result.error)
       return Q_EMIT ended(sentenceOf(*result.error));
     take(result.value->found, result.value->organs);

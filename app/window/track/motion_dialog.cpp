@@ -97,8 +97,8 @@ bool MotionDialog::event(QEvent* event) {
 void MotionDialog::makeFiles(QVBoxLayout& column) {
   column.addWidget(makeRemark(
       tr("Turns one organ, given in several phases of a cycle, into handles and a key sequence with a "
-         "key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several "
-         "volumes. The result replaces the open organs; Undo brings them back."),
+         "key for each phase. Choose surfaces or label maps, one file for each phase, or one file with "
+         "several phases. The result replaces the open organs; Undo brings them back."),
       this));
   auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
   auto* folder = new QPushButton(icon("open"), tr("Folder..."), this);
@@ -164,7 +164,7 @@ QWidget* MotionDialog::makeMore() {
   handles_ = new QSpinBox(box);
   handles_->setObjectName(QStringLiteral("seriesHandles"));
   handles_->setRange(kFewestTrackedHandles - 1, kMostTrackedHandles);
-  handles_->setSpecialValueText(tr("60 or 120"));
+  handles_->setSpecialValueText(tr("Automatic"));
   handles_->setToolTip(tr("60 for one surface, 120 for several. More follow the surfaces more closely"));
   form->addRow(tr("Handles"), handles_);
   keepVolumes_ = new QCheckBox(tr("Keep the measured volumes exactly"), box);
@@ -174,12 +174,12 @@ QWidget* MotionDialog::makeMore() {
   robust_->setRange(0, kMostRobustMm);
   robust_->setDecimals(1);
   robust_->setSuffix(tr(" mm"));
-  robust_->setSpecialValueText(tr("All alike"));
+  robust_->setSpecialValueText(tr("No limit"));
   robust_->setToolTip(tr("Larger distances count less: for label maps with outliers"));
   form->addRow(tr("Distances count less beyond"), robust_);
   leaveOut_ = new QLineEdit(box);
   leaveOut_->setObjectName(QStringLiteral("seriesLeaveOut"));
-  leaveOut_->setPlaceholderText(tr("None; as in 3, 7"));
+  leaveOut_->setPlaceholderText(tr("For example 3, 7"));
   form->addRow(tr("Leave out phases"), leaveOut_);
   return box;
 }
@@ -241,7 +241,7 @@ void MotionDialog::take(const motion::SeriesContents& contents) {
 void MotionDialog::fillItems() {
   const QSignalBlocker quiet(items_);
   items_->setVisible(!contents_.items.empty());
-  items_->setHorizontalHeaderLabels({contents_.labels ? tr("Label") : tr("Surface"), tr("What it is")});
+  items_->setHorizontalHeaderLabels({contents_.labels ? tr("Label") : tr("Surface"), tr("Role")});
   items_->setRowCount(static_cast<int>(contents_.items.size()));
   for (int row = 0; row < items_->rowCount(); ++row) {
     motion::SeriesItem& item = contents_.items[static_cast<std::size_t>(row)];
@@ -257,7 +257,7 @@ void MotionDialog::fillItems() {
     part->addItem(partName(motion::SeriesPart::tissue, contents_.labels), int(motion::SeriesPart::tissue));
     part->addItem(partName(motion::SeriesPart::unused, contents_.labels), int(motion::SeriesPart::unused));
     part->setCurrentIndex(part->findData(int(item.part)));
-    part->setAccessibleName(tr("What %1 is").arg(text(item.name)));
+    part->setAccessibleName(tr("Role of %1").arg(text(item.name)));
     connect(part, QOverload<int>::of(&QComboBox::activated), this, [this, row, part] {
       contents_.items[static_cast<std::size_t>(row)].part =
           static_cast<motion::SeriesPart>(part->currentData().toInt());

@@ -134,18 +134,19 @@ void ResidualTable::makeTable() {
   table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
                                      tr("measured ml"), tr("unconstrained ml"), tr("fitted ml"), tr("Dice"),
                                      tr("flipped"), tr("folded"), tr("steps")});
-  const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
-                            tr("Time of the phase"),
-                            tr("Distance of the fitted surface from the measured surface, weighted by area"),
-                            tr("95 % of the area lies within this distance"),
-                            tr("The largest distance"),
-                            tr("Volume that was measured"),
-                            tr("Volume of the fit before it is brought to the measured volume"),
-                            tr("Volume of the fit"),
-                            tr("How well the voxels agree: 1 for all"),
-                            tr("Triangles that face the wrong way"),
-                            tr("Places in the tissue that are folded"),
-                            tr("Steps that the fit took")};
+  const QStringList tips = {
+      tr("A mark shows that the phase needs attention; the row's tooltip gives the reason"),
+      tr("Time of the phase"),
+      tr("Distance of the fitted surface from the measured surface, weighted by area"),
+      tr("95 % of the area lies within this distance"),
+      tr("The largest distance"),
+      tr("Volume that was measured"),
+      tr("Volume of the fit before it is brought to the measured volume"),
+      tr("Volume of the fit"),
+      tr("Dice coefficient of the voxels; 1 if all agree"),
+      tr("Triangles that face the wrong way"),
+      tr("Places in the tissue that are folded"),
+      tr("Steps that the fit took")};
   for (int i = 0; i < kResidualColumns; ++i)
     table_->horizontalHeaderItem(i)->setToolTip(tips[i]);
   makePlain(*table_);
@@ -226,8 +227,7 @@ void ResidualTable::syncSwitches() {
                          "Sequence > Motion from a series");
   const bool known = measured_.surfacesKnown();
   ghost_->setEnabled(known);
-  ghost_->setToolTip(known ? tr("The surfaces that were measured in the nearest phase, as glass in the view")
-                           : tip);
+  ghost_->setToolTip(known ? tr("Show the measured surfaces of the nearest phase, translucent") : tip);
   distances_->setEnabled(known);
   distances_->setToolTip(
       known ? tr("Colour the organs by their distance from the measured surfaces of the nearest phase")

@@ -75,7 +75,7 @@ const std::vector<Entry>& entries() {
         NormalValues{0, 0.2, kMildMitral}},
        VISCERA_AT(mitral.leak)},
       {{"pericardialFluid", "Fluid in the pericardium", "ml", 0, 0, 600, "0 in health", true,
-        NormalValues{0, 50, "as much lubricates a healthy heart"}},
+        NormalValues{0, 50, "the amount in a healthy heart"}},
        VISCERA_AT(pericardialFluid)},
       {{"lvV0", "Left ventricle, volume without pressure", "ml", 6, 0, 60, kBurkhoff}, VISCERA_AT(lv.v0)},
       {{"lvA", "Left ventricle, scale of the passive filling curve", "mmHg", 1.5, 0.01, 5, kBurkhoff},

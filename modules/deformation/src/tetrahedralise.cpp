@@ -76,7 +76,7 @@ std::string said(const std::string& messages) {
     throw TetrahedraError(Reason::memoryLimit,
                           phrase("TetGen wanted more than %1 MB of memory", options.memoryLimitBytes >> 20),
                           "ask for fewer witness points");
-  const std::string how = result.end == End::killed ? "it crashed" : "it gave up";
+  const std::string how = result.end == End::killed ? "it crashed" : "it stopped without a result";
   throw TetrahedraError(Reason::refused,
                         phrase("TetGen cannot fill this surface (%1)", how + said(result.messages)));
 }

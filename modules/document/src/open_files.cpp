@@ -73,7 +73,7 @@ void requireKnown(const std::filesystem::path& file, Sessions sessions) {
     return;
   if (medical_io::isScan(file))
     throw UsageError(
-        "It is a scan and no organ", file.string(),
+        "It is a scan, not an organ", file.string(),
         "open it beside the organs (File > Open a scan), or make a label map of it first, with 3D "
         "Slicer or TotalSegmentator");
   std::string known = sessions == Sessions::alone ? std::string(kSessionEnding) + ", " : std::string();

@@ -45,7 +45,7 @@ DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrg
     if (item.parentInBatch >= 0) {
       const std::size_t parent = present + static_cast<std::size_t>(item.parentInBatch);
       if (parent >= organs.size())
-        throw UsageError("A cavity has to come after the organ that it is in", organ.name);
+        throw UsageError("A cavity must follow the organ that contains it", organ.name);
       organ.parent = organs[parent]->id;
     } else if (organ.parent && !state.organ(organ.parent)) {
       throw UsageError("The organ that this cavity is in is not there any more", organ.name);

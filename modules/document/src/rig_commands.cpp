@@ -147,7 +147,7 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
     const std::set<int> members(item.handles.begin(), item.handles.end());
     for (const int index : members) {
       if (index < 0 || index >= static_cast<int>(added.size()))
-        throw UsageError("A group names a handle that is not there", item.name);
+        throw UsageError("A group refers to a handle that does not exist", item.name);
       group.handles.push_back(added[static_cast<std::size_t>(index)]);
     }
     rig.groups.push_back(std::move(group));

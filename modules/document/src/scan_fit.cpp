@@ -117,7 +117,7 @@ std::vector<std::string> scanFit(const DocumentState& state) {
                                "where its file says, and nothing is resampled",
                                shortList(otherGrid), grid, described(scan.size, scan.indexToLps)));
   if (!outside.empty())
-    sentences.push_back(phrase("%2 {lies|lie} outside of the scan; look whether both are of one patient and "
+    sentences.push_back(phrase("%2 {lies|lie} outside of the scan; check whether both are of one patient and "
                                "their files agree on the axes (RAS or LPS)",
                                outside.size(), shortList(outside)));
   return sentences;

@@ -60,9 +60,9 @@ void validateIds(const DocumentState& state) {
   for (const Group& group : state.rig->groups)
     take(group.id.value, phrase("group %1", group.name));
   for (const SequenceKey& key : state.keySequence->keys) {
-    take(key.id.value, "a recorded key");
+    take(key.id.value, "a keyframe");
     for (const auto& [handle, moved] : key.displacements)
-      requireId(handle.value, "a handle of a recorded key");
+      requireId(handle.value, "a handle of a keyframe");
   }
   for (const Measurement& measurement : *state.measurements)
     take(measurement.id.value, phrase("measurement %1", measurement.name));
@@ -140,7 +140,7 @@ void validateRig(const Rig& rig) {
   }
   for (const CageTriangle& corners : rig.cage) {
     require(std::all_of(corners.begin(), corners.end(), [&rows](HandleId id) { return rows.count(id) > 0; }),
-            "a triangle names a handle that is not there", "cage");
+            "a triangle refers to a handle that does not exist", "cage");
     require(corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0],
             "a triangle has a handle at two corners", "cage");
   }

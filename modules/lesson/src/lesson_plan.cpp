@@ -325,7 +325,7 @@ std::vector<LessonText> textsOf(LessonPlan& plan) {
   for (PlannedSurface& surface : plan.surfaces) {
     texts.push_back({said("Organ"), &surface.title});
     for (PlannedLabel& label : surface.labels)
-      texts.push_back({said("Name on it"), &label.text});
+      texts.push_back({said("Label in the view"), &label.text});
   }
   for (PlannedRange& range : plan.ranges)
     texts.push_back({said("Normal range"), &range.text});

@@ -442,7 +442,7 @@ std::shared_ptr<const deformation::WitnessGradients> LiveStress::gradients() con
 void LiveStress::findCycle(PosedCycle cycle, CycleParts parts) {
   Impl& impl = *impl_;
   if (impl.status.state != StressState::ready)
-    throw UsageError("There is no stress map yet", {}, "wait until the witness points are there");
+    throw UsageError("There is no stress map yet", {}, "wait until the witness points are computed");
   const auto work = [cycle = std::move(cycle), parts, gradients = impl.bound.gradients,
                      witnesses = impl.mesh->witnesses, threads = impl.options.threads](Progress& progress) {
     return stressOverCycle(*gradients, witnesses, cycle, kCycleInstants, parts, threads, progress);

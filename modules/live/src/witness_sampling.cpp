@@ -117,7 +117,7 @@ private:
         throw TetrahedraError(TetrahedraError::Reason::refused,
                               phrase("it has %1 triangles", surface.triangles.rows()));
       if (triangles > most && geometry::checkSurface(surface).closed()) {
-        progress_.report(0.1, "thinning out the surface");
+        progress_.report(0.1, "simplifying the surface");
         return std::make_shared<const WitnessMesh>(fill(thinned(surface, most / triangles)));
       }
       return std::make_shared<const WitnessMesh>(fill(surface));

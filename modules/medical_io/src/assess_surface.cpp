@@ -168,7 +168,8 @@ private:
     if (crumbs == 0)
       return add(FindingSeverity::note, std::move(text), {"keep-largest"});
     add(FindingSeverity::doubt,
-        phrase("%2, %n of them {is a crumb|are crumbs} of less than 2 % of its area", crumbs, text),
+        phrase("%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area",
+               crumbs, text),
         {"keep-largest"});
   }
 

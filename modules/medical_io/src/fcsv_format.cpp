@@ -52,7 +52,7 @@ public:
     }
     HandleFile result;
     if (!spaceStated_)
-      result.warnings.push_back("the file does not say its axes; LPS is assumed");
+      result.warnings.push_back("the file does not state its axes: LPS is assumed");
     result.groups.push_back(std::move(group_));
     return result;
   }
@@ -91,7 +91,7 @@ private:
     const std::string text = cell(row, column);
     const std::optional<double> value = parseNumber(text);
     if (!value || !std::isfinite(*value))
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(text), phrase("the coordinate %1", column)));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(text), phrase("the coordinate %1", column)));
     return *value;
   }
 

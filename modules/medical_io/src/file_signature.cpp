@@ -19,7 +19,7 @@ struct Kind {
   std::string_view extension;
 };
 constexpr std::array<Kind, 20> kKinds = {{
-    {Signature::unknown, FileKind::unknown, "nothing that Viscera knows", ""},
+    {Signature::unknown, FileKind::unknown, "a file of an unknown kind", ""},
     {Signature::stl, FileKind::surface, "an STL surface", ".stl"},
     {Signature::obj, FileKind::surface, "an OBJ surface", ".obj"},
     {Signature::ply, FileKind::surface, "a PLY surface", ".ply"},

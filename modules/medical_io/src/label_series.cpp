@@ -23,7 +23,7 @@ RawImage rawSeriesOf(FileBytes& file) {
     return readImage<niftiSeriesHeader>(file);
   if (found == Signature::nrrd)
     return readImage<nrrdHeader>(file);
-  file.fail("It is not a file of several volumes",
+  file.fail("It is not a file with several phases",
             "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
 }
 

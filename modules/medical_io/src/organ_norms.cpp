@@ -139,12 +139,12 @@ std::optional<std::string> doubtAboutSize(std::string_view name, double diagonal
   std::string units;
   for (const LengthUnit& unit : unitsThatFit(name, diagonalMm, 0))
     units = units.empty() ? std::string(unit.name) : phrase("%1 / %2", units, unit.name);
-  return units.empty()
-             ? phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres",
-                      roundedText(diagonalMm))
-             : phrase("the surface is %1 mm across, which no organ is; coordinates are taken as millimetres, "
-                      "they may be %2",
-                      roundedText(diagonalMm), units);
+  return units.empty() ? phrase("the size of %1 mm is implausible for an organ; coordinates are assumed to "
+                                "be in millimetres",
+                                roundedText(diagonalMm))
+                       : phrase("the size of %1 mm is implausible for an organ; coordinates are assumed to "
+                                "be in millimetres, they may be in %2",
+                                roundedText(diagonalMm), units);
 }
 
 } // namespace viscera::medical_io

@@ -46,7 +46,7 @@ HeaderReader headerReaderOf(const FileBytes& begin) {
   default:
     break;
   }
-  begin.fail(looksLike("It is not a scan that Viscera knows", found),
+  begin.fail(looksLike("It is not a scan in a known format", found),
              "open a NIfTI, NRRD or MetaImage file, or a DICOM series");
 }
 
@@ -201,7 +201,7 @@ void requirePlainVoxels(const FileBytes& file, const RawImage& image) {
   const std::string& kind = image.listKind;
   if (image.layers > 1 && (kind.find("color") != kind.npos || kind.find("vector") != kind.npos ||
                            kind.find("matrix") != kind.npos || kind == "complex"))
-    file.fail(phrase("It has several values a voxel (%1)", kind), "save it with one value a voxel");
+    file.fail(phrase("It has several values per voxel (%1)", kind), "save it with one value per voxel");
 }
 
 struct ImageFile {

@@ -121,7 +121,7 @@ double TextScanner::number(std::string_view part) {
     failAtEnd(part);
   const std::optional<double> value = parseNumber(token);
   if (!value)
-    fail(phrase("%1 stands where %2 should", inQuotes(token), part));
+    fail(phrase("expected %2, found %1", inQuotes(token), part));
   return *value;
 }
 
@@ -131,7 +131,7 @@ std::int64_t TextScanner::integer(std::string_view part) {
     failAtEnd(part);
   const std::optional<std::int64_t> value = parseInteger(token);
   if (!value)
-    fail(phrase("%1 stands where %2 should", inQuotes(token), part));
+    fail(phrase("expected %2, found %1", inQuotes(token), part));
   return *value;
 }
 

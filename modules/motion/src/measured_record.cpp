@@ -55,7 +55,7 @@ TrackedPhase phaseFrom(const ordered_json& item, const MeasuredRecord& record) {
       quality.dice = std::min(quality.dice.value_or(1), *dice);
   }
   if (quality.surfaces.size() != record.series.names.size())
-    throw DataError("a phase has not all surfaces", "measured motion");
+    throw DataError("a phase lacks a surface", "measured motion");
   quality.meanMm = numberOf(item, "meanMm");
   quality.p95Mm = numberOf(item, "p95Mm");
   quality.maxMm = numberOf(item, "maxMm");

@@ -86,7 +86,7 @@ SeriesFiles chosenOf(const SeriesFiles& all, const SeriesRequest& request) {
     const auto found = all.files.find(surface.name);
     if (found == all.files.end())
       throw UsageError(phrase("There is no surface \"%1\"", surface.name), "series",
-                       phrase("the first one there is: \"%1\"", all.files.begin()->first));
+                       phrase("the first one is: \"%1\"", all.files.begin()->first));
     chosen.files.insert(*found);
   }
   return chosen;
@@ -342,8 +342,8 @@ tracking::PhaseTimes timesOf(const SeriesRequest& request, const std::vector<dou
     throw UsageError(phrase("There {is|are} %n {time|times} for %2 phases", given.size(), count),
                      "--times-ms", "give one for each phase");
   if (!request.periodSeconds && !stated.periodSeconds)
-    throw UsageError("It does not say how long one cycle lasts", "series",
-                     "say it with --period-ms, or the rate with --rate");
+    throw UsageError("The duration of one cycle is unknown", "series",
+                     "give it with --period-ms, or the rate with --rate");
   const double period = request.periodSeconds.value_or(stated.periodSeconds.value_or(0));
   if (!(period > 0) || !std::isfinite(period))
     throw UsageError("The period is not a positive time", "--period-ms", "as in --period-ms 829");

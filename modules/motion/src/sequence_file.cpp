@@ -142,7 +142,7 @@ private:
         mesh.points.data()[i] = numberOf(points[i], place + ", points");
       for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (!triangles[i].is_number_unsigned() || triangles[i].get<std::uint64_t>() >= points.size() / 3)
-          fail("a triangle refers to a point that is not there", place);
+          fail("a triangle refers to a point that does not exist", place);
         mesh.triangles.data()[i] = triangles[i].get<std::int32_t>();
       }
       geometry::requireValid(mesh, where() + ", " + place);
@@ -284,7 +284,7 @@ void writeSequence(const std::filesystem::path& file, const SequenceFile& sequen
 SequenceFile sequenceFile(const document::DocumentState& state) {
   const auto sequence = document::sequenceOf(*state.keySequence, *state.rig);
   if (!sequence)
-    throw UsageError("Nothing is recorded", {}, "record a pose first");
+    throw UsageError("The key sequence has no key", {}, "add a key first");
   SequenceFile file{sequence->track(), {}, *state.system, {}};
   for (const document::Handle& handle : state.rig->handles)
     file.labels.push_back(handle.label);

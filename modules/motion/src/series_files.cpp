@@ -66,7 +66,7 @@ bool earlier(const fs::path& a, const fs::path& b) {
 
 std::vector<fs::path> inputFiles(const SeriesRequest& request) {
   if (request.inputs.empty())
-    throw UsageError("There is no series", {}, "name its files, a folder, or a file of several volumes");
+    throw UsageError("There is no series", {}, "name its files, a folder, or a file with several phases");
   std::vector<fs::path> files;
   for (const fs::path& input : request.inputs) {
     std::error_code error;

@@ -560,7 +560,7 @@ ViewState viewFromJson(const std::string& text) {
   try {
     return viewFrom(ordered_json::parse(text));
   } catch (const ordered_json::exception&) {
-    throw DataError("Not all of what the window showed can be brought back", "the session's view",
+    throw DataError("The view cannot be restored completely", "the session's view",
                     "the organs and the handles are complete; save the session anew");
   }
 }

@@ -159,7 +159,8 @@ Section measurements(const ReportSource& source) {
     return *source.organs->sharedPoints(organ);
   });
   Table table;
-  table.head = {said("Name"), said("What"), said("On"), said("Rest shape"), said("Now"), said("Change")};
+  table.head = {said("Name"),       said("Kind"), said("Measured on"),
+                said("Rest shape"), said("Now"),  said("Change")};
   table.numbers = {false, false, false, true, true, true};
   for (const document::MeasurementRow& row : rows) {
     const auto kind = row.measurement.kind;
@@ -199,12 +200,12 @@ std::string remarksOf(const document::Organ& organ) {
         warning.replace(at, path.size(), organ.file.filename().string());
     text += (text.empty() ? "" : "; ") + withoutFolders(messageInWords(warning));
   }
-  return text.empty() ? said("nothing: it is as it was read") : text;
+  return text.empty() ? said("none") : text;
 }
 
 Section files(const ReportSource& source) {
   Table table;
-  table.head = {said("Organ"), said("From"), said("What was found and done"), said("Vertices"),
+  table.head = {said("Organ"), said("Source"), said("Findings and repairs"), said("Vertices"),
                 said("Triangles")};
   table.numbers = {false, false, false, true, true};
   for (const auto& organ : *source.state.organs)

@@ -64,7 +64,7 @@ Table numbers(const live::StressFrame& frame) {
   if (frame.cycle && frame.cycle->peak)
     for (const live::StressQuantityDescription& quantity : live::stressQuantities())
       if (quantity.quantity == live::StressQuantity::rotationalStress)
-        add(*frame.cycle->peak, quantity, said("%1, the worst of a cycle", named(quantity.name)));
+        add(*frame.cycle->peak, quantity, said("%1, extreme over a cycle", named(quantity.name)));
   return table;
 }
 

@@ -98,7 +98,7 @@ double eased(Easing easing, double part) {
 
 KeyframedSequence::KeyframedSequence(Track track) : track_(std::move(track)) {
   if (track_.keys.empty())
-    throw DataError("there is no key", track_.name, "record a pose first");
+    throw DataError("there is no key", track_.name, "add a key first");
   if (!(track_.periodSeconds >= kShortestSpan) || !std::isfinite(track_.periodSeconds))
     throw DataError("the period is not a positive number of seconds", track_.name);
   if (!track_.restHandles.allFinite())

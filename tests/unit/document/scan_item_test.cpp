@@ -263,7 +263,7 @@ TEST(ScanItem, ThatIsDamagedAndCannotBeALabelMapIsRefusedWithTheReason) {
     openFiles({damaged}, progress);
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("It is a scan and no organ"));
+    EXPECT_THAT(error.what(), HasSubstr("It is a scan, not an organ"));
     EXPECT_THAT(error.what(), HasSubstr("Open a scan"));
   }
 }

@@ -107,7 +107,7 @@ TEST(SessionFile, HasACageOnlyWhereOneWasGivenAndRefusesOneOfOtherHandles) {
   EXPECT_EQ(readBack(folder / "a.viscera").contents.state.rig->cage, contents.state.rig->cage);
   const std::int64_t first = good["rig"]["cage"][2][0];
   for (const auto& [triangle, problem] :
-       {std::pair(ordered_json({first, 987654, first + 1}), "names a handle that is not there"),
+       {std::pair(ordered_json({first, 987654, first + 1}), "refers to a handle that does not exist"),
         std::pair(ordered_json({first, first + 1, first}), "a handle at two corners"),
         std::pair(ordered_json({first, first + 1}), "not a triangle of three handles")}) {
     ordered_json bad = good;

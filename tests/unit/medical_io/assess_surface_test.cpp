@@ -89,7 +89,7 @@ TEST(AssessSurface, MetresInchesAndCentimetresAreToldApartByTheOrgan) {
 }
 
 TEST(AssessSurface, MillimetresTakenAsMetresAndMultipliedAgainAreMicrometres) {
-  expectOneClick(geometry::scaled(liver(), 1000), "which no organ is", "unit-um");
+  expectOneClick(geometry::scaled(liver(), 1000), "is implausible for an organ", "unit-um");
 }
 
 TEST(AssessSurface, AnOrganOfUnknownNameInMetresIsNoticedByItsSize) {
@@ -146,7 +146,7 @@ TEST(AssessSurface, CrumbsOfASegmentationAreOfferedToGo) {
   mesh.points << large.points, crumb.points;
   mesh.triangles.resize(large.triangles.rows() + crumb.triangles.rows(), 3);
   mesh.triangles << large.triangles, crumb.triangles.array() + static_cast<std::int32_t>(large.points.rows());
-  expectOneClick(mesh, "2 separate pieces, 1 of them is a crumb of", "keep-largest");
+  expectOneClick(mesh, "2 separate pieces, 1 of them is a small fragment of", "keep-largest");
 }
 
 TEST(AssessSurface, IntersectionsAreCountedAndMadeAnew) {

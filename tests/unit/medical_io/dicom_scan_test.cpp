@@ -218,7 +218,7 @@ TEST_F(DicomScan, NamesPicturesOfAnotherSizeInASeries) {
   const Scan scan = read();
   expectPhantom(scan, image);
   ASSERT_EQ(count(scan, Kind::mixedSizes), 1);
-  EXPECT_THAT(sentences(scan), HasSubstr("1 picture of 23 x 21 left out, those of 21 x 23 read"));
+  EXPECT_THAT(sentences(scan), HasSubstr("1 image of 23 x 21 left out, those of 21 x 23 read"));
   EXPECT_EQ(listScans(folder_.path(), progress_)[1].id, "1.2.3.4#2");
 }
 
@@ -401,7 +401,7 @@ TEST_F(DicomScan, RefusesWhatIsNoScan) {
     read();
     FAIL();
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("is a colour picture"));
+    EXPECT_THAT(error.what(), HasSubstr("is a colour image"));
   }
   folder_.put("DICOMDIR", std::string(128, '\0') + "DICM");
 }

@@ -258,8 +258,7 @@ TEST(MotionSeriesRefuses, TimesThatDoNotAscendWithinThePeriod) {
 TEST(MotionSeriesRefuses, ASeriesWithoutAPeriod) {
   Series series;
   series.balls("outer", kBeat);
-  EXPECT_NE(refusalOf(series.request({}, 0)).find("It does not say how long one cycle lasts"),
-            std::string::npos);
+  EXPECT_NE(refusalOf(series.request({}, 0)).find("The duration of one cycle is unknown"), std::string::npos);
 }
 
 TEST(MotionSeriesRefuses, ACavityOutsideTheOuterSurface) {

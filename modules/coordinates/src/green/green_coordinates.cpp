@@ -89,7 +89,7 @@ GreenCoordinates::GreenCoordinates()
     : PointwiseSystem({.id = "green",
                        .name = "Green",
                        .summary = "By corners and normals of a cage of any shape; nearly keeps angles, and "
-                                  "does not touch its handles",
+                                  "does not interpolate its handles",
                        .traits = {.needsCage = true, .closedFormGradient = true, .affine = false}},
                       [](const HandleSet& handles, const ParameterValues&) {
                         return std::make_unique<GreenSolver>(handles.positions, cageOf(handles));

@@ -160,7 +160,7 @@ BalanceIn<2> planeGradient(Eigen::Index handles, const ParameterValues& paramete
 GradientMethod::GradientMethod()
     : PointwiseSystem({.id = "gradient-method",
                        .name = "Gradient method",
-                       .summary = "The smallest number is raised as high as it goes; positive, with kinks",
+                       .summary = "Maximises the smallest weight; positive, with kinks",
                        // With 'highest' it jumps.
                        .traits = {.positive = true,
                                   .interpolates = true,

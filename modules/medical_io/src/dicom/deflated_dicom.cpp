@@ -98,7 +98,7 @@ void requireBoundedInflation(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const auto begin = dataBegin(stream, error ? 0 : static_cast<std::streamoff>(size));
   if (!begin)
-    named.fail("It is damaged or no DICOM file: its header is not as the standard wants it");
+    named.fail("It is damaged or no DICOM file: its header violates the DICOM standard");
   stream.clear();
   stream.seekg(*begin);
   const std::uint64_t most = kInflatedAlways + kInflatedPerByte * size;

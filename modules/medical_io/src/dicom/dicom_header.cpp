@@ -146,10 +146,10 @@ private:
                              : "has no pixels";
       return false;
     }
-    // Siemens puts the slices of one instant side by side into one large picture.
+    // Siemens puts the slices of one instant side by side into one large image.
     if (textAt(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) {
       header_.notAScan =
-          "is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does "
+          "is a mosaic of many slices in one image, as Siemens writes them, which Viscera does "
           "not take apart; convert it to NIfTI (dcm2niix does)";
       return false;
     }
@@ -160,7 +160,7 @@ private:
     header_.rows = axisSize(file_, number(DCM_Rows, 0), "a column");
     const std::string colours = textAt(dataset, DCM_PhotometricInterpretation);
     if (number(DCM_SamplesPerPixel, 1) != 1 || (!colours.empty() && !colours.starts_with("MONOCHROME"))) {
-      header_.notAScan = "is a colour picture";
+      header_.notAScan = "is a colour image";
       return false;
     }
     DicomPixelFormat& format = header_.format;

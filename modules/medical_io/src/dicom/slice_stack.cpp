@@ -76,18 +76,17 @@ public:
     const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
     const std::size_t count = other.frames.size();
     if (!sameSize(f, g))
-      return {ScanFinding::Kind::mixedSizes, phrase("The series has pictures of several sizes: %n "
-                                                    "{picture|pictures} of %2 left out, those of %3 read",
+      return {ScanFinding::Kind::mixedSizes, phrase("The series has images of several sizes: %n "
+                                                    "{image|images} of %2 left out, those of %3 read",
                                                     count, sizeOf(g), sizeOf(f))};
     if (!sameDirections(x, y))
-      return {
-          ScanFinding::Kind::other,
-          phrase("%n {picture|pictures} in the series that {lies|lie} in another direction left out", count)};
+      return {ScanFinding::Kind::other,
+              phrase("%n {image|images} in the series that {lies|lie} in another direction left out", count)};
     if (x.echo != y.echo)
       return {ScanFinding::Kind::other,
-              phrase("%n {picture|pictures} in the series of another echo left out", count)};
+              phrase("%n {image|images} in the series of another echo left out", count)};
     return {ScanFinding::Kind::mixedSizes,
-            phrase("The series has pixels of several sizes: %n {picture|pictures} of %2 mm left out, those "
+            phrase("The series has pixels of several sizes: %n {image|images} of %2 mm left out, those "
                    "of %3 mm read",
                    count, shortNumber(y.betweenColumns), shortNumber(x.betweenColumns))};
   }

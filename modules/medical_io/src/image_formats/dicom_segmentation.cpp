@@ -95,7 +95,7 @@ private:
     OFString uid;
     dataset.findAndGetOFString(DCM_SOPClassUID, uid);
     if (uid != UID_SegmentationStorage) {
-      const char* kind = dcmFindNameOfUID(uid.c_str(), "of no known kind");
+      const char* kind = dcmFindNameOfUID(uid.c_str(), "of an unknown kind");
       file_.fail(phrase("It is a DICOM file, but no segmentation (%1)", kind),
                  "open the segmentation that was made from it");
     }

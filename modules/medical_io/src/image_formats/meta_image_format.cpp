@@ -21,7 +21,7 @@ public:
     raw_.space = "LPS";
     raw_.scalar = scalar();
     if (parseInteger(value({"ElementNumberOfChannels"}).value_or("1")) != 1)
-      file_.fail("It has several values a voxel", "save it with one value a voxel");
+      file_.fail("It has several values per voxel", "save it with one value per voxel");
     readGrid();
     StoredValues stored = storedValues();
     return {std::move(raw_), std::move(stored)};
@@ -81,7 +81,7 @@ private:
 
   void readSize() {
     if (parseInteger(value({"NDims"}).value_or("")) != 3)
-      file_.fail("It has not three dimensions", "save it as a volume");
+      file_.fail("It does not have three dimensions", "save it as a 3D image");
     std::string_view text = value({"DimSize"}).value_or("");
     for (std::size_t i = 0; i < 3; ++i) {
       const auto size = parseInteger(takeWord(text));

@@ -260,7 +260,7 @@ private:
     for (std::int64_t& corner : list)
       corner += static_cast<std::int64_t>(before);
     if (raw_.corners.size() + 3 * list.size() > kMostGltfCorners)
-      document_.fail("It unfolds to too many triangles");
+      document_.fail("With its instances expanded, it has too many triangles");
     addTriangles(list, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
 
@@ -270,7 +270,7 @@ private:
     if (components != 3)
       document_.fail(phrase("its points have %1 coordinates, not 3", components));
     if (raw_.coordinates.size() + values.size() > kMostGltfCorners)
-      document_.fail("It unfolds to too many points");
+      document_.fail("With its instances expanded, it has too many points");
     const bool moved = !transform.isIdentity(0);
     for (std::size_t i = 0; i < values.size(); i += 3) {
       Vec3 point(values[i], values[i + 1], values[i + 2]);

@@ -79,7 +79,7 @@ private:
          word = takeWord(line)) {
       const auto value = parseNumber(word);
       if (!value)
-        scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a coordinate"));
+        scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a coordinate"));
       values[count++] = *value;
     }
     if (count < 3)
@@ -95,7 +95,7 @@ private:
       const auto number = parseInteger(word.substr(0, word.find('/')));
       const auto points = static_cast<std::int64_t>(raw_.pointCount());
       if (!number || *number == 0)
-        scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a point's number"));
+        scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a point's number"));
       // Negative numbers count back from the last point so far.
       const std::int64_t corner = *number > 0 ? *number - 1 : points + *number;
       if (corner < 0)

@@ -67,7 +67,7 @@ private:
     const std::string_view word = takeWord(line);
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0)
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), part));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), part));
     if (saturatedProduct(static_cast<std::uint64_t>(*count), bytesEach) > scanner_.remaining() + bytesEach)
       scanner_.fail(phrase("%1 is %2, more than the %3 bytes that are left can hold", part, *count,
                            scanner_.remaining()));
@@ -77,7 +77,7 @@ private:
   double takeNumber(std::string_view word) const {
     const std::optional<double> value = parseNumber(word);
     if (!value)
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a number"));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a number"));
     return *value;
   }
 
@@ -110,14 +110,13 @@ private:
     const std::string_view word = takeWord(line);
     const std::optional<std::int64_t> corners = parseInteger(word);
     if (!corners || *corners < 1)
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), "a face's number of corners"));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a face's number of corners"));
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view corner = takeWord(line);
       const std::optional<std::int64_t> point = parseInteger(corner);
       if (!point)
-        scanner_.fail(corner.empty()
-                          ? "a face has fewer corners than it claims"
-                          : phrase("%1 stands where %2 should", inQuotes(corner), "a point's number"));
+        scanner_.fail(corner.empty() ? "a face has fewer corners than it claims"
+                                     : phrase("expected %2, found %1", inQuotes(corner), "a point's number"));
       raw_.corners.push_back(*point);
     }
     // Behind the corners stands the face's colour.

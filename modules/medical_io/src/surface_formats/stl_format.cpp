@@ -123,7 +123,7 @@ RawSurface readAscii(const FileBytes& file) {
   while (!scanner.atEnd()) {
     const std::string_view word = scanner.word();
     if (lowered(word) != "solid")
-      scanner.fail(phrase("%1 stands where %2 should", inQuotes(word), inQuotes("solid")));
+      scanner.fail(phrase("expected %2, found %1", inQuotes(word), inQuotes("solid")));
     readSolid(scanner, raw);
     ++solids;
   }

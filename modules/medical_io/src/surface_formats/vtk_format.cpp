@@ -81,7 +81,7 @@ private:
     raw_.takeComment(title);
     const std::string mode = lowered(trimmed(scanner_.line()));
     if (mode != "ascii" && mode != "binary")
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(mode), "ASCII or BINARY"));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(mode), "ASCII or BINARY"));
     binary_ = mode == "binary";
   }
 
@@ -171,7 +171,7 @@ private:
 
   std::vector<double> readNumbers(std::uint64_t count, const Type& type) {
     if (!type)
-      scanner_.fail("texts stand where numbers should");
+      scanner_.fail("it has text in place of numbers");
     return readValues(count, *type, loadDouble, &TextScanner::number, "a number");
   }
 
@@ -230,7 +230,7 @@ private:
   void requireWord(std::string_view expected) {
     const std::string_view word = scanner_.word();
     if (lowered(word) != expected)
-      scanner_.fail(phrase("%1 stands where %2 should", inQuotes(word), inQuotes(expected)));
+      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), inQuotes(expected)));
   }
 
   void addCell(const std::string& keyword, std::span<const std::int64_t> cell) {

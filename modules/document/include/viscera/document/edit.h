@@ -100,7 +100,7 @@ inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = rows(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k));
       if (row < 0 || static_cast<std::size_t>(row) >= rig.handles.size())
-        throw UsageError("The cage names a handle that is not there", phrase("triangle %1", t));
+        throw UsageError("The cage refers to a handle that does not exist", phrase("triangle %1", t));
       cage[t][k] = rig.handles[static_cast<std::size_t>(row)].id;
     }
   return cage;

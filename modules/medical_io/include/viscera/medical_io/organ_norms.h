@@ -44,7 +44,7 @@ const std::vector<LengthUnit>& lengthUnits();
 /// when mm do, or nothing does. Best first.
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
 
-/// "the surface is 0.24 mm across, which no organ is", if the size is implausible; else none.
+/// "the size of 0.24 mm is implausible for an organ", if the size is implausible; else none.
 std::optional<std::string> doubtAboutSize(std::string_view name, double diagonalMm);
 
 } // namespace viscera::medical_io
