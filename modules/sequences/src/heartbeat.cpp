@@ -1,5 +1,7 @@
 #include "viscera/sequences/heartbeat.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "viscera/sequences/course_heartbeat.h"
@@ -27,13 +29,29 @@ std::string Heartbeat::rateRemark(double ratePerMinute) const {
 
 CavityHeartbeat::CavityHeartbeat(CavityFit fit, CardiacCycle cycle) : Heartbeat(cycle), fit_(std::move(fit)) {
   Points pose;
+  FoundCavities found;
   for (const double rate : {CardiacCycle::kStandardRateBpm, CardiacCycle::kHighestRateBpm})
-    for (int i = 0; i < kTriedOfABeat; ++i)
-      poseAt(i * 60 / rate / kTriedOfABeat, rate, pose);
+    for (int i = 0; i < kTriedOfABeat; ++i) {
+      const HeartInstant instant = heartInstant(cycle, cycle.at(i * 60 / rate / kTriedOfABeat, rate));
+      fit_.pose(instant, pose, &found);
+      solutions_.push_back({instant.volumes, found});
+    }
+}
+
+const FoundCavities& CavityHeartbeat::nearestTo(const CavityVolumes& volumes) const {
+  const auto away = [&](const Solution& solution) {
+    return std::abs(solution.volumes.leftMl - volumes.leftMl) +
+           std::abs(solution.volumes.rightMl - volumes.rightMl);
+  };
+  return std::min_element(solutions_.begin(), solutions_.end(),
+                          [&](const Solution& a, const Solution& b) { return away(a) < away(b); })
+      ->found;
 }
 
 void CavityHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
-  fit_.pose(heartInstant(cycle(), cycle().at(seconds, ratePerMinute)), pose);
+  const HeartInstant instant = heartInstant(cycle(), cycle().at(seconds, ratePerMinute));
+  FoundCavities start = nearestTo(instant.volumes);
+  fit_.pose(instant, pose, &start);
 }
 
 } // namespace viscera::sequences

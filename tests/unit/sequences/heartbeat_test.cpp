@@ -89,7 +89,7 @@ TEST_F(CavityHeartbeatTest, APoseNeedsFewMeasurements) {
   volumes_.calls = 0;
   for (int k = 0; k < 96; ++k)
     heartbeat_.poseAt(k * 0.8 / 96, 75, pose_);
-  EXPECT_LT(volumes_.calls, 96 * 10);
+  EXPECT_LT(volumes_.calls, 96 * 5);
 }
 
 TEST_F(CavityHeartbeatTest, RepeatsWithTheBeat) {

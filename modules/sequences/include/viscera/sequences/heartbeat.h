@@ -46,11 +46,18 @@ public:
 
   const Points& restHandles() const override { return fit_.restHandles(); }
   const HeartMotion& motion() const override { return fit_.motion(); }
-  /// Costs what `CavityFit::pose` costs.
+  /// Costs one `CavityFit::pose` from a near solution.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 
 private:
+  struct Solution {
+    CavityVolumes volumes;
+    FoundCavities found;
+  };
+  const FoundCavities& nearestTo(const CavityVolumes& volumes) const;
+
   CavityFit fit_;
+  std::vector<Solution> solutions_; ///< Of instants of two beats, from which searches at others start.
 };
 
 } // namespace viscera::sequences
