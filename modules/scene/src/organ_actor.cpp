@@ -22,17 +22,15 @@
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/volume.h"
 
 #include "borrowed_array.h"
+#include "moving_triangles.h"
 #include "wall_actor.h"
 
 namespace viscera::scene {
 namespace {
 
-/// A coarse surface keeps so many vertices, or it loses its shape.
-constexpr Eigen::Index kFewest = 300;
 constexpr double kSpecular = 0.25;
 constexpr double kSpecularPower = 28;
 constexpr double kSelectedAmbient = 0.22;
@@ -331,7 +329,7 @@ void OrganActor::setCoarse(int part) {
   auto& p = *parts_;
   if (part > 1 && part != p.coarsePart) {
     p.coarsePart = part;
-    p.coarse = geometry::coarseTriangles(*p.mesh, std::max(kFewest, p.mesh->points.rows() / part));
+    p.coarse = movingTriangles(*p.mesh, part);
     p.coarseCells = cellsOf(p.coarse);
     p.aroundCoarse = geometry::vertexTriangles(p.mesh->points.rows(), p.coarse);
     p.coarseNormalsDue = true;

@@ -47,6 +47,7 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 30000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
+constexpr Eigen::Index kPassesOfGlass = 3; ///< See `WallActor::Render`.
 /// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 /// The part of a view's height, and of its width, that a legend leaves to organs, at least.
@@ -147,7 +148,7 @@ struct OrganView::Parts {
   void prepareFrame();
   bool hurries() const { return software && (moving || quick); }
   bool anyTranslucent() const;
-  Eigen::Index verticesSeen() const;
+  Eigen::Index verticesDrawn() const;
   int partDrawn() const;
   void smoothEdges();
   void watchMotion(vtkObject* source);
@@ -208,17 +209,17 @@ bool OrganView::Parts::anyTranslucent() const {
                      [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
 }
 
-Eigen::Index OrganView::Parts::verticesSeen() const {
+Eigen::Index OrganView::Parts::verticesDrawn() const {
   Eigen::Index vertices = 0;
   for (const auto& organ : organs)
     if (organ->visible())
-      vertices += organ->mesh().points.rows();
+      vertices += organ->mesh().points.rows() * (organ->opacity() < 1 ? kPassesOfGlass : 1);
   return vertices;
 }
 
 /// One in how many vertices is drawn: a power of two, so that an organ more or less seldom makes another one.
 int OrganView::Parts::partDrawn() const {
-  const Eigen::Index vertices = verticesSeen();
+  const Eigen::Index vertices = verticesDrawn();
   if (!hurries() || !shortcuts.fewerTriangles || vertices <= kAllDrawnInMotion)
     return 1;
   int part = 2;
@@ -540,7 +541,8 @@ void OrganView::setShortcuts(const Shortcuts& shortcuts) {
 
 bool OrganView::isSlow() const {
   const auto& p = *parts_;
-  return p.software && (p.verticesSeen() > kAllDrawnInMotion || (p.shortcuts.blending && p.anyTranslucent()));
+  return p.software &&
+         (p.verticesDrawn() > kAllDrawnInMotion || (p.shortcuts.blending && p.anyTranslucent()));
 }
 
 void OrganView::setMeshLook(const MeshLook& look) {

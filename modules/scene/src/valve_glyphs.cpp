@@ -29,6 +29,7 @@ const Vec3 kRimColor(0.86, 0.76, 0.56);
 constexpr double kRimRadius = 0.9; ///< mm
 constexpr double kEdgeRadius = 0.4;
 constexpr int kRingSides = 20;
+constexpr double kNeverSharp = 180; ///< Degrees.
 constexpr double kShortest = 0.5;  ///< Of arrows, mm.
 constexpr double kTipWidth = 2.1;  ///< Of the shaft's.
 constexpr double kTipLength = 3.2; ///< Of the shaft's radius, but of no more than the part below.
@@ -41,6 +42,7 @@ public:
     data_->SetPoints(points_);
     normals_->SetInputData(data_);
     normals_->SetFeatureAngle(sharp);
+    normals_->SetSplitting(sharp < kNeverSharp);
     normals_->ConsistencyOff();
     mapper_->SetInputConnection(normals_->GetOutputPort());
     mapper_->SetScalarModeToUsePointData();
@@ -167,7 +169,7 @@ void addArrow(Solid& solid, const FlowArrow& arrow) {
 } // namespace
 
 struct ValveGlyphs::Parts {
-  Solid leaflets{180};
+  Solid leaflets{kNeverSharp};
   Solid flow{40};
   Cords rims{kRimRadius}, edges{kEdgeRadius};
   vtkRenderer* renderer = nullptr;

@@ -10,6 +10,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/geometry/coarse_triangles.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/scene/organ_actor.h"
 
 #include "shapes.h"
@@ -65,6 +66,26 @@ TEST(OrganActor, IsDrawnWithFewerTrianglesOnTheSamePointsAndWholeAgain) {
   EXPECT_EQ(pointsSeen(actor), mesh->points.data());
   actor.setCoarse(1);
   EXPECT_EQ(actor.polyData()->GetNumberOfPolys(), mesh->triangles.rows());
+}
+
+/// A heart that beats is drawn with half of its triangles for as long as a class looks at it.
+TEST(OrganActor, HalfOfItsTrianglesAreAClosedSurfaceNearItsOwn) {
+  const auto mesh = ball(4);
+  OrganActor actor(mesh);
+  actor.setCoarse(2);
+  Triangles half(actor.polyData()->GetNumberOfPolys(), 3);
+  for (vtkIdType t = 0; t < half.rows(); ++t) {
+    const vtkIdType* corners = nullptr;
+    vtkIdType count = 0;
+    actor.polyData()->GetPolys()->GetCellAtId(t, count, corners);
+    ASSERT_EQ(count, 3);
+    half.row(t) << std::int32_t(corners[0]), std::int32_t(corners[1]), std::int32_t(corners[2]);
+  }
+  EXPECT_NEAR(double(half.rows()), 0.5 * double(mesh->triangles.rows()), 2);
+  const geometry::SurfaceReport report = geometry::checkSurface({mesh->points, half, {}});
+  EXPECT_TRUE(report.manifold() && report.outward());
+  const double whole = geometry::checkSurface(*mesh).volumeMm3;
+  EXPECT_NEAR(report.volumeMm3, whole, 0.01 * whole);
 }
 
 TEST(OrganActor, ItsFewTrianglesAreLitByTheirOwnNormalsWhereItFolds) {

@@ -98,10 +98,9 @@ public:
   /// `OrganView` calls it while something moves.
   void setDrawnWithoutPeeling(bool unpeeled);
 
-  /// Draws the surface with fewer triangles, between one in `part` of its vertices
-  /// (`geometry::coarseTriangles`) and no fewer than some hundreds; they follow its points, and have normals
-  /// of their own. 1: all of it. `OrganView` calls it while something moves. O(n log n) for another part than
-  /// the one before.
+  /// Draws the surface with fewer triangles, between one in `part` of its vertices and no fewer than some
+  /// hundreds; they follow its points, and have normals of their own. 1: all of it. `OrganView` calls it while
+  /// something moves. O(n log n) for another part than the one before.
   void setCoarse(int part);
   /// Shows the triangles, to judge a mesh by. A coarse surface has other edges: it is for who says so to
   /// leave them out. Nothing happens when it is so already.
