@@ -1940,8 +1940,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         </translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Treu del grup</translation>
+        <source>Take out</source>
+        <translation>Treu</translation>
     </message>
     <message>
         <source>Remove the selected handles from the chosen group</source>

@@ -1940,8 +1940,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         </translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Aus Gruppe lösen</translation>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
     </message>
     <message>
         <source>Remove the selected handles from the chosen group</source>

@@ -1940,8 +1940,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         </translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Sacar del grupo</translation>
+        <source>Take out</source>
+        <translation>Sacar</translation>
     </message>
     <message>
         <source>Remove the selected handles from the chosen group</source>

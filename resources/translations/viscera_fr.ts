@@ -1940,8 +1940,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         </translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Retirer du groupe</translation>
+        <source>Take out</source>
+        <translation>Retirer</translation>
     </message>
     <message>
         <source>Remove the selected handles from the chosen group</source>

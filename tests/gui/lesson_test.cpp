@@ -83,7 +83,7 @@ TEST_F(LessonOfTheHeart, IsWrittenWithItsMotionWhileTheWindowGoesOn) {
   window().lessons().write(plan, file);
   settle();
   ASSERT_TRUE(QFileInfo::exists(file)) << message().toStdString();
-  EXPECT_THAT(message().toStdString(), testing::HasSubstr("mm at most"));
+  EXPECT_THAT(message().toStdString(), testing::HasSubstr("differs by at most"));
   const QString page = readPage(file);
   EXPECT_TRUE(page.contains(QStringLiteral("\"rates\":[60.0,75.0]")));
   EXPECT_TRUE(page.contains(QStringLiteral("Left ventricle")));

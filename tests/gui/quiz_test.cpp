@@ -54,33 +54,38 @@ protected:
   }
 };
 
-TEST_F(Parts, AreNamedWhereTheyCanBeSeenAndFollowTheBeat) {
+TEST_F(Parts, AreNamedWhereTheyCanBeSeen) {
   EXPECT_TRUE(named().empty());
   key(Qt::Key_N, Qt::ShiftModifier);
   EXPECT_TRUE(isNamed("Apex"));
   EXPECT_TRUE(isNamed("Right atrium"));
   EXPECT_FALSE(isNamed("Left atrium")) << "it is behind the heart";
-  const scene::OrganLabels::Drawn atRest = drawn("Apex");
-  window().setMode("play");
-  window().playback().seek(0.4);
-  settle();
-  const scene::OrganLabels::Drawn atTheEndOfSystole = drawn("Apex");
-  EXPECT_EQ(atTheEndOfSystole.box.left, atRest.box.left) << "the name stands still";
-  EXPECT_EQ(atTheEndOfSystole.box.bottom, atRest.box.bottom);
-  const QPoint moved = placeOf("Apex");
-  const double ratio = view().devicePixelRatioF();
-  EXPECT_NEAR(atTheEndOfSystole.targetX / ratio, moved.x(), 2) << "its line follows the beat";
-  EXPECT_NEAR(view().height() - 1 - atTheEndOfSystole.targetY / ratio, moved.y(), 2);
-  EXPECT_GT(
-      std::hypot(atTheEndOfSystole.targetX - atRest.targetX, atTheEndOfSystole.targetY - atRest.targetY), 1);
-  window().setMode("explore");
-  settle();
   window().actions()["view.posterior"]->trigger();
   settle();
   EXPECT_TRUE(isNamed("Left atrium"));
   EXPECT_FALSE(isNamed("Left anterior descending artery"));
   key(Qt::Key_N, Qt::ShiftModifier);
   EXPECT_TRUE(named().empty());
+}
+
+TEST_F(Parts, HaveNamesThatStandStillWithLinesThatFollowTheBeat) {
+  window().setMode("play");
+  key(Qt::Key_N, Qt::ShiftModifier);
+  window().playback().play();
+  playFor(0.3); // Once a motion has begun, every name has the place that it keeps.
+  window().playback().seek(0);
+  settle();
+  const scene::OrganLabels::Drawn before = drawn("Apex");
+  window().playback().seek(0.4);
+  settle();
+  const scene::OrganLabels::Drawn after = drawn("Apex");
+  EXPECT_EQ(after.box.left, before.box.left);
+  EXPECT_EQ(after.box.bottom, before.box.bottom);
+  const QPoint apex = placeOf("Apex");
+  const double ratio = view().devicePixelRatioF();
+  EXPECT_NEAR(after.targetX / ratio, apex.x(), 2);
+  EXPECT_NEAR(view().height() - 1 - after.targetY / ratio, apex.y(), 2);
+  EXPECT_GT(std::hypot(after.targetX - before.targetX, after.targetY - before.targetY), 1);
 }
 
 TEST_F(Parts, AreHiddenWithTheirOrgan) {

@@ -115,8 +115,8 @@ QWidget* GroupPanel::makeButtons() {
                   if (const document::Group* group = current())
                     workspace_.perform(document::addToGroup(group->id, selected()));
                 });
-  takeOut_ = button("groupTakeOut", tr("Remove from group"),
-                    tr("Remove the selected handles from the chosen group"), [this, selected] {
+  takeOut_ = button("groupTakeOut", tr("Take out"), tr("Remove the selected handles from the chosen group"),
+                    [this, selected] {
                       if (const document::Group* group = current())
                         workspace_.perform(document::removeFromGroup(group->id, selected()));
                     });

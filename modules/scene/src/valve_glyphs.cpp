@@ -30,9 +30,9 @@ constexpr double kRimRadius = 0.9; ///< mm
 constexpr double kEdgeRadius = 0.4;
 constexpr int kRingSides = 20;
 constexpr double kNeverSharp = 180; ///< Degrees.
-constexpr double kShortest = 0.5;  ///< Of arrows, mm.
-constexpr double kTipWidth = 2.1;  ///< Of the shaft's.
-constexpr double kTipLength = 3.2; ///< Of the shaft's radius, but of no more than the part below.
+constexpr double kShortest = 0.5;   ///< Of arrows, mm.
+constexpr double kTipWidth = 2.1;   ///< Of the shaft's.
+constexpr double kTipLength = 3.2;  ///< Of the shaft's radius, but of no more than the part below.
 constexpr double kLongestTip = 0.45;
 
 /// A surface that is filled anew and shaded smoothly where it is not sharper than `sharp` degrees.

@@ -99,8 +99,8 @@ public:
   void setDrawnWithoutPeeling(bool unpeeled);
 
   /// Draws the surface with fewer triangles, between one in `part` of its vertices and no fewer than some
-  /// hundreds; they follow its points, and have normals of their own. 1: all of it. `OrganView` calls it while
-  /// something moves. O(n log n) for another part than the one before.
+  /// hundreds; they follow its points, and have normals of their own. 1: all of it. `OrganView` calls it
+  /// while something moves. O(n log n) for another part than the one before.
   void setCoarse(int part);
   /// Shows the triangles, to judge a mesh by. A coarse surface has other edges: it is for who says so to
   /// leave them out. Nothing happens when it is so already.
