@@ -194,7 +194,7 @@ TEST_F(PatientTest, AScanOpensBesideAFileThatIsNotThereWhichIsNamedWithTheOffer)
   ASSERT_TRUE(waitUntil([this] { return document().state().scan != nullptr; })) << message().toStdString();
   settle();
   EXPECT_TRUE(message().contains(missing)) << message().toStdString();
-  EXPECT_TRUE(message().contains(QStringLiteral("the label map ball_seg.nrrd"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("The label map ball_seg.nrrd"))) << message().toStdString();
 }
 
 TEST_F(PatientTest, AScanOpensBesideDamagedFilesWhichAreAllNamedWithTheOffer) {
@@ -208,7 +208,7 @@ TEST_F(PatientTest, AScanOpensBesideDamagedFilesWhichAreAllNamedWithTheOffer) {
   window().files().open(files);
   ASSERT_TRUE(waitUntil([this] { return document().state().scan != nullptr; })) << message().toStdString();
   settle();
-  for (const char* said : {"liver.stl", "kidney.vtp", "the label map ball_seg.nrrd"})
+  for (const char* said : {"liver.stl", "kidney.vtp", "The label map ball_seg.nrrd"})
     EXPECT_TRUE(message().contains(QLatin1String(said))) << said << " in " << message().toStdString();
 }
 

@@ -232,7 +232,7 @@ TEST_F(OpenFiles, WarnOnceOfEachFaultWithTheFilesName) {
   Progress progress;
   const OpenedFiles opened = openFiles({folder_ / "odd.vtp"}, progress);
   EXPECT_THAT(opened.warnings,
-              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the surface is 0.173 mm across"),
+              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the size of 0.173 mm is implausible"),
                                               HasSubstr("odd.vtp: the surface is inside out"),
                                               HasSubstr("turned around")));
 }

@@ -149,7 +149,7 @@ TEST(ReadSurface, SizesThatNoOrganHasAreQuestionedWithTheLikelyUnit) {
     mesh.points *= scale;
     writeSurface(folder / "a.ply", mesh);
     const SurfaceFile read = readSurface(folder / "a.ply");
-    return unit.empty() ? !warnsOf(read, "no organ") : warnsOf(read, "no organ") && warnsOf(read, unit);
+    return unit.empty() ? !warnsOf(read, "implausible") : warnsOf(read, "implausible") && warnsOf(read, unit);
   };
   EXPECT_TRUE(warningAt(1, ""));
   EXPECT_TRUE(warningAt(1e-3, "metres"));
@@ -157,7 +157,7 @@ TEST(ReadSurface, SizesThatNoOrganHasAreQuestionedWithTheLikelyUnit) {
   EXPECT_TRUE(warningAt(1e-1, "centimetres"));
   EXPECT_TRUE(warningAt(1e-6, "kilometres"));
   EXPECT_TRUE(warningAt(1e3, "micrometres"));
-  EXPECT_TRUE(warningAt(1e-9, "no organ"));
+  EXPECT_TRUE(warningAt(1e-9, "implausible"));
 }
 
 TEST(ReadSurface, VolumeFarFromTheNamedOrganIsQuestioned) {
