@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -393,7 +394,16 @@ void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item)
 }
 
 void OrganPanel::updateVolumes() {
-  const QScopedValueRollback<bool> quiet(updating_, true);
+  writeVolumes();
+  list_->resizeColumnToContents(kOrganVolume);
+  list_->viewport()->update();
+  if (systems_.empty())
+    leaveNumbersOut();
+}
+
+/// Without a signal for each number: Qt would measure the texts of all rows at each.
+void OrganPanel::writeVolumes() {
+  const QSignalBlocker quiet(list_->model());
   for (const auto& organ : workspace_.document().organs()) {
     const auto found = items_.find(organ->id);
     if (found == items_.end())
@@ -416,8 +426,6 @@ void OrganPanel::updateVolumes() {
                                                   formatRelativeChange(volume));
     item->setToolTip(kOrganVolume, tip);
   }
-  if (systems_.empty())
-    leaveNumbersOut();
 }
 
 void OrganPanel::syncSelection() {

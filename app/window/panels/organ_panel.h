@@ -58,6 +58,7 @@ private:
   void updateRow(const document::Organ& organ, QTreeWidgetItem* item);
   void updateLock(const document::Organ& organ, QTreeWidgetItem* item);
   void updateVolumes();
+  void writeVolumes();
   void syncSelection();
   void syncOpacity();
   void fitNameColumn();
