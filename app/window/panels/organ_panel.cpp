@@ -396,7 +396,8 @@ void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item)
 void OrganPanel::updateVolumes() {
   writeVolumes();
   list_->resizeColumnToContents(kOrganVolume);
-  list_->viewport()->update();
+  list_->viewport()->update(list_->columnViewportPosition(kOrganVolume), 0, list_->columnWidth(kOrganVolume),
+                            list_->viewport()->height());
   if (systems_.empty())
     leaveNumbersOut();
 }
