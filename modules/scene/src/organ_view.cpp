@@ -47,7 +47,7 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 30000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
-constexpr Eigen::Index kPassesOfGlass = 3; ///< See `WallActor::Render`.
+constexpr Eigen::Index kTransparentPasses = 3; ///< See `WallActor::Render`.
 /// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 /// The part of a view's height, and of its width, that a legend leaves to organs, at least.
@@ -213,7 +213,7 @@ Eigen::Index OrganView::Parts::verticesDrawn() const {
   Eigen::Index vertices = 0;
   for (const auto& organ : organs)
     if (organ->visible())
-      vertices += organ->mesh().points.rows() * (organ->opacity() < 1 ? kPassesOfGlass : 1);
+      vertices += organ->mesh().points.rows() * (organ->opacity() < 1 ? kTransparentPasses : 1);
   return vertices;
 }
 

@@ -188,7 +188,15 @@ HeartState CavityFit::pose(const HeartInstant& instant, Points& pose, FoundCavit
   const bool atria = measureAtria_ && instant.atria && instant.state.atria;
   const Wanted wanted{measure_, atria ? &measureAtria_ : nullptr, instant};
   const AffineHandles handles = affineHandles(motion_, compensation_, rest_, instant.state, wanted.count());
-  FoundCavities now = Search(handles, wanted).run(found);
+  const Search search(handles, wanted);
+  FoundCavities now;
+  try {
+    now = search.run(found);
+  } catch (const DataError&) { // The start may be unsuitable.
+    if (!found)
+      throw;
+    now = search.run(nullptr);
+  }
   pose = handles.at(now.corrections);
   const HeartState state = corrected(instant.state, now.corrections);
   if (found)

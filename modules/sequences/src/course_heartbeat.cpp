@@ -89,12 +89,7 @@ void CourseHeartbeat::poseAt(double seconds, double /*ratePerMinute*/, Points& p
   const double phase = seconds / course_.period - std::floor(seconds / course_.period);
   FoundCavities start =
       found_[static_cast<std::size_t>(std::lround(phase * kTriedOfACourse)) % kTriedOfACourse];
-  const HeartInstant instant = course_.at(phase);
-  try {
-    fit_.pose(instant, pose, &start);
-  } catch (const DataError&) { // The start from a similar course may be unsuitable.
-    fit_.pose(instant, pose);
-  }
+  fit_.pose(course_.at(phase), pose, &start);
 }
 
 } // namespace viscera::sequences

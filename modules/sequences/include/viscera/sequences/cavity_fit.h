@@ -55,7 +55,7 @@ public:
   /// volumes cannot be reached, or are not finite. O(n^2) with a compensation, and eight measurements.
   ///
   /// The search begins with the solution in `found`, if any, and stores its own there: from a near solution,
-  /// two measurements are enough.
+  /// two measurements are enough. A solution that leads nowhere costs time only.
   HeartState pose(const HeartInstant& instant, Points& pose, FoundCavities* found = nullptr) const;
 
 private:
