@@ -4,64 +4,74 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
+#include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
-#include "viscera/geometry/normals.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
 namespace {
 
-/// A surface of area A meets about this many times A / h^2 cubes of edge h, each for one octant of normals.
-constexpr double kCubesMet = 1.8;
+/// A surface of area A meets about this many times A / h^2 cubes of edge h.
+constexpr double kCubesMet = 1.5;
 constexpr int kBitsOfAxis = 20;
 
-/// The cube of each vertex with the octant of its normal, and the vertex, by cubes. Without the octants the
-/// two sides of a thin muscle would become one.
-std::vector<std::pair<std::uint64_t, std::int32_t>> byCube(const TriangleMesh& mesh, double edge) {
-  const Points& points = mesh.points;
-  const Normals normals = vertexNormals(mesh);
+/// For each vertex the cube that it lies in.
+std::vector<std::uint64_t> cubesOf(const Points& points, double edge) {
   const Vec3 low = points.colwise().minCoeff();
-  std::vector<std::pair<std::uint64_t, std::int32_t>> cubes(static_cast<std::size_t>(points.rows()));
-  for (Eigen::Index v = 0; v < points.rows(); ++v) {
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      key = (key << 1) | std::uint64_t(normals(v, axis) < 0);
+  std::vector<std::uint64_t> cubes(static_cast<std::size_t>(points.rows()), 0);
+  for (Eigen::Index v = 0; v < points.rows(); ++v)
     for (int axis = 0; axis < 3; ++axis) {
       const double at = std::min((points(v, axis) - low[axis]) / edge, double((1 << kBitsOfAxis) - 1));
-      key = (key << kBitsOfAxis) | static_cast<std::uint64_t>(at);
+      std::uint64_t& cube = cubes[static_cast<std::size_t>(v)];
+      cube = (cube << kBitsOfAxis) | static_cast<std::uint64_t>(at);
     }
-    cubes[static_cast<std::size_t>(v)] = {key, static_cast<std::int32_t>(v)};
-  }
-  std::sort(cubes.begin(), cubes.end());
   return cubes;
 }
 
-/// For each vertex the one that stands for its cube.
-std::vector<std::int32_t> representatives(const TriangleMesh& mesh, double edge) {
-  const Points& points = mesh.points;
-  const auto cubes = byCube(mesh, edge);
-  std::vector<std::int32_t> chosen(cubes.size());
-  for (std::size_t begin = 0; begin < cubes.size();) {
-    std::size_t end = begin;
-    Vec3 mean = Vec3::Zero();
-    for (; end < cubes.size() && cubes[end].first == cubes[begin].first; ++end)
-      mean += points.row(cubes[end].second).transpose();
-    mean /= static_cast<double>(end - begin);
-    std::int32_t best = cubes[begin].second;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = begin; i < end; ++i) {
-      const double away = (points.row(cubes[i].second).transpose() - mean).squaredNorm();
-      if (away < least) {
-        least = away;
-        best = cubes[i].second;
-      }
+/// For each vertex the set of those in its cube that edges within the cube join to it. The two sides of a
+/// thin muscle are two sets, for they meet outside of most cubes.
+std::vector<std::int32_t> clustersOf(const TriangleMesh& mesh, double edge) {
+  const std::vector<std::uint64_t> cubes = cubesOf(mesh.points, edge);
+  DisjointSets joined(cubes.size());
+  for (const auto& triangle : mesh.triangles.rowwise())
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto from = static_cast<std::size_t>(triangle[corner]);
+      const auto to = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
+      if (cubes[from] == cubes[to])
+        joined.join(from, to);
     }
-    for (; begin < end; ++begin)
-      chosen[static_cast<std::size_t>(cubes[begin].second)] = best;
+  std::vector<std::int32_t> clusters(cubes.size());
+  for (std::size_t v = 0; v < clusters.size(); ++v)
+    clusters[v] = static_cast<std::int32_t>(joined.root(v));
+  return clusters;
+}
+
+/// For each vertex the one of its cluster that is nearest to the mean of the cluster.
+std::vector<std::int32_t> representatives(const TriangleMesh& mesh, double edge) {
+  const std::vector<std::int32_t> clusters = clustersOf(mesh, edge);
+  Points means = Points::Zero(mesh.points.rows(), 3);
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(mesh.points.rows());
+  for (std::size_t v = 0; v < clusters.size(); ++v) {
+    means.row(clusters[v]) += mesh.points.row(static_cast<Eigen::Index>(v));
+    ++sizes[clusters[v]];
   }
+  std::vector<std::int32_t> nearest(clusters.size());
+  Eigen::VectorXd least =
+      Eigen::VectorXd::Constant(mesh.points.rows(), std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < clusters.size(); ++v) {
+    const std::int32_t cluster = clusters[v];
+    const auto point = mesh.points.row(static_cast<Eigen::Index>(v));
+    const double away = (point - means.row(cluster) / sizes[cluster]).squaredNorm();
+    if (away < least[cluster]) {
+      least[cluster] = away;
+      nearest[static_cast<std::size_t>(cluster)] = static_cast<std::int32_t>(v);
+    }
+  }
+  std::vector<std::int32_t> chosen(clusters.size());
+  for (std::size_t v = 0; v < clusters.size(); ++v)
+    chosen[v] = nearest[static_cast<std::size_t>(clusters[v])];
   return chosen;
 }
 

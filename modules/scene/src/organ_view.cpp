@@ -47,7 +47,8 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 30000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
-constexpr Eigen::Index kTransparentPasses = 3; ///< See `WallActor::Render`.
+constexpr Eigen::Index kDrawnOfOneInMotion = 16000; ///< More of one organ are too small to be told apart.
+constexpr Eigen::Index kTransparentPasses = 3;      ///< See `WallActor::Render`.
 /// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 /// The part of a view's height, and of its width, that a legend leaves to organs, at least.
@@ -150,6 +151,7 @@ struct OrganView::Parts {
   bool anyTranslucent() const;
   Eigen::Index verticesDrawn() const;
   int partDrawn() const;
+  int partDrawn(const OrganActor& organ, int ofAll) const;
   void smoothEdges();
   void watchMotion(vtkObject* source);
   void orderProps();
@@ -195,8 +197,9 @@ void OrganView::Parts::prepareFrame() {
     renderer->SetMaximumNumberOfPeels(software ? kPeelsInSoftware : kPeelsOnGpu);
   }
   const Vec3 eye(renderer->GetActiveCamera()->GetPosition());
-  const int part = partDrawn();
+  const int ofAll = partDrawn();
   for (const auto& organ : organs) {
+    const int part = partDrawn(*organ, ofAll);
     organ->cullBackFaces(eye);
     organ->setCoarse(part);
     organ->setMeshLook({meshLook.edges && part == 1, meshLook.flat});
@@ -224,6 +227,13 @@ int OrganView::Parts::partDrawn() const {
     return 1;
   int part = 2;
   while (vertices > kDrawnInMotion * part)
+    part *= 2;
+  return part;
+}
+
+int OrganView::Parts::partDrawn(const OrganActor& organ, int ofAll) const {
+  int part = ofAll;
+  while (part > 1 && organ.mesh().points.rows() > kDrawnOfOneInMotion * part)
     part *= 2;
   return part;
 }

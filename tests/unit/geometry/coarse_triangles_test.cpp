@@ -1,5 +1,6 @@
 #include "viscera/geometry/coarse_triangles.h"
 
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,40 @@ TEST(CoarseTriangles, StandForTheSurfaceInItsPoseToo) {
   for (auto point : ball.points.rowwise())
     point *= 1 + 0.003 * point[2];
   EXPECT_NEAR(volume(ball.points, coarse) / volume(ball.points, ball.triangles), 1, 0.03);
+}
+
+/// The normals of a rough plane lie in eight octants, whose clusters once lay across one another.
+TEST(CoarseTriangles, DoNotFoldOnAFlatSide) {
+  constexpr int kSide = 100;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> rough(-0.05, 0.05);
+  TriangleMesh plane;
+  plane.points.resize(kSide * kSide, 3);
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      plane.points.row(row * kSide + column) << column, row, rough(random);
+  plane.triangles.resize(2 * (kSide - 1) * (kSide - 1), 3);
+  Eigen::Index t = 0;
+  for (int row = 0; row + 1 < kSide; ++row)
+    for (int column = 0; column + 1 < kSide; ++column) {
+      const int at = row * kSide + column;
+      plane.triangles.row(t++) << at, at + 1, at + kSide;
+      plane.triangles.row(t++) << at + 1, at + kSide + 1, at + kSide;
+    }
+  const Triangles coarse = coarseTriangles(plane, 1000);
+  ASSERT_GT(coarse.rows(), 1000);
+  for (const auto& triangle : coarse.rowwise()) {
+    const Vec3 a = plane.points.row(triangle[0]), b = plane.points.row(triangle[1]);
+    const Vec3 c = plane.points.row(triangle[2]);
+    EXPECT_GE((b - a).cross(c - a).z(), 0) << triangle;
+  }
+}
+
+TEST(CoarseTriangles, KeepTheSidesOfAThinPartApart) {
+  TriangleMesh sheet = tests::sphere(6, 60);
+  sheet.points.col(2) *= 0.02;
+  const Triangles coarse = coarseTriangles(sheet, 1000);
+  EXPECT_NEAR(volume(sheet.points, coarse) / volume(sheet.points, sheet.triangles), 1, 0.1);
 }
 
 TEST(CoarseTriangles, OfASmallSurfaceAreAllOfThem) {
