@@ -3666,6 +3666,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
             <numerusform>S’han eliminat %n òrgans i tots els tiradors</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 de %3)</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PanelDock</name>

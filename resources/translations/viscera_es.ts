@@ -3666,6 +3666,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
             <numerusform>%n órganos y todos los tiradores quitados</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 de %3)</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PanelDock</name>

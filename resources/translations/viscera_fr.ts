@@ -3666,6 +3666,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
             <numerusform>%n organes et toutes les poignées supprimés</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 sur %3)</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PanelDock</name>

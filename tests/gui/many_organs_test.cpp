@@ -185,6 +185,31 @@ TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {
   EXPECT_FALSE(row(QStringLiteral("liver"))->isHidden());
 }
 
+TEST_F(ManyOrgans, ThatComeDuringASearchAreFoundByIt) {
+  search().setText(QStringLiteral("renal"));
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("left renal vein", 30, 3)})));
+  settle();
+  EXPECT_FALSE(row(QStringLiteral("left renal vein"))->isHidden());
+  EXPECT_FALSE(row(QStringLiteral("left renal artery"))->isHidden());
+  EXPECT_TRUE(row(QStringLiteral("liver"))->isHidden());
+}
+
+TEST_F(ManyOrgans, ASearchIsLedOnByKeys) {
+  for (const auto next : {Qt::Key_Return, Qt::Key_Down}) {
+    list().setCurrentItem(row(QStringLiteral("liver")));
+    key(Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(&search(), QStringLiteral("renal"));
+    EXPECT_EQ(row(QStringLiteral("aorta"))->parent()->text(kName), QStringLiteral("Arteries (2 of 3)"));
+    QTest::keyClick(&search(), next);
+    EXPECT_EQ(window().workspace().selection().organ(), organ("left renal artery").id);
+    EXPECT_TRUE(list().hasFocus());
+    search().setFocus();
+    QTest::keyClick(&search(), Qt::Key_Escape);
+    EXPECT_EQ(search().text(), QString());
+    EXPECT_EQ(row(QStringLiteral("aorta"))->parent()->text(kName), QStringLiteral("Arteries (3)"));
+  }
+}
+
 TEST_F(ManyOrgans, ThatAreChosenAreShownAloneHiddenAndShownAgainInOneStepEach) {
   const auto all = seen();
   list().clearSelection();

@@ -102,6 +102,8 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
       workspace_.selection().setOrgan(organOf(item));
   });
   connect(search_, &QLineEdit::textChanged, this, &OrganPanel::filter);
+  connect(search_, &QLineEdit::returnPressed, this, &OrganPanel::chooseFirstFound);
+  search_->installEventFilter(this);
   connect(opacity_, &ValueSlider::valueChanged, this, [this](double percent) {
     changeLooks(workspace_, tr("Change opacity"), chosen(),
                 [percent](document::OrganLook& look) { look.opacity = percent / 100; });
@@ -267,7 +269,6 @@ void OrganPanel::makeRows() {
     items_[organ->id] = item;
   }
   list_->expandAll();
-  filter();
 }
 
 void OrganPanel::rebuild() {
@@ -278,7 +279,10 @@ void OrganPanel::rebuild() {
     makeRows();
   for (const auto& organ : organs)
     updateRow(*organ, items_[organ->id]);
-  updateSystems();
+  if (rowsStay)
+    updateSystems();
+  else
+    filter(); // By the names that the rows have only now.
   empty_->setVisible(organs.empty());
   list_->setVisible(!organs.empty());
   opacity_->setVisible(!organs.empty());
@@ -324,22 +328,50 @@ void OrganPanel::leaveNumbersOut() {
   list_->setColumnHidden(kOrganVolume, name > room);
 }
 
-/// Also where a list that was hidden gets its place, or a scroll bar.
+/// Fits the names also where a list that was hidden gets its place, or a scroll bar. In the field of the
+/// search Down goes on to the list, and Escape shows all rows again.
 bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize)
+  if (watched == list_->viewport() && event->type() == QEvent::Resize)
     QMetaObject::invokeMethod(this, &OrganPanel::fitNameColumn, Qt::QueuedConnection);
-  return QWidget::eventFilter(watched, event);
+  const bool typed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched != search_ || !typed)
+    return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Down && (key != Qt::Key_Escape || search_->text().isEmpty()))
+    return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::ShortcutOverride)
+    event->accept();
+  else if (key == Qt::Key_Down)
+    chooseFirstFound();
+  else
+    search_->clear();
+  return true;
 }
 
-/// A system's row has the number of its organs, and an eye for all of them.
+void OrganPanel::chooseFirstFound() {
+  const QString part = search_->text().trimmed();
+  for (QTreeWidgetItemIterator row(list_, QTreeWidgetItemIterator::NotHidden); *row; ++row)
+    if (organOf(*row) && (*row)->text(kOrganName).contains(part, Qt::CaseInsensitive)) {
+      list_->setCurrentItem(*row);
+      list_->setFocus(Qt::OtherFocusReason);
+      return;
+    }
+}
+
+/// A system's row has the number of its organs, also of those that a search finds, and an eye for all of
+/// them.
 void OrganPanel::updateSystems() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   for (const auto& [system, row] : systems_) {
-    int seen = 0;
+    int seen = 0, found = 0;
     for (int child = 0; child < row->childCount(); ++child)
-      if (const auto organ = workspace_.document().organ(organOf(row->child(child))))
+      if (const auto organ = workspace_.document().organ(organOf(row->child(child)))) {
         seen += organ->look.visible;
-    row->setText(kOrganName, QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
+        found += row->child(child)->isHidden() ? 0 : 1;
+      }
+    row->setText(kOrganName, found < row->childCount()
+                                 ? tr("%1 (%2 of %3)").arg(inWords(system)).arg(found).arg(row->childCount())
+                                 : QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
     row->setIcon(kOrganEye, icon(seen > 0 ? "eye" : "eye_off"));
     row->setToolTip(kOrganEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
   }
@@ -359,6 +391,7 @@ void OrganPanel::filter() {
       any = any || !row->child(child)->isHidden();
     row->setHidden(!any);
   }
+  updateSystems();
 }
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
