@@ -7,7 +7,7 @@ class QApplication;
 namespace viscera::app {
 
 /// Sets the attributes that Qt needs before the QApplication is created: the surface format for VTK, and
-/// high-DPI scaling.
+/// high-DPI scaling; limits how much freed memory the process keeps. Call it before other threads begin.
 void prepareForApplication();
 
 /// Sets name and version of the application, and installs the plurals of the English texts.

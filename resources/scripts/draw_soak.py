@@ -12,7 +12,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-COLORS = {"playing": "#2f7fc1", "a drag": "#c1692f", "two views": "#5c9e31", "a recording": "#8a4fbf"}
+COLORS = {"playing": "#2f7fc1", "a drag": "#c1692f", "two views": "#5c9e31", "a recording": "#8a4fbf",
+          "a job": "#888888"}
 LATE_MS = 100
 
 
@@ -30,8 +31,11 @@ def draw(rows, path):
     minutes = [row["seconds"] / 60 for row in rows]
     figure, (memory, frames, counts) = plt.subplots(
         3, 1, sharex=True, figsize=(10, 7.5), height_ratios=[2, 3, 1.4], layout="constrained")
-    memory.plot(minutes, [row["resident_mb"] for row in rows], color="#444444", linewidth=0.8)
+    for key, color, label in [("resident_mb", "#aaaaaa", "resident"), ("own_mb", "#444444", "without files"),
+                              ("allocated_mb", "#2f7fc1", "allocated")]:
+        memory.plot(minutes, [row[key] for row in rows], color=color, linewidth=0.8, label=label)
     memory.set_ylabel("memory (MB)")
+    memory.legend(loc="lower right", ncols=3, frameon=False)
     memory.set_ylim(0, 1.15 * max(row["resident_mb"] for row in rows))
     for name, color in COLORS.items():
         chosen = [row for row in rows if row["occupation"] == name and row["longest_ms"] > 0]

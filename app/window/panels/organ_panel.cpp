@@ -348,10 +348,13 @@ bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
+bool OrganPanel::isFound(const QTreeWidgetItem* row) const {
+  return row->text(kOrganName).contains(search_->text().trimmed(), Qt::CaseInsensitive);
+}
+
 void OrganPanel::chooseFirstFound() {
-  const QString part = search_->text().trimmed();
   for (QTreeWidgetItemIterator row(list_, QTreeWidgetItemIterator::NotHidden); *row; ++row)
-    if (organOf(*row) && (*row)->text(kOrganName).contains(part, Qt::CaseInsensitive)) {
+    if (organOf(*row) && isFound(*row)) {
       list_->setCurrentItem(*row);
       list_->setFocus(Qt::OtherFocusReason);
       return;
@@ -379,9 +382,8 @@ void OrganPanel::updateSystems() {
 
 /// Shows the rows whose name contains the search text; a system without such a row is hidden.
 void OrganPanel::filter() {
-  const QString part = search_->text().trimmed();
   for (const auto& [id, item] : items_)
-    item->setHidden(!part.isEmpty() && !item->text(kOrganName).contains(part, Qt::CaseInsensitive));
+    item->setHidden(!isFound(item));
   for (const auto& [id, item] : items_) // A cavity that fits shows the organ around it.
     if (!item->isHidden() && item->parent())
       item->parent()->setHidden(false);

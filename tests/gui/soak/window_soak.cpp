@@ -29,6 +29,8 @@ constexpr double kMostGrowth = 0.01;
 /// Of the samples; caches of Qt, Mesa and the system fill in this part.
 constexpr double kWarmUp = 0.1;
 const std::string kPlaying = "playing";
+/// A job of the window, such as the measuring of a cycle, has one of the processors that draw.
+const std::string kJob = "a job";
 
 /// Handles the window's events until `done`, or for so long; the soak goes on in either case.
 void waitFor(const std::function<bool()>& done, int milliseconds = kLongestWait) {
@@ -139,6 +141,8 @@ void WindowSoak::record() {
 
 void WindowSoak::onFrame() {
   ++present_.frames;
+  if (present_.occupation.empty() && !window_->workspace().jobs().idle())
+    present_.occupation = kJob;
   const bool playing = window_->playback().player().playing();
   if (sinceFrame_.isValid() && playing)
     present_.longestMs = std::max(present_.longestMs, static_cast<double>(sinceFrame_.nsecsElapsed()) / 1e6);
@@ -173,7 +177,7 @@ std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples) {
   const auto medianMb = [&calm](std::size_t first, std::size_t last) {
     std::vector<double> values;
     for (std::size_t i = first; i < last; ++i)
-      values.push_back(calm[i].use.residentMb);
+      values.push_back(calm[i].use.ownMb);
     return median(values);
   };
   const double before = medianMb(0, part), after = medianMb(calm.size() - part, calm.size());
