@@ -328,20 +328,25 @@ void OrganPanel::leaveNumbersOut() {
   list_->setColumnHidden(kOrganVolume, name > room);
 }
 
-/// Fits the names also where a list that was hidden gets its place, or a scroll bar. In the field of the
-/// search Down goes on to the list, and Escape shows all rows again.
+/// Fits the names also where a list that was hidden gets its place, or a scroll bar.
 bool OrganPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == list_->viewport() && event->type() == QEvent::Resize)
     QMetaObject::invokeMethod(this, &OrganPanel::fitNameColumn, Qt::QueuedConnection);
-  const bool typed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-  if (watched != search_ || !typed)
-    return QWidget::eventFilter(watched, event);
-  const int key = static_cast<QKeyEvent*>(event)->key();
-  if (key != Qt::Key_Down && (key != Qt::Key_Escape || search_->text().isEmpty()))
-    return QWidget::eventFilter(watched, event);
-  if (event->type() == QEvent::ShortcutOverride)
-    event->accept();
-  else if (key == Qt::Key_Down)
+  const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched == search_ && key && handleSearchKey(static_cast<QKeyEvent&>(*event)))
+    return true;
+  return QWidget::eventFilter(watched, event);
+}
+
+/// Down chooses the first organ that is found; Escape, otherwise a shortcut of the window, shows all rows
+/// again. Returns whether the search has taken the key.
+bool OrganPanel::handleSearchKey(QKeyEvent& event) {
+  const bool down = event.key() == Qt::Key_Down;
+  if (!down && (event.key() != Qt::Key_Escape || search_->text().isEmpty()))
+    return false;
+  if (event.type() == QEvent::ShortcutOverride)
+    event.accept();
+  else if (down)
     chooseFirstFound();
   else
     search_->clear();

@@ -55,6 +55,7 @@ private:
   QTreeWidgetItem* systemRow(const std::string& system);
   void updateSystems();
   void filter();
+  bool handleSearchKey(QKeyEvent& event);
   bool isFound(const QTreeWidgetItem* row) const;
   void chooseFirstFound();
   void updateRow(const document::Organ& organ, QTreeWidgetItem* item);
