@@ -30,8 +30,8 @@ std::vector<std::uint64_t> cubesOf(const Points& points, double edge) {
   return cubes;
 }
 
-/// For each vertex the set of those in its cube that edges within the cube join to it. The two sides of a
-/// thin muscle are two sets, for they meet outside of most cubes.
+/// For each vertex the set of vertices in its cube that edges within the cube connect with it, named by its
+/// first vertex. The two sides of a thin muscle stay two sets but at its rim, where edges connect them.
 std::vector<std::int32_t> clustersOf(const TriangleMesh& mesh, double edge) {
   const std::vector<std::uint64_t> cubes = cubesOf(mesh.points, edge);
   DisjointSets joined(cubes.size());

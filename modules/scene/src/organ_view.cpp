@@ -47,7 +47,7 @@ constexpr int kPeelsInSoftware = 4;
 /// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
 constexpr Eigen::Index kAllDrawnInMotion = 30000;
 constexpr Eigen::Index kDrawnInMotion = 64000;
-constexpr Eigen::Index kDrawnOfOneInMotion = 16000; ///< More of one organ are too small to be told apart.
+constexpr Eigen::Index kDrawnOfOneInMotion = 16000; ///< Of one organ: finer triangles show no more.
 constexpr Eigen::Index kTransparentPasses = 3;      ///< See `WallActor::Render`.
 /// Half side of the box that an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;

@@ -12,7 +12,7 @@ namespace viscera::tests {
 /// Memory, descriptors and threads of this process at a moment, as reported by Linux.
 struct ProcessUse {
   double residentMb = 0;
-  double ownMb = 0;       ///< Resident without files, whose pages the system reads and drops as it likes.
+  double ownMb = 0;       ///< Resident without files, whose pages the system loads and drops at any time.
   double allocatedMb = 0; ///< By malloc and new, and not yet freed.
   int descriptors = 0;    ///< Open files, sockets and pipes.
   int threads = 0;
