@@ -13,12 +13,11 @@
 #include <exception>
 #include <memory>
 
-#include <malloc.h>
-
 #include "available_systems.h"
 #include "viscera/core/error.h"
 #include "viscera/scene/text_font.h"
 #include "window/application.h"
+#include "window/heap.h"
 #include "window/import/import_controller.h"
 #include "window/language.h"
 #include "window/main_window.h"
@@ -40,10 +39,6 @@ constexpr double kFrameSeconds = 1.0 / 25.0;
 constexpr double kPlayedSeconds = 2.64; ///< Ends in the ejection at 75 beats a minute.
 constexpr int kLongestWait = 180000;    ///< ms, for a sample organ that has to be made first.
 constexpr int kSettle = 400;            ///< ms, for what the window still has to draw.
-/// Heaps of the allocator. By default it makes up to eight for each processor, and each keeps what its
-/// threads once took: a beating heart with comparisons and movies grew from 540 to 571 MB in a quarter of an
-/// hour. Two heaps are as fast.
-constexpr int kHeaps = 2;
 
 /// Without a display Qt would abort the program.
 bool displayThere() {
@@ -137,7 +132,7 @@ void installEnglishPlurals(QApplication& application) {
 } // namespace
 
 void prepareForApplication() {
-  mallopt(M_ARENA_MAX, kHeaps);
+  useFewHeaps();
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

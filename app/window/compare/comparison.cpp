@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidgetAction>
@@ -17,6 +18,7 @@
 #include "window/compare/error_table.h"
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
+#include "window/heap.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/sample_loader.h"
@@ -337,6 +339,8 @@ void Comparison::end() {
   second->picture.reset();
   first_.area.joinViews();
   Q_EMIT toggled(false);
+  // When `second` and the view are gone.
+  QTimer::singleShot(0, [] { returnFreedMemory(); });
 }
 
 std::optional<presentation::Compared> Comparison::compared() const {

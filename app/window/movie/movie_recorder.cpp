@@ -8,6 +8,7 @@
 #include "viscera/core/error.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
+#include "window/heap.h"
 
 namespace viscera::app {
 namespace {
@@ -130,6 +131,7 @@ void MovieRecorder::cancel() {
 
 void MovieRecorder::end(const JobResult<int>& result, const MoviePlan& plan) {
   running_ = false;
+  returnFreedMemory();
   if (result.error)
     workspace_.report(*result.error);
   Q_EMIT stateChanged();
