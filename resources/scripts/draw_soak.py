@@ -44,6 +44,7 @@ def draw(rows, path):
     frames.axhline(LATE_MS, color="#999999", linewidth=0.8)
     frames.set_ylabel("longest frame of a second (ms)")
     frames.set_yscale("log")
+    frames.set_ylim(top=2 * max(row["longest_ms"] for row in rows))  # Room for the legend.
     frames.legend(loc="upper right", ncols=len(COLORS), frameon=False, markerscale=3)
     counts.plot(minutes, [row["descriptors"] for row in rows], color="#2f7fc1", label="open descriptors")
     counts.plot(minutes, [row["threads"] for row in rows], color="#c1692f", label="threads")

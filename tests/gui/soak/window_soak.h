@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pause_watch.h"
 #include "process_use.h"
 #include "window/main_window.h"
 
@@ -19,6 +20,7 @@ struct SoakSample {
   ProcessUse use;
   int frames = 0;         ///< Drawn in the first view.
   double longestMs = 0;   ///< Between two frames that followed each other while the heart played.
+  double pausedMs = 0;    ///< For so long of that the machine itself stood still (PauseWatch).
   std::string occupation; ///< The activity beside the beating: "playing" for none.
 };
 
@@ -45,6 +47,7 @@ private:
   std::unique_ptr<app::Settings> settings_;
   std::unique_ptr<app::MainWindow> window_;
   QElapsedTimer clock_, sinceFrame_;
+  PauseWatch pauses_;
   double seconds_ = 0;
   int rounds_ = 0;
   SoakSample present_;
@@ -53,7 +56,7 @@ private:
 };
 
 /// The faults of a soak, a line each; empty when memory, descriptors and threads stayed and no frame came
-/// late while nothing went on but the beating.
+/// late while nothing went on but the beating. What the machine itself stood still does not count.
 std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
 
 } // namespace viscera::tests
