@@ -373,6 +373,20 @@ TEST_F(SlicesTest, AScanIsOneStepThatCanBeUndone) {
   EXPECT_EQ(document().organs().size(), 1u);
 }
 
+TEST_F(SlicesTest, WithoutScanAndOrgansThe3DViewIsAloneUntilTheyReturn) {
+  key(Qt::Key_F8);
+  ASSERT_FALSE(view().isVisible());
+  window().actions()["edit.undo"]->trigger();
+  EXPECT_TRUE(slice(1).isVisible()) << "the organ is still there to be cut";
+  window().actions()["edit.undo"]->trigger();
+  ASSERT_TRUE(document().organs().empty());
+  EXPECT_TRUE(view().isVisible());
+  EXPECT_FALSE(slice(0).isVisible() || slice(1).isVisible() || slice(2).isVisible());
+  window().actions()["edit.redo"]->trigger();
+  EXPECT_TRUE(slice(1).isVisible());
+  EXPECT_FALSE(view().isVisible());
+}
+
 TEST_F(SlicesTest, MovingASliceDrawsNo3DViewUnlessSlicesStandInIt) {
   int pictures = 0;
   const auto counting =

@@ -42,7 +42,10 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
     connect(widget, &SliceWidget::menuWanted, &menu, [&menu](const QPoint& place) { menu.popup(place); });
   }
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
-  subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
+  subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
+    arrange();
+    refresh();
+  }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (!event.more)
       refresh();
@@ -126,7 +129,11 @@ void SlicePanes::setTheme(const Theme& theme) {
   refresh(); // Texts are placed by their size.
 }
 
+/// Without anything to slice the 3D view is alone; the chosen layout returns with the next organ or scan.
 void SlicePanes::arrange() {
+  const document::DocumentState& document = workspace_.state();
+  if (!document.scan && document.organs->empty())
+    return area_.arrange(true, {});
   const std::string& layout = model_.state().scan.layout;
   const auto directions = slices::sliceDirections();
   std::array<bool, 3> shown{};
