@@ -76,6 +76,20 @@ protected:
   }
 };
 
+// The window's monkey took a locked volume's pose for a wrong one (seed 7003).
+TEST_F(OneState, AnInstantIsShownWithTheVolumesThatAreLocked) {
+  const document::OrganId heart = document().organs().front()->id;
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(heart, true)));
+  for (const double instant : {0.0, 0.4}) {
+    window().playback().seek(instant);
+    expectAllIsOne("under the lock");
+    Points free;
+    const auto& player = window().playback().player();
+    player.sequence()->poseAt(player.secondsInCycle(), player.ratePerMinute(), free);
+    EXPECT_GT((window().workspace().live().shownPose() - free).cwiseAbs().maxCoeff(), 0.1) << instant;
+  }
+}
+
 /// How the window is when the change of sequence is undone.
 struct Moment {
   const char* name;

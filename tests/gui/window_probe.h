@@ -111,8 +111,9 @@ inline std::string disagreement(app::MainWindow& window) {
   return wrong.str();
 }
 
-/// The difference between the displayed pose and that at the timeline's instant; empty when they agree. A
-/// timeline that is not followed stands at the beginning.
+/// The difference between the displayed pose and that at the timeline's instant, with the volumes that are
+/// locked or prescribed; empty when they agree, and where those volumes cannot be kept. A timeline that is
+/// not followed stands at the beginning.
 inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& playback) {
   if (!playback.sequence())
     return {};
@@ -120,12 +121,17 @@ inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& play
   if (!playback.showing())
     return fraction == 0 ? std::string()
                          : "the timeline stands at " + std::to_string(fraction) + ", nothing follows it; ";
-  Points pose;
-  playback.sequence()->poseAt(playback.player().secondsInCycle(), playback.player().ratePerMinute(), pose);
+  motion::MotionRunner runner(workspace.state(), workspace.live());
+  runner.setSequence(playback.sharedSequence());
+  runner.setRatePerMinute(playback.player().ratePerMinute());
+  runner.prescribe(playback.player().runner().prescribed());
+  const std::optional<Points> pose = runner.poseAt(playback.player().secondsInCycle());
+  if (!pose)
+    return {}; // The last pose in which they could be kept stays.
   const Points& shown = workspace.live().shownPose();
-  if (shown.rows() != pose.rows())
+  if (shown.rows() != pose->rows())
     return "the timeline moves other handles than there are; ";
-  const double off = (shown - pose).cwiseAbs().maxCoeff();
+  const double off = (shown - *pose).cwiseAbs().maxCoeff();
   return off <= 1e-9 ? std::string()
                      : "the pose is " + std::to_string(off) + " mm from the timeline's at " +
                            std::to_string(fraction) + "; ";
