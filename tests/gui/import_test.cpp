@@ -18,6 +18,8 @@
 #include <thread>
 #include <vector>
 
+#include <gmock/gmock.h>
+
 #include "label_files.h"
 #include "session_fixture.h"
 #include "shapes.h"
