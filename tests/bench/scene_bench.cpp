@@ -55,7 +55,7 @@ void pickHandle(benchmark::State& state) {
   window.render();
   const auto at = window.display(window.view.handles()->GetPosition(100));
   for (auto _ : state)
-    benchmark::DoNotOptimize(window.view.handles()->Pick(int(at[0]), int(at[1])));
+    benchmark::DoNotOptimize(window.view.handles()->PickHandle(int(at[0]), int(at[1])));
 }
 BENCHMARK(pickHandle)->Arg(6)->Arg(7)->Unit(benchmark::kMillisecond)->UseRealTime();
 

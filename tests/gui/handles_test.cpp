@@ -33,7 +33,7 @@ TEST_F(HandlesMode, AClickOnTheOrganAddsAHandleALittleOffItsSurfaceAndBindsAnew)
   const std::size_t before = document().rig().handles.size();
   // Somewhere on the ball where no handle is.
   QPoint place(view().width() / 2, view().height() / 2);
-  while (view().view().handles()->Pick(place.x(), view().height() - 1 - place.y()) >= 0)
+  while (view().view().handles()->PickHandle(place.x(), view().height() - 1 - place.y()) >= 0)
     place += QPoint(7, 5);
   click(place);
   ASSERT_EQ(document().rig().handles.size(), before + 1);

@@ -67,7 +67,7 @@ protected:
       const QPoint place = onScreen(handles->GetPosition(handle));
       const double ratio = view().devicePixelRatioF();
       if (view().rect().adjusted(80, 80, -80, -80).contains(place) &&
-          handles->Pick(qRound(ratio * place.x()), qRound(ratio * (view().height() - 1 - place.y()))) ==
+          handles->PickHandle(qRound(ratio * place.x()), qRound(ratio * (view().height() - 1 - place.y()))) ==
               handle)
         return place;
     }

@@ -252,7 +252,7 @@ int vtkVisceraGizmoRepresentation::GetActivePart() const {
   return Internals->active;
 }
 
-int vtkVisceraGizmoRepresentation::Pick(double x, double y) const {
+int vtkVisceraGizmoRepresentation::PickPart(double x, double y) const {
   if (!Renderer)
     return Nothing;
   const auto& p = *Internals;
@@ -299,7 +299,7 @@ Vec3 vtkVisceraGizmoRepresentation::GetGrabPoint(int part) const {
     const double angle = 2 * std::numbers::pi * (i + 0.5) / kRingSamples;
     const Vec3 point = p.ringPoint(axisOf(part), angle, kRadius * pixel);
     if (const double depth = view.project(point).depth;
-        depth < least && Pick(view.project(point).x, view.project(point).y) == part) {
+        depth < least && PickPart(view.project(point).x, view.project(point).y) == part) {
       least = depth;
       nearest = point;
     }
@@ -335,7 +335,7 @@ void vtkVisceraGizmoRepresentation::WidgetInteraction(double eventPosition[2]) {
 }
 
 int vtkVisceraGizmoRepresentation::ComputeInteractionState(int x, int y, int) {
-  SetActivePart(Visibility ? Pick(x, y) : Nothing);
+  SetActivePart(Visibility ? PickPart(x, y) : Nothing);
   return InteractionState;
 }
 

@@ -49,7 +49,7 @@ void vtkVisceraGizmoWidget::Tell(unsigned long event) {
 void vtkVisceraGizmoWidget::Hover(int x, int y) {
   auto* gizmo = GetGizmo();
   const bool shown = gizmo->GetVisibility() && CurrentRenderer && CurrentRenderer->IsInViewport(x, y);
-  const int part = shown ? gizmo->Pick(x, y) : GizmoRepresentation::Nothing;
+  const int part = shown ? gizmo->PickPart(x, y) : GizmoRepresentation::Nothing;
   if (part == gizmo->GetActivePart())
     return;
   gizmo->SetActivePart(part);

@@ -326,7 +326,7 @@ void vtkVisceraHandleSetRepresentation::RemoveOccluder(vtkActor* actor) {
   std::erase(Internals->occluders, actor);
 }
 
-int vtkVisceraHandleSetRepresentation::Pick(int x, int y) {
+int vtkVisceraHandleSetRepresentation::PickHandle(int x, int y) {
   if (!Renderer || GetNumberOfHandles() == 0)
     return -1;
   const auto& p = *Internals;
@@ -352,7 +352,7 @@ bool vtkVisceraHandleSetRepresentation::IsHandleVisible(int handle) {
 }
 
 int vtkVisceraHandleSetRepresentation::ComputeInteractionState(int x, int y, int) {
-  SetActiveHandle(Pick(x, y));
+  SetActiveHandle(PickHandle(x, y));
   return InteractionState;
 }
 

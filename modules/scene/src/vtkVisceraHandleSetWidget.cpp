@@ -120,7 +120,7 @@ void vtkVisceraHandleSetWidget::Leave() {
 }
 
 void vtkVisceraHandleSetWidget::Hover(int x, int y) {
-  SetHovered(CurrentRenderer && CurrentRenderer->IsInViewport(x, y) ? GetHandleSet()->Pick(x, y) : -1);
+  SetHovered(CurrentRenderer && CurrentRenderer->IsInViewport(x, y) ? GetHandleSet()->PickHandle(x, y) : -1);
 }
 
 void vtkVisceraHandleSetWidget::SetHovered(int handle) {

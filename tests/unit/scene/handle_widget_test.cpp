@@ -55,7 +55,7 @@ protected:
   }
   int pick(const Vec3& point) {
     const auto at = window.display(point);
-    return handles->Pick(static_cast<int>(at[0] + 0.5), static_cast<int>(at[1] + 0.5));
+    return handles->PickHandle(static_cast<int>(at[0] + 0.5), static_cast<int>(at[1] + 0.5));
   }
   /// Presses on a handle; returns where.
   std::array<double, 3> grab(int handle) {
@@ -305,12 +305,12 @@ TEST_F(HandleWidget, HandlesBehindTheCameraAreNeitherPickedNorDrawn) {
   EXPECT_EQ(handles->GetWorldRadius(0), 0);
   for (int x = 0; x < 400; x += 10)
     for (int y = 0; y < 300; y += 10)
-      ASSERT_EQ(handles->Pick(x, y), -1);
+      ASSERT_EQ(handles->PickHandle(x, y), -1);
 }
 
 TEST_F(HandleWidget, NoHandlesAtAllIsAnOrdinaryState) {
   place({});
-  EXPECT_EQ(handles->Pick(200, 150), -1);
+  EXPECT_EQ(handles->PickHandle(200, 150), -1);
   mouse.drag(200, 150, 220, 160);
   window.render();
   EXPECT_THAT(log, IsEmpty());

@@ -40,7 +40,7 @@ public:
   void SetTheme(const viscera::scene::Theme& theme);
 
   /// The part under a display position. Cubes take precedence over rings.
-  int Pick(double x, double y) const;
+  int PickPart(double x, double y) const;
   /// Sets the part that is highlighted, under the cursor or being dragged.
   void SetActivePart(int part);
   int GetActivePart() const;

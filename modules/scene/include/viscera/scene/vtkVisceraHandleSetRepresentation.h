@@ -81,7 +81,7 @@ public:
   ///@{
   /// Picking at a display position: the visible handle nearest to the eye within the pick radius, or -1.
   /// O(n), and O(triangles) for each handle that is under the cursor.
-  int Pick(int x, int y);
+  int PickHandle(int x, int y);
   /// Whether the centre of a handle is in front of the camera and not hidden. O(triangles).
   bool IsHandleVisible(int handle);
   ///@}
