@@ -57,7 +57,7 @@ TEST(LargestPiece, IsKeptWithItsColoursAndItsOrder) {
   mesh.points << crumb.points, large.points;
   mesh.triangles.resize(large.triangles.rows() + 4, 3);
   mesh.triangles << crumb.triangles, large.triangles.array() + 4;
-  mesh.colors = mesh.points.cast<std::uint8_t>();
+  mesh.colors = mesh.points.cwiseAbs().cast<std::uint8_t>();
   const TriangleMesh kept = largestPiece(mesh);
   EXPECT_EQ(kept.points, large.points);
   EXPECT_EQ(kept.triangles, large.triangles);

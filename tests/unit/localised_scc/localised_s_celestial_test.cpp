@@ -184,19 +184,24 @@ constexpr double kZoneOffset = 6;
 /// resolve.
 constexpr double kCone = 2;
 
+/// In braces the numbers are drawn in their order with every compiler.
+Vec3 randomDirection(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Vec3{normal(random), normal(random), normal(random)}.normalized();
+}
+
 /// Segments in random directions around random places in zones, or nearer to one than the offset.
 Segments segmentsThroughZones(const tests::GroupScene& scene) {
   const RegionLayout layout(tests::groupsOfBoxes(scene.boxes), kZoneOffset);
   PointsInBoxes inside(scene.boxes, 11);
   std::mt19937 random(12);
-  std::normal_distribution<double> normal;
   Segments segments;
   while (segments.size() < kSegments) {
     const Vec3 middle = inside.next();
     const auto shares = layout.shares(middle);
     if (shares.empty() || shares.front().set < static_cast<int>(layout.regions().size()))
       continue; // A region alone.
-    const Vec3 half = kSegmentLength / 2 * Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 half = kSegmentLength / 2 * randomDirection(random);
     segments.emplace_back(middle - half, middle + half);
   }
   return segments;
@@ -245,12 +250,10 @@ TEST_P(MeetingRegions, TheLargestJumpHalvesAlsoBesideHandlesInsideASuperRegion) 
   constexpr double kShort = 0.05;
   const auto handles = tests::groupsOfBoxes(GetParam().boxes);
   std::mt19937 random(13);
-  std::normal_distribution<double> normal;
-  const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
   Segments segments;
   for (int i = 0; i < 1000; ++i) {
     const Vec3 handle = handles.positions.row(i % handles.positions.rows()).transpose();
-    const Vec3 middle = handle + kCone * direction(), half = kShort / 2 * direction();
+    const Vec3 middle = handle + kCone * randomDirection(random), half = kShort / 2 * randomDirection(random);
     segments.emplace_back(middle - half, middle + half);
   }
   const double coarse = largestJump(GetParam(), segments, 10, 0);
