@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 
+#include "clouds.h"
 #include "session_scene.h"
 #include "shapes.h"
 #include "sway.h"
@@ -42,7 +43,7 @@ Points spread(int count, std::mt19937& random) {
     const double z = 1 - (2 * i + 1.0) / count;
     const double r = std::sqrt(1 - z * z);
     points.row(i) = kHandleRadius * Eigen::RowVector3d(r * std::cos(turn * i), r * std::sin(turn * i), z) +
-                    Eigen::RowVector3d(off(random), off(random), off(random));
+                    drawPlace(off, random).transpose();
   }
   return points;
 }
@@ -50,7 +51,7 @@ Points spread(int count, std::mt19937& random) {
 /// Some are so fine that they are bound by a worker, while the window goes on.
 document::NewOrgan anyBall(std::mt19937& random) {
   std::uniform_real_distribution<double> off(-8, 8);
-  const Vec3 center(off(random), off(random), off(random));
+  const Vec3 center = drawPlace(off, random);
   const int levels = std::uniform_int_distribution<int>(0, 4)(random) == 0 ? 5 : 2;
   return {document::makeOrgan("Ball", sphere(levels, kOrganRadius, center)), -1};
 }

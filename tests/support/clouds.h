@@ -8,6 +8,19 @@
 /// Makes seeded random points for tests.
 namespace viscera::tests {
 
+/// A place whose coordinates are drawn one after the other: compilers evaluate a function's arguments in
+/// orders of their own, but what stands in braces in its order.
+template <class Distribution>
+Vec3 drawPlace(Distribution& coordinate, std::mt19937& random) {
+  return Vec3{coordinate(random), coordinate(random), coordinate(random)};
+}
+
+/// A unit vector; all directions are as likely.
+inline Vec3 drawDirection(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return drawPlace(normal, random).normalized();
+}
+
 /// `count` points in the cube [-half, half]^3 around `center`.
 inline Points cloud(int count, unsigned seed, double half = 1, const Vec3& center = Vec3::Zero()) {
   std::mt19937 random(seed);

@@ -50,8 +50,10 @@ void CarriedVertices::gather() {
             bound->binding().influence(static_cast<int>(handle));
     first += points.rows();
   }
-  rest_.bottomRows(own) = restHandles_.topRows(own);
-  weights_.bottomRows(own).setIdentity();
+  if (own > 0) { // Rows of an empty array have no address.
+    rest_.bottomRows(own) = restHandles_.topRows(own);
+    weights_.bottomRows(own).setIdentity();
+  }
 }
 
 bool CarriedVertices::isSumOfHandles() {

@@ -71,8 +71,10 @@ Eigen::MatrixXd factorOf(const GramRows& gram, Progress& progress) {
   Eigen::Index pivot = 0;
   while (factor.cols() < most && left.maxCoeff(&pivot) > kLeftMm * kLeftMm) {
     progress.throwIfCancelled();
-    const Eigen::VectorXd column =
-        (gram.row(pivot) - factor * factor.row(pivot).transpose()) / std::sqrt(left[pivot]);
+    Eigen::VectorXd column = gram.row(pivot);
+    if (factor.cols() > 0) // A row of a factor without columns has no address.
+      column -= factor * factor.row(pivot).transpose();
+    column /= std::sqrt(left[pivot]);
     factor.conservativeResize(Eigen::NoChange, factor.cols() + 1);
     factor.rightCols(1) = column;
     left -= column.cwiseAbs2();

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "organ_cases.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
@@ -42,10 +43,7 @@ protected:
     random_.seed(1234);
   }
 
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
+  Vec3 direction() { return tests::drawDirection(random_); }
   double upTo(double most) { return std::uniform_real_distribution<double>(0, most)(random_); }
 
   /// `count` handles of those near the surface, not of the enclosing box.

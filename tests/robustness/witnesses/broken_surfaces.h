@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "clouds.h"
 #include "shapes.h"
 #include "viscera/geometry/triangle_mesh.h"
 
@@ -110,10 +111,9 @@ inline TriangleMesh soup() {
   mesh.triangles.resize(200, 3);
   for (std::int32_t t = 0; t < 200; ++t) {
     mesh.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
-    mesh.points.row(3 * t) << place(random), place(random), place(random);
+    mesh.points.row(3 * t) = drawPlace(place, random).transpose();
     for (int k = 1; k < 3; ++k)
-      mesh.points.row(3 * t + k) =
-          mesh.points.row(3 * t) + Eigen::RowVector3d(edge(random), edge(random), edge(random));
+      mesh.points.row(3 * t + k) = mesh.points.row(3 * t) + drawPlace(edge, random).transpose();
   }
   return mesh;
 }

@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/deformation/volume_lock.h"
 
 #include <numeric>
@@ -46,7 +47,7 @@ TEST_F(RestoreVolumeTest, IsExactForAnyPoseInOneStep) {
   for (int round = 0; round < 20; ++round) {
     Points pose = deformer.restHandles();
     for (int handle = 8; handle < 14; ++handle)
-      pose.row(handle) += Eigen::RowVector3d(by(random), by(random), by(random));
+      pose.row(handle) += tests::drawPlace(by, random).transpose();
     deformer.setPose(pose);
     ASSERT_GT(std::abs(deformer.volumeMm3() / deformer.restVolumeMm3() - 1), 1e-6);
     restoreVolume(deformer, deformer.restVolumeMm3(), restingHandles(deformer.restHandles(), pose));

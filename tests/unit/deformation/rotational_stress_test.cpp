@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/deformation/rotational_stress.h"
 
 #include <cmath>
@@ -19,14 +20,12 @@ public:
       m.data()[i] = normal_(random_);
     return m;
   }
-  Eigen::Vector3d direction() {
-    return Eigen::Vector3d(normal_(random_), normal_(random_), normal_(random_)).normalized();
-  }
+  Eigen::Vector3d direction() { return tests::drawDirection(random_); }
   Eigen::Matrix3d rotation() {
-    return Eigen::Quaterniond(
-               Eigen::Vector4d(normal_(random_), normal_(random_), normal_(random_), normal_(random_))
-                   .normalized())
-        .toRotationMatrix();
+    Eigen::Quaterniond turn;
+    for (double& value : turn.coeffs())
+      value = normal_(random_);
+    return turn.normalized().toRotationMatrix();
   }
 
 private:

@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/deformation/volume_lock.h"
 
 #include <cmath>
@@ -61,10 +62,7 @@ std::vector<int> allBut(Eigen::Index count, const std::vector<int>& taken) {
 class RandomDrags {
 public:
   explicit RandomDrags(unsigned seed) : random_(seed) {}
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
+  Vec3 direction() { return tests::drawDirection(random_); }
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }

@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/geometry/convex_polytope.h"
 
 #include <random>
@@ -86,7 +87,7 @@ TEST(ConvexPolytope, IntersectionsHoldExactlyThePointsInBoth) {
     const auto a = cloud(Vec3::Zero()), b = cloud({0.6, 0.2, -0.3});
     const auto common = a.intersection(b);
     for (int i = 0; i < 200; ++i) {
-      const Vec3 p(coordinate(random), coordinate(random), coordinate(random));
+      const Vec3 p = tests::drawPlace(coordinate, random);
       const double both = std::max(a.signedDistance(p), b.signedDistance(p));
       if (std::abs(both) > 1e-6) {
         EXPECT_EQ(common.has_value() && common->contains(p), both < 0);
@@ -100,7 +101,7 @@ TEST(ConvexPolytope, ClosestPointsAreNearerThanAnyOther) {
   std::uniform_real_distribution<double> coordinate(-3, 3);
   const auto box = boxAt({-1, -1, -1}, {2, 2, 2});
   for (int i = 0; i < 500; ++i) {
-    const Vec3 p(coordinate(random), coordinate(random), coordinate(random));
+    const Vec3 p = tests::drawPlace(coordinate, random);
     const Vec3 exact = p.cwiseMax(-1.0).cwiseMin(1.0);
     EXPECT_LT((box.closestPoint(p) - exact).norm(), 1e-7);
   }

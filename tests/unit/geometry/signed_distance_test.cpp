@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/geometry/signed_distance.h"
 
 #include <cmath>
@@ -21,7 +22,7 @@ TEST(SignedDistance, isThatOfABoxAlsoBesideItsEdgesAndCorners) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(-2, 6);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 p(anywhere(random), anywhere(random), anywhere(random));
+    const Vec3 p = tests::drawPlace(anywhere, random);
     const Vec3 beyond = (-p).cwiseMax(p - Vec3(2, 3, 4));
     const double wanted = beyond.cwiseMax(0).norm() + std::min(0.0, beyond.maxCoeff());
     EXPECT_NEAR(distance(p), wanted, 1e-12) << p.transpose();

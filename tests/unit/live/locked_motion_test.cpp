@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/live/locked_motion.h"
 
 #include <algorithm>
@@ -96,10 +97,7 @@ public:
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine_);
   }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(engine_), normal(engine_), normal(engine_)).normalized();
-  }
+  Vec3 direction() { return tests::drawDirection(engine_); }
   std::vector<int> handles(int count) {
     std::vector<int> all(kHandles);
     std::iota(all.begin(), all.end(), 0);

@@ -1,3 +1,4 @@
+#include "clouds.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 
 #include <algorithm>
@@ -184,12 +185,6 @@ constexpr double kZoneOffset = 6;
 /// resolve.
 constexpr double kCone = 2;
 
-/// In braces the numbers are drawn in their order with every compiler.
-Vec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Vec3{normal(random), normal(random), normal(random)}.normalized();
-}
-
 /// Segments in random directions around random places in zones, or nearer to one than the offset.
 Segments segmentsThroughZones(const tests::GroupScene& scene) {
   const RegionLayout layout(tests::groupsOfBoxes(scene.boxes), kZoneOffset);
@@ -201,7 +196,7 @@ Segments segmentsThroughZones(const tests::GroupScene& scene) {
     const auto shares = layout.shares(middle);
     if (shares.empty() || shares.front().set < static_cast<int>(layout.regions().size()))
       continue; // A region alone.
-    const Vec3 half = kSegmentLength / 2 * randomDirection(random);
+    const Vec3 half = kSegmentLength / 2 * tests::drawDirection(random);
     segments.emplace_back(middle - half, middle + half);
   }
   return segments;
@@ -253,7 +248,8 @@ TEST_P(MeetingRegions, TheLargestJumpHalvesAlsoBesideHandlesInsideASuperRegion) 
   Segments segments;
   for (int i = 0; i < 1000; ++i) {
     const Vec3 handle = handles.positions.row(i % handles.positions.rows()).transpose();
-    const Vec3 middle = handle + kCone * randomDirection(random), half = kShort / 2 * randomDirection(random);
+    const Vec3 middle = handle + kCone * tests::drawDirection(random),
+               half = kShort / 2 * tests::drawDirection(random);
     segments.emplace_back(middle - half, middle + half);
   }
   const double coarse = largestJump(GetParam(), segments, 10, 0);
