@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOldFile = "what was there before";
-constexpr std::size_t kRoom =
-    1100; ///< Bytes; each command writes more, and clang's OpenMP needs 1,024 in memory.
+/// Bytes. Each command writes more; clang's OpenMP needs 1,024 of shared memory, which counts as a file.
+constexpr std::size_t kRoom = 1100;
 
 /// A command that writes one file, its name last.
 struct Writing {

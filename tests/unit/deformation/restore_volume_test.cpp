@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/deformation/volume_lock.h"
 
 #include <numeric>
@@ -6,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "shapes.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/core/error.h"

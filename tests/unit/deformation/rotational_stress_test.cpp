@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/deformation/rotational_stress.h"
 
 #include <cmath>
@@ -8,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
+
+#include "clouds.h"
 
 namespace viscera::deformation {
 namespace {

@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/deformation/volume_lock.h"
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "counting_system.h"
 #include "shapes.h"
 #include "viscera/coordinates/built_in_systems.h"

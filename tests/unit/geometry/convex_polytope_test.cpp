@@ -1,10 +1,10 @@
-#include "clouds.h"
 #include "viscera/geometry/convex_polytope.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "shapes.h"
 #include "viscera/geometry/volume.h"
 

@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/geometry/signed_distance.h"
 
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "shapes.h"
 #include "viscera/core/error.h"
 

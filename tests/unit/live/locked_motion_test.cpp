@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/live/locked_motion.h"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "build_paths.h"
+#include "clouds.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/bind_organ.h"

@@ -1,4 +1,3 @@
-#include "clouds.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "gradient_check.h"
 #include "group_scenes.h"
 #include "viscera/coordinates/built_in_systems.h"
