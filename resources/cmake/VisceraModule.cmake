@@ -25,6 +25,10 @@ if(VISCERA_HARDEN AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_link_options(LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
 endif()
 
+# What is built needs the libraries that it uses, not all that VTK's targets name. Debian's GCC asks the linker for that by
+# itself, clang does not.
+add_link_options(LINKER:--as-needed)
+
 find_program(VISCERA_CCACHE ccache)
 if(VISCERA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER "${VISCERA_CCACHE}")

@@ -43,8 +43,8 @@ sanitise() {
   preset=$(preset_of "${1:-}")
   build_sanitised "$preset"
   use_own_environment
-  start_displays "$jobs"
-  run_sanitised ctest --test-dir "$build" --parallel "$jobs" --resource-spec-file "$build/displays.json" \
+  start_displays "$tests_at_once"
+  run_sanitised ctest --test-dir "$build" --parallel "$tests_at_once" --resource-spec-file "$build/displays.json" \
     --output-on-failure --no-tests=error "${@:2}"
 }
 
