@@ -64,6 +64,7 @@ struct DepthShading::Parts {
   void build();
   bool suits() const;
   void prepare();
+  void stop();
 };
 
 void DepthShading::Parts::build() {
@@ -94,18 +95,25 @@ void DepthShading::Parts::prepare() {
     software = rendersInSoftware(renderer->GetRenderWindow());
   const bool on = wanted.value_or(!*software) && suits();
   if (!on) {
-    if (renderer->GetPass()) {
-      all->ReleaseGraphicsResources(renderer->GetRenderWindow());
-      renderer->SetPass(nullptr);
-    }
+    stop();
     return;
   }
   const double size = view.bounds().diagonal();
   occlusion->SetRadius(kShadingReach * size);
   occlusion->SetBias(kBias * size);
   // On a light background the curve of tones would only make everything grey.
-  edges->SetDelegatePass(view.theme().dark ? static_cast<vtkRenderPass*>(tones) : space);
+  vtkRenderPass* under = view.theme().dark ? static_cast<vtkRenderPass*>(tones) : space;
+  if (edges->GetDelegatePass() != under) {
+    stop(); // The curve of tones is released with the others only while it is one of them.
+    edges->SetDelegatePass(under);
+  }
   renderer->SetPass(all);
+}
+
+void DepthShading::Parts::stop() {
+  if (renderer->GetPass() && renderer->GetRenderWindow())
+    all->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  renderer->SetPass(nullptr);
 }
 
 DepthShading::DepthShading(OrganView& view) : parts_(std::make_unique<Parts>(view)) {
@@ -120,9 +128,7 @@ DepthShading::DepthShading(OrganView& view) : parts_(std::make_unique<Parts>(vie
 DepthShading::~DepthShading() {
   auto& p = *parts_;
   p.renderer->RemoveObserver(p.beforeFrame);
-  if (p.renderer->GetPass() && p.renderer->GetRenderWindow())
-    p.all->ReleaseGraphicsResources(p.renderer->GetRenderWindow());
-  p.renderer->SetPass(nullptr);
+  p.stop();
 }
 
 void DepthShading::setWanted(std::optional<bool> wanted) {

@@ -79,6 +79,8 @@ int perform(const Actions& actions, Arguments arguments, bool tell) {
   if (!wrong)
     wrong = monkey.undoViolation();
   if (!wrong)
+    wrong = monkey.sessionViolation();
+  if (!wrong)
     wrong = monkey.closeViolation();
   if (!wrong)
     return 0;

@@ -26,6 +26,7 @@
 #include "label_files.h"
 #include "printed.h"
 #include "shapes.h"
+#include "temporary_folder.h"
 #include "viscera/document/validate.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/surface_file.h"
@@ -139,9 +140,9 @@ std::vector<MonkeyAction> randomActions(unsigned seed, int count) {
 }
 
 std::string nameOf(Invariant invariant) {
-  constexpr std::array<const char*, 11> kNames = {
-      "nothing",  "silence",     "memory",      "work that ends", "the document",      "what is shown",
-      "the pose", "the volumes", "undoing all", "redoing all",    "the window's close"};
+  constexpr std::array<const char*, 12> kNames = {
+      "nothing",  "silence",     "memory",      "work that ends", "the document", "what is shown",
+      "the pose", "the volumes", "undoing all", "redoing all",    "the session",  "the window's close"};
   return kNames.at(static_cast<std::size_t>(invariant));
 }
 
@@ -466,6 +467,32 @@ Violation WindowMonkey::undoViolation() {
   if (!(window_->workspace().state() == end))
     wrong.add(Invariant::redo, "redoing all does not give the last document");
   wrong.add(violation());
+  return wrong;
+}
+
+bool WindowMonkey::save(const QString& file, bool embed) {
+  bool saved = false;
+  window_->sessions().saveTo(file, embed, [&saved] { saved = true; });
+  return QTest::qWaitFor([&saved] { return saved; }, kLongestWait);
+}
+
+Violation WindowMonkey::sessionViolation() {
+  const document::DocumentState state = window_->workspace().state();
+  const bool embed = window_->workspace().undo().position() % 2 == 0;
+  const QString first = folder_.filePath(QStringLiteral("first.viscera"));
+  const QString second = folder_.filePath(QStringLiteral("second.viscera"));
+  Violation wrong;
+  if (!save(first, embed)) {
+    wrong.add(Invariant::session, "it cannot be saved");
+    return wrong;
+  }
+  window_->sessions().open(first);
+  settle();
+  if (!document::identical(window_->workspace().state(), state))
+    wrong.add(Invariant::session, "opened, it is another document than the one that was saved");
+  wrong.add(violation());
+  if (!save(second, embed) || contentsOf(first.toStdString()) != contentsOf(second.toStdString()))
+    wrong.add(Invariant::session, "saved again, it is another file");
   return wrong;
 }
 

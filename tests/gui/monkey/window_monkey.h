@@ -30,7 +30,20 @@ MonkeyAction actionFrom(const std::string& line);
 std::vector<MonkeyAction> randomActions(unsigned seed, int count);
 
 /// The invariants that are checked.
-enum class Invariant { none, silence, memory, end, document, shown, timeline, volume, undo, redo, closing };
+enum class Invariant {
+  none,
+  silence,
+  memory,
+  end,
+  document,
+  shown,
+  timeline,
+  volume,
+  undo,
+  redo,
+  session,
+  closing
+};
 /// In a word or two: "the volumes".
 std::string nameOf(Invariant invariant);
 
@@ -65,6 +78,9 @@ public:
   Violation violation();
   /// Undoes everything, then redoes it, and checks that both restore the documents.
   Violation undoViolation();
+  /// Saves the session, opens it and saves it again, and checks that this gives the same document and the
+  /// same file.
+  Violation sessionViolation();
   /// Closes the window while a sample organ is loading, and returns what that printed.
   Violation closeViolation();
 
@@ -81,6 +97,8 @@ private:
   void dismissDialogs();
   static void pump();
   void settle();
+  /// Returns false if the session could not be saved.
+  bool save(const QString& file, bool embed);
   QPoint placeInView(double x, double y);
   void makeFiles();
   std::string wrongVolumes();

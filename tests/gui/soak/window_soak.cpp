@@ -52,6 +52,7 @@ WindowSoak::WindowSoak() {
   window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(),
                                               motion::Transport::steadyClock());
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
+  window_->sessions().startAutosave(folder_.filePath(QStringLiteral("recovery")).toStdString());
   window_->resize(1280, 800);
   window_->show();
   window_->setMode("play");
