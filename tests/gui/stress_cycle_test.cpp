@@ -197,5 +197,27 @@ TEST_F(StressOverACycle, MovesTheMapWhileItPlaysAndHasAPeak) {
   EXPECT_LT(model().shown().summary().max, 1e-6);
 }
 
+/// A second view, which follows in the midst of a change, lets the playback tell its state while the picture
+/// still has the organ before.
+TEST_F(StressOverACycle, NumbersAreThoseOfThePictureWhileTheOrganChanges) {
+  open(sphereFile(QStringLiteral("other.stl"), 50));
+  const document::OrganId first = document().organs().front()->id, other = document().organs().back()->id;
+  window().workspace().selection().clear();
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans({first})));
+  enter();
+  ASSERT_EQ(model().live().organ(), other);
+  ASSERT_TRUE(find<QLabel>("stressMax")->isVisible());
+  bool without = false;
+  const Subscription told = window().workspace().onChange([&](const document::Change&) {
+    without = !model().live().mesh() && model().shown().ready();
+    Q_EMIT window().playback().stateChanged();
+  });
+  window().workspace().undo().undo();
+  EXPECT_TRUE(without);
+  EXPECT_EQ(model().live().organ(), first);
+  EXPECT_EQ(label("stressMax"), QStringLiteral("-"));
+  ASSERT_TRUE(waitUntil([this] { return model().shown().ready(); }));
+}
+
 } // namespace
 } // namespace viscera::tests

@@ -446,7 +446,7 @@ void StressPage::syncNumbers() {
   contents.shown = !look.threshold ? scene::ValueRange{-1e300, 1e300}
                    : look.below    ? scene::ValueRange{-1e300, look.limit}
                                    : scene::ValueRange{look.limit, 1e300};
-  histogram_->show(*model_.shown().values(), model_.live().mesh()->witnesses, contents);
+  histogram_->show(*model_.shown().values(), model_.shown().witnesses(), contents);
 }
 
 } // namespace viscera::app

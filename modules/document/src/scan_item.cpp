@@ -33,8 +33,9 @@ std::string_view sampleBytes(const medical_io::Scan& scan) {
       scan.samples);
 }
 
-/// Of the grid, the samples and what values they stand for. O(voxels), on all threads.
-std::string hashOf(const medical_io::Scan& scan) {
+} // namespace
+
+std::string scanHash(const medical_io::Scan& scan) {
   const std::string_view bytes = sampleBytes(scan);
   std::vector<std::uint64_t> parts((bytes.size() + kHashedAtOnce - 1) / kHashedAtOnce);
   parallelRanges(static_cast<Eigen::Index>(parts.size()), 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
@@ -55,8 +56,6 @@ std::string hashOf(const medical_io::Scan& scan) {
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
   return digits;
 }
-
-} // namespace
 
 bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<const ScanItem>& b) {
   if (a == b || !a || !b)
@@ -84,7 +83,7 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress) {
   ScanItem item = scanItem(medical_io::readScan(file, options, progress), file, options);
-  item.hash = hashOf(*item.scan);
+  item.hash = scanHash(*item.scan);
   return item;
 }
 

@@ -84,8 +84,10 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder, alsoIn);
     const bool nameAlone = !absolute.empty() && absolute.is_relative();
     const fs::path was = nameAlone ? (folder / lastNameOf(absolute)).lexically_normal() : absolute;
+    // Saved by its file's name, it has the hash by which a change of that file is noticed.
+    std::string hash = scanHash(*scan);
     opened.contents.state.scan = std::make_shared<const ScanItem>(
-        ScanItem{name, std::move(scan), file.value_or(was), options.series, options.phase});
+        ScanItem{name, std::move(scan), file.value_or(was), options.series, options.phase, std::move(hash)});
     return;
   }
   const std::string hash = reader.optionalText(item, "hash", "scan");

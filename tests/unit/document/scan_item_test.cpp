@@ -253,6 +253,25 @@ TEST(ScanItem, WhoseFileHasChangedIsTakenAndNamed) {
   EXPECT_TRUE(tests::readBack(folder / "s.viscera").warnings.empty()) << "the new one is meant now";
 }
 
+TEST(ScanItem, FromInsideASessionIsComparedWithItsFileWhenOnlyThatIsNamed) {
+  TemporaryFolder folder;
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan =
+      std::make_shared<const ScanItem>(openScanFile(folder.put("ct.nii", scanFile()), {}, progress));
+  contents.embedScan = true;
+  tests::write(folder / "inside.viscera", contents);
+  SessionContents opened = tests::readBack(folder / "inside.viscera").contents;
+  EXPECT_EQ(opened.state.scan->hash, contents.state.scan->hash);
+  opened.embedScan = false;
+  tests::write(folder / "named.viscera", opened);
+  EXPECT_TRUE(tests::readBack(folder / "named.viscera").warnings.empty());
+  std::string other = scanFile();
+  other[other.size() - 3] ^= 1; // Of a voxel.
+  folder.put("ct.nii", other);
+  EXPECT_EQ(tests::readBack(folder / "named.viscera").warnings.size(), 1u);
+}
+
 TEST(ScanItem, ThatIsDamagedAndCannotBeALabelMapIsRefusedWithTheReason) {
   TemporaryFolder folder;
   const auto damaged = folder.put("slice.dcm", std::string(128, '\0') + "DICM" + std::string(60, 'x'));

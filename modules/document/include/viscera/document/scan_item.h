@@ -20,8 +20,12 @@ struct ScanItem {
   std::filesystem::path file; ///< Where it was read from: a file, or a folder of DICOM files; empty: nowhere.
   std::string series;         ///< Which of several there, as `medical_io::ScanOptions`.
   int phase = 0;              ///< Which of several in time.
-  std::string hash = {};      ///< Of grid and samples as `file` had them; empty: not known.
+  std::string hash = {};      ///< `scanHash` of what was read; empty: not known.
 };
+
+/// A hash of the grid, the samples and what values they stand for: 16 hexadecimal digits. O(voxels), on all
+/// threads.
+std::string scanHash(const medical_io::Scan& scan);
 
 /// Whether two scans have the same contents to the last bit, wherever they are stored; nothing is equal to
 /// nothing only. O(voxels) for two scans in different places.

@@ -24,6 +24,8 @@ public:
   bool ready() const { return values_->size() > 0; }
   /// One number for each point of the mesh, in the quantity's unit. They keep their place in memory.
   std::shared_ptr<const Values> values() const { return values_; }
+  /// The number of witness points, which come first among the points; 0 while there are no numbers.
+  Eigen::Index witnesses() const { return ready() ? mesh_->witnesses : 0; }
   /// Statistics of the numbers at witness points.
   const live::QuantitySummary& summary() const { return summary_; }
   /// The number of folded witness points in the displayed map.
