@@ -15,6 +15,7 @@
 #include <chrono>
 #include <thread>
 
+#include "build_paths.h"
 #include "viscera/document/organ_commands.h"
 #include "window/movie/movie_plan.h"
 #include "window/panels/play_page.h"
@@ -60,7 +61,7 @@ protected:
   }
   void press() { QTest::mouseClick(&find<QAbstractButton>("recordButton"), Qt::LeftButton); }
   bool recorded() {
-    return QTest::qWaitFor([this] { return !parts().recorder().running(); }, 60000);
+    return QTest::qWaitFor([this] { return !parts().recorder().running(); }, 60000 * VISCERA_TEST_PATIENCE);
   }
   QByteArray contents(const QString& file) {
     QFile stream(file);

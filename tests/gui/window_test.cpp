@@ -8,6 +8,7 @@
 #include <vtkInteractorObserver.h>
 #include <vtkRenderer.h>
 
+#include "build_paths.h"
 #include "shapes.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -16,7 +17,7 @@
 
 namespace viscera::tests {
 namespace {
-constexpr int kLongestWait = 30000;
+constexpr int kLongestWait = 30000 * VISCERA_TEST_PATIENCE; ///< ms
 constexpr int kDragSteps = 8;
 } // namespace
 

@@ -169,7 +169,8 @@ TEST_F(LessonPage, OfEachReadyLessonIsWhatTheProgramShows) {
   ASSERT_EQ(made.exitCode, 0) << made.err;
   std::cout << made.out;
   std::map<std::string, ordered_json> said;
-  for (const ordered_json& lesson : ordered_json::parse(made.out)["lessons"])
+  const ordered_json answer = ordered_json::parse(made.out);
+  for (const ordered_json& lesson : answer["lessons"])
     said[std::filesystem::path(lesson["file"].get<std::string>()).stem()] = lesson;
   for (const Ready& ready :
        {Ready{"heartbeat", "heart", 3}, {"peristalsis", "stomach", 2}, {"breathing", "liver", 2}}) {
