@@ -193,7 +193,8 @@ WindowMonkey::WindowMonkey() {
   QDesktopServices::setUrlHandler(QStringLiteral("file"), &refused_, "take");
   makeFiles();
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
-  settings_->setValue("files/pictures", folder_.path());
+  for (const char* kind : {"files/pictures", "record/folder"})
+    settings_->setValue(kind, folder_.path());
   window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), [this] { return now_; });
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->setUnwrittenQuestion([](const QStringList&) { return true; }); // It closes without these files.

@@ -48,7 +48,8 @@ Value median(std::vector<Value> values) {
 
 WindowSoak::WindowSoak() {
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
-  settings_->setValue("files/pictures", folder_.path());
+  for (const char* kind : {"files/pictures", "record/folder"})
+    settings_->setValue(kind, folder_.path());
   window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(),
                                               motion::Transport::steadyClock());
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
