@@ -120,9 +120,13 @@ void Comparison::open() {
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeRate);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
   connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
+  // After everyone has heard of the change: a change of the second document lets the transport of both tell
+  // its state, and the pages of the first would be told in the midst of its change.
   second.subscriptions.push_back(first_.workspace.onChange([this](const document::Change&) {
-    if (same_)
-      mirror();
+    first_.workspace.afterChange([this] {
+      if (on() && same_)
+        mirror();
+    });
   }));
   first_.volumes.setSecond(&second.workspace, &second.playback);
   Q_EMIT toggled(true);
