@@ -289,6 +289,7 @@ QWidget* StressPage::makeWitnessCount() {
   countField_->setAccessibleName(tr("Number of witness points"));
   name->setBuddy(countField_);
   countSlider_ = new QSlider(Qt::Horizontal, box);
+  countSlider_->setObjectName(QStringLiteral("stressWitnessSteps"));
   countSlider_->setRange(0, kCountSteps);
   countSlider_->setAccessibleName(tr("Number of witness points"));
   countSlider_->setToolTip(

@@ -48,6 +48,10 @@ constexpr int kPause = 130;
 constexpr double kRest = 0.98;
 constexpr double kVolumeTolerance = 1e-9;
 
+/// How far the slider of the number of witness points goes, to 20,000: ten times as many need gigabytes and
+/// minutes.
+constexpr double kWitnessReach = 0.66;
+
 /// What would leave the window or ask the desktop for something.
 const QStringList kLeftAlone = {QStringLiteral("file.quit")};
 
@@ -92,6 +96,11 @@ std::string nameOf(const QObject& object) {
   const auto* button = qobject_cast<const QAbstractButton*>(&object);
   return std::string(object.metaObject()->className()) + " " + object.objectName().toStdString() +
          (button ? " \"" + button->text().toStdString() + "\"" : std::string());
+}
+
+void slideTo(QAbstractSlider& slider, double place) {
+  const double reach = slider.objectName() == QLatin1String("stressWitnessSteps") ? kWitnessReach : 1;
+  slider.setValue(slider.minimum() + int(place * reach * (slider.maximum() - slider.minimum())));
 }
 
 void useItems(QAbstractItemView& items, const MonkeyAction& action) {
@@ -340,7 +349,7 @@ void WindowMonkey::useWidget(const MonkeyAction& action) {
   if (auto* button = qobject_cast<QAbstractButton*>(widget))
     button->click();
   else if (auto* slider = qobject_cast<QAbstractSlider*>(widget))
-    slider->setValue(slider->minimum() + int(action.b * (slider->maximum() - slider->minimum())));
+    slideTo(*slider, action.b);
   else if (auto* spin = qobject_cast<QAbstractSpinBox*>(widget))
     action.b < 0.5 ? spin->stepUp() : spin->stepDown();
   else if (auto* combo = qobject_cast<QComboBox*>(widget); combo && combo->count() > 0) {
