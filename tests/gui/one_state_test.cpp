@@ -90,6 +90,31 @@ TEST_F(OneState, AnInstantIsShownWithTheVolumesThatAreLocked) {
   }
 }
 
+// Reset pose changes the volume that the lock keeps (the window's monkey, seed 30).
+TEST_F(OneState, AnInstantUnderALockStaysOneWhenTheOwnPoseChanges) {
+  const document::OrganId heart = document().organs().front()->id;
+  window().playback().seek(0.4);
+  window().setMode("deform");
+  waitForPeace();
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(heart, true)));
+  Points pose = document().rig().restPositions();
+  pose.row(7) += Eigen::RowVector3d(9, -4, 3);
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  waitForPeace();
+  window().setMode("explore");
+  expectAllIsOne("in Explore");
+  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
+  expectAllIsOne("after the pose is reset");
+  window().play().comparison().showOtherCoordinates();
+  window().setMode("deform");
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  waitForPeace();
+  window().setMode("explore");
+  expectAllIsOne("in two views");
+  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
+  expectAllIsOne("after the pose is reset in two views");
+}
+
 /// How the window is when the change of sequence is undone.
 struct Moment {
   const char* name;

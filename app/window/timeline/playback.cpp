@@ -15,6 +15,10 @@ constexpr double kStepSeconds = 1.0 / 25.0;
 /// A motion holds coordinates of its organ: tens of megabytes.
 constexpr std::size_t kMostMotions = 8;
 
+bool anyLocked(const document::OrganList& organs) {
+  return std::any_of(organs.begin(), organs.end(), [](const auto& organ) { return organ->volumeLocked; });
+}
+
 } // namespace
 
 Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent)
@@ -26,7 +30,9 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
   subscriptions_.push_back(transport_->onShown([this] { onShown(); }));
   subscriptions_.push_back(transport_->onState([this] { onState(); }));
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
-    if (change.organs() || (change.rig() && transport_->started())) {
+    // Locked volumes are those of the own pose, so that an instant is another one when that is reset.
+    const bool otherVolumes = change.pose() && showing() && anyLocked(workspace_.document().organs());
+    if (change.organs() || otherVolumes || (change.rig() && transport_->started())) {
       showPending_ = true;
       workspace_.afterChange([this] { showChanges(); });
     }
