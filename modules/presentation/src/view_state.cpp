@@ -137,6 +137,7 @@ void visitStress(StressLook& look, Visit visit) {
 }
 
 ordered_json stressJson(StressLook look) {
+  look.range = onScale(look.quantity, look.range, look.logarithmic); // As it is when it is read.
   ordered_json item = {{"quantity", live::describe(look.quantity).id},
                        {"range", {look.range.low, look.range.high}},
                        {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},

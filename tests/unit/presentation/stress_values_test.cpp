@@ -62,6 +62,14 @@ TEST(LogarithmicRange, IsAPartOfTheLook) {
   EXPECT_FALSE(stressLookFromJson("{}").logarithmic) << "sessions of before have none";
 }
 
+TEST(LogarithmicRange, IsWrittenAsItIsRead) {
+  StressLook look;
+  look.logarithmic = true;
+  look.range = {0, 1}; // Of the linear scale before.
+  const std::string written = toJson(look);
+  EXPECT_EQ(toJson(stressLookFromJson(written)), written);
+}
+
 TEST(StressColors, AreChosenForAnglesAndRatiosApartAndAPartOfTheLook) {
   StressLook look;
   look.*colorsOf(Quantity::rotationalStress) = "cividis";
