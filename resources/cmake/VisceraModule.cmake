@@ -25,8 +25,8 @@ if(VISCERA_HARDEN AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_link_options(LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
 endif()
 
-# What is built needs the libraries that it uses, not all that VTK's targets name. Debian's GCC asks the linker for that by
-# itself, clang does not.
+# What is built needs the libraries that it uses, not all that VTK's targets name. GCC may ask the linker for that by itself,
+# clang does not.
 add_link_options(LINKER:--as-needed)
 
 find_program(VISCERA_CCACHE ccache)

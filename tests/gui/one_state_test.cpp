@@ -99,20 +99,17 @@ TEST_F(OneState, AnInstantUnderALockStaysOneWhenTheOwnPoseChanges) {
   ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(heart, true)));
   Points pose = document().rig().restPositions();
   pose.row(7) += Eigen::RowVector3d(9, -4, 3);
-  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
-  waitForPeace();
-  window().setMode("explore");
-  expectAllIsOne("in Explore");
-  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
-  expectAllIsOne("after the pose is reset");
-  window().play().comparison().showOtherCoordinates();
-  window().setMode("deform");
-  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
-  waitForPeace();
-  window().setMode("explore");
-  expectAllIsOne("in two views");
-  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
-  expectAllIsOne("after the pose is reset in two views");
+  for (const char* views : {"in one view", "in two views"}) {
+    SCOPED_TRACE(views);
+    window().setMode("deform");
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    waitForPeace();
+    window().setMode("explore");
+    expectAllIsOne("in Explore");
+    ASSERT_TRUE(window().workspace().perform(document::resetPose()));
+    expectAllIsOne("after the pose is reset");
+    window().play().comparison().showOtherCoordinates();
+  }
 }
 
 /// How the window is when the change of sequence is undone.
