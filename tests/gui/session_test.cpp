@@ -24,6 +24,7 @@
 #include "window/export_actions.h"
 #include "window/file_actions.h"
 #include "window/lecture/slides.h"
+#include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
 #include "window/widgets/new_file.h"
 
@@ -122,6 +123,63 @@ TEST_F(SessionTest, OpenedInStressHasTheCameraThatItHad) {
   ASSERT_TRUE(waitUntil(hasLegend));
   settle();
   EXPECT_EQ(Vec3(camera()->GetPosition()), eye);
+}
+
+class SessionWithAProbe : public SessionTest {
+protected:
+  static constexpr int kPoint = 12;
+
+  app::StressModel& model() { return window().stress().model(); }
+  QString file() const { return path(QStringLiteral("probe.viscera")); }
+
+  /// Saves two balls in a mode, with a probe in the second.
+  void saveIn(const std::string& mode) {
+    open(sphereFile());
+    open(sphereFile(QStringLiteral("second.stl"), 40));
+    window().workspace().selection().setOrgan(document().organs()[1]->id);
+    model().change([](app::StressLook& look) { look.witnesses = 600; });
+    enter();
+    model().setProbe(kPoint);
+    window().setMode(mode);
+    save(file());
+  }
+  void enter() {
+    window().setMode("stress");
+    ASSERT_TRUE(waitUntil([this] { return model().shown().ready(); })) << message().toStdString();
+    settle();
+  }
+};
+
+TEST_F(SessionWithAProbe, ShowsItAgainAndOnlyWhereItWas) {
+  saveIn("stress");
+  for (int again = 0; again < 2; ++again) { // The second time it replaces the same session.
+    if (again == 0)
+      reopenWindow();
+    open(file());
+    enter();
+    EXPECT_EQ(model().probe(), kPoint);
+    EXPECT_TRUE(find<QWidget>("probePlace").isVisible());
+  }
+  model().change([](app::StressLook& look) { look.witnesses = 800; });
+  ASSERT_TRUE(waitUntil([this] { return model().probe() < 0; })) << "it was a point of the other mesh";
+}
+
+TEST_F(SessionWithAProbe, ThatOpensInAnotherModeShowsItThereWhenStressIsEntered) {
+  saveIn("explore");
+  reopenWindow();
+  open(file());
+  EXPECT_EQ(model().probe(), kPoint);
+  enter();
+  EXPECT_EQ(model().probe(), kPoint);
+}
+
+TEST_F(SessionWithAProbe, ForgetsItWhenAnotherOrganIsChosenFirst) {
+  saveIn("explore");
+  reopenWindow();
+  open(file());
+  window().workspace().selection().setOrgan(document().organs()[0]->id);
+  enter();
+  EXPECT_EQ(model().probe(), -1);
 }
 
 TEST_F(SessionTest, SavedTwiceWithoutAChangeIsTheSameFile) {

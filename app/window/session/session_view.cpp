@@ -123,14 +123,14 @@ void SessionView::apply(const std::string& text) {
   wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
   recallMeasured(text);
   window_.modes.choose(state.mode);
+  window_.workspace.selection().setOrgan(selection.organ);
+  window_.workspace.selection().setGroup(selection.group);
+  window_.workspace.selection().setHandles(selection.handles);
   window_.view.change([&](presentation::ViewState& view) {
     state.mode = view.mode; // The mode that is on says what is to be seen.
     state.shown = view.shown;
     view = state;
   });
-  window_.workspace.selection().setOrgan(selection.organ);
-  window_.workspace.selection().setGroup(selection.group);
-  window_.workspace.selection().setHandles(selection.handles);
   if (camera)
     presentation::lookFrom(*camera, window_.view.state(), window_.picture.view());
   else

@@ -90,8 +90,11 @@ void StressModel::frameSoon() {
 }
 
 void StressModel::follow() {
-  const auto organ = active() ? workspace_.currentOrgan() : nullptr;
-  workspace_.guarded([&] { live_.follow(organ ? organ->id : document::OrganId{}); });
+  const auto current = workspace_.currentOrgan();
+  const document::OrganId organ = current ? current->id : document::OrganId{};
+  if (std::exchange(organ_, organ) != organ && !mesh_)
+    setProbe(-1); // It waits for a mesh of the organ before.
+  workspace_.guarded([&] { live_.follow(active() ? organ : document::OrganId{}); });
 }
 
 /// Called when the view's state has changed; emits signals for the parts that concern the stress.
@@ -135,7 +138,10 @@ void StressModel::change(const std::function<void(StressLook&)>& edit) {
 
 void StressModel::onStress(const live::StressEvent& event) {
   if (event.sampled) {
-    setProbe(-1);
+    const auto before = std::exchange(mesh_, live_.mesh());
+    // A probe ends with its mesh; that of an opened session waits until its mesh is sampled again.
+    if (before || !mesh_ || probe() >= mesh_->points.rows())
+      setProbe(-1);
     Q_EMIT sampled();
   }
   if (event.status || event.cycle)

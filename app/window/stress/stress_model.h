@@ -121,7 +121,9 @@ private:
   const Picture& picture_;
   live::LiveStress& live_;
   StressCycle cycle_;
-  StressLook known_; ///< The look of the last `lookChanged`.
+  StressLook known_;                                     ///< The look of the last `lookChanged`.
+  document::OrganId organ_;                              ///< The current organ of the last `follow`.
+  std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< The mesh of the last `sampled`.
   bool knownActive_ = false;
   QString caution_;
   QTimer throttle_;
