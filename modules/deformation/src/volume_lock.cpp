@@ -100,10 +100,12 @@ const VolumeForm* VolumeLock::form(std::size_t surface, Progress& progress) cons
     return nullptr;
   const LockedSurface& locked = surfaces_[surface];
   Form& own = *known_[surface].form;
-  std::call_once(own.asked, [&] {
-    if (VolumeForm::pays(locked.binding->pointCount(), locked.binding->handleCount()))
+  if (!own.asked) {
+    const std::lock_guard lock(own.making);
+    if (!own.asked && VolumeForm::pays(locked.binding->pointCount(), locked.binding->handleCount()))
       own.made = VolumeForm::of(*locked.rest, *locked.binding, threads_, progress);
-  });
+    own.asked = true;
+  }
   return own.made ? &*own.made : nullptr;
 }
 

@@ -250,5 +250,23 @@ TEST(VolumeLock, MakesItsFormOnceAndAnotherLockTakesItOver) {
   EXPECT_EQ(counts->pullBacks, 0) << "the form was not used";
 }
 
+TEST(VolumeLock, AFormThatIsCancelledHalfwayIsMadeForWhoeverAsksNext) {
+  Locked organ;
+  const auto counts = std::make_shared<tests::BindingCounts>();
+  coordinates::HandleSet set;
+  set.positions = organ.handles;
+  Progress progress, cancelled;
+  organ.binding = tests::CountingSystem(counts).bind(set, organ.rest->points, {}, progress);
+  const VolumeLock lock({organ.surface()}, {1});
+  counts->beforeInfluence = [&] { cancelled.cancel(); };
+  EXPECT_THROW(lock.makeForms(cancelled), Cancelled);
+  EXPECT_GT(counts->influences, 0) << "it had begun";
+  counts->beforeInfluence = [] {};
+  lock.makeForms(progress);
+  EXPECT_TRUE(
+      lock.restore(organ.handles, allBut(organ.handles.rows(), {}), LeastDisplacement(), 40).restored);
+  EXPECT_EQ(counts->pullBacks, 0) << "the form was not used";
+}
+
 } // namespace
 } // namespace viscera::deformation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -83,8 +84,11 @@ public:
                        double limitMm) const;
 
 private:
+  /// Made by the first thread that asks for it, or by the next one where that was cancelled. A `once_flag`
+  /// would need a `pthread_once` that allows exceptions, as not every one does.
   struct Form {
-    std::once_flag asked;
+    std::mutex making;
+    std::atomic<bool> asked{false}; ///< With a result, which is none where a form does not pay.
     std::optional<VolumeForm> made;
   };
   /// Results computed for a surface and its binding.
