@@ -2,7 +2,6 @@
 
 #include <QDesktopServices>
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QUrl>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
+#include "window/mailbox.h"
 #include "window/phrase_translator.h"
 
 namespace viscera::app {
@@ -19,10 +19,7 @@ constexpr int kToldSeconds = 8;
 } // namespace
 
 Workspace::Workspace(plugin::Registry registry, QObject* parent)
-    : QObject(parent), undo_(document_), registry_(std::move(registry)),
-      jobs_([this](std::function<void()> work) {
-        QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
-      }),
+    : QObject(parent), undo_(document_), registry_(std::move(registry)), jobs_(mailbox()),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
       warp_(document_, live_, registry_, jobs_), selection_(document_) {
   // Its offer would undo another step.

@@ -8,6 +8,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
+#include "window/mailbox.h"
 
 namespace viscera::app {
 namespace {
@@ -32,12 +33,7 @@ sequences::HeartCourse courseOf(const CirculationModel::Shown& shown) {
 } // namespace
 
 CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QObject* parent)
-    : QObject(parent), workspace_(workspace), playback_(playback),
-      jobs_(
-          [this](std::function<void()> work) {
-            QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
-          },
-          kWorkers) {
+    : QObject(parent), workspace_(workspace), playback_(playback), jobs_(mailbox(), kWorkers) {
   subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.circulation() || change.organs())
       scheduleSolve();

@@ -9,6 +9,7 @@
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
 #include "window/heap.h"
+#include "window/mailbox.h"
 
 namespace viscera::app {
 namespace {
@@ -106,9 +107,7 @@ int record(Take take, Progress& progress) {
 } // namespace
 
 MovieRecorder::MovieRecorder(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), jobs_([this](std::function<void()> work) {
-        QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
-      }) {}
+    : QObject(parent), workspace_(workspace), jobs_(mailbox()) {}
 
 bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources) {
   if (running_)

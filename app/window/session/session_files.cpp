@@ -11,6 +11,7 @@
 #include <chrono>
 #include <utility>
 
+#include "window/mailbox.h"
 #include "window/widgets/new_file.h"
 
 namespace viscera::app {
@@ -20,12 +21,6 @@ constexpr const char* kSessionEnding = ".viscera";
 constexpr int kLookMilliseconds = 1000;
 constexpr int kSavedSeconds = 4;
 constexpr std::size_t kShownSessionWarnings = 4;
-
-JobQueue::Post postTo(QObject* receiver) {
-  return [receiver](std::function<void()> work) {
-    QMetaObject::invokeMethod(receiver, std::move(work), Qt::QueuedConnection);
-  };
-}
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -45,7 +40,7 @@ QDateTime dateOf(const document::Recovery& recovery) {
 SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, SessionView& view, Settings& settings,
                            QWidget* window)
     : QObject(window), workspace_(workspace), playback_(playback), view_(view), settings_(settings),
-      window_(window), writes_(postTo(this)) {
+      window_(window), writes_(mailbox()) {
   subscription_ = workspace.undo().onChange([this] { onUndo(); });
   connect(&view, &SessionView::changed, this, &SessionFiles::onView);
   connect(&timer_, &QTimer::timeout, this, &SessionFiles::autosaveIfDue);
@@ -295,7 +290,7 @@ void SessionFiles::lookForFiles(const QString& file) {
 
 void SessionFiles::startAutosave(const std::filesystem::path& folder, double delaySeconds) {
   recoveries_ = document::findRecoveries(folder);
-  autosave_ = std::make_unique<document::Autosave>(folder, postTo(this), steadySeconds, delaySeconds);
+  autosave_ = std::make_unique<document::Autosave>(folder, mailbox(), steadySeconds, delaySeconds);
   timer_.start(kLookMilliseconds);
   onUndo();
   Q_EMIT changed();

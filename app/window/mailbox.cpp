@@ -1,0 +1,48 @@
+#include "window/mailbox.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QObject>
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace viscera::app {
+namespace {
+
+/// An event only says that something has come. What has come passes through a mutex of our own: the thread
+/// sanitiser sees that one, and not those inside Qt.
+class Mailbox final : public QObject {
+public:
+  void put(std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    QCoreApplication::postEvent(this, new QEvent(QEvent::User));
+    waiting_.push_back(std::move(work)); // Without memory for it, one event finds nothing.
+  }
+
+private:
+  void customEvent(QEvent*) override {
+    std::function<void()> work;
+    {
+      const std::lock_guard lock(mutex_);
+      if (waiting_.empty())
+        return;
+      work = std::move(waiting_.front());
+      waiting_.pop_front();
+    }
+    work();
+  }
+
+  std::mutex mutex_;
+  std::deque<std::function<void()>> waiting_;
+};
+
+} // namespace
+
+JobQueue::Post mailbox() {
+  return [box = std::make_shared<Mailbox>()](std::function<void()> work) { box->put(std::move(work)); };
+}
+
+} // namespace viscera::app
