@@ -72,10 +72,10 @@ void killWhileItRepeats(const std::function<void()>& work, std::chrono::microsec
         ::_exit(1);
     }
   });
+  ::close(ends[1]); // A child that ends by itself is noticed.
   char ready = 0;
   ASSERT_EQ(::read(ends[0], &ready, 1), 1);
   ::close(ends[0]);
-  ::close(ends[1]);
   std::this_thread::sleep_for(delay);
   ::kill(child, SIGKILL);
   int status = 0;
