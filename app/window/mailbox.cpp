@@ -12,8 +12,8 @@
 namespace viscera::app {
 namespace {
 
-/// An event only says that something has come. What has come passes through a mutex of our own: the thread
-/// sanitiser sees that one, and not those inside Qt.
+/// The functions pass through a mutex that the thread sanitiser sees, unlike those inside Qt; an event only
+/// says that one has come.
 class Mailbox final : public QObject {
 public:
   void put(std::function<void()> work) {

@@ -4,8 +4,8 @@
 
 namespace viscera::app {
 
-/// Where workers leave what is to be done on the thread that calls this, in their order; its event loop does
-/// it. What is left there when the last copy goes is not done.
+/// Takes functions from any thread and calls them one after the other from the event loop of the thread that
+/// made it. Those that still wait when its last copy is destroyed are not called.
 ///
 ///     JobQueue jobs(mailbox());
 JobQueue::Post mailbox();
