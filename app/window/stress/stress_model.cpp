@@ -93,7 +93,7 @@ void StressModel::follow() {
   const auto current = workspace_.currentOrgan();
   const document::OrganId organ = current ? current->id : document::OrganId{};
   if (std::exchange(organ_, organ) != organ && !mesh_)
-    setProbe(-1); // It waits for a mesh of the organ before.
+    setProbe(-1); // The probe waits for the mesh of another organ.
   workspace_.guarded([&] { live_.follow(active() ? organ : document::OrganId{}); });
 }
 
