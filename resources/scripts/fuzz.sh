@@ -21,7 +21,8 @@ fuzz_one() {
   local target=$1 seconds=$2 folder=$root/build/fuzz status=0 scratch=${TMPDIR:-/tmp} findings=$root/tests/fuzz/findings/$1
   mkdir -p "$folder/corpus/$target" "$folder/seeds/$target" "$folder/found"
   # OpenMP's threads would be leaks at the end; a reader may take 2 GiB and 10 s. DCMTK asks for what a length promises
-  # without throwing and without touching it, so that single requests have no limit of their own.
+  # without throwing and without touching it, so that single requests have no limit of their own. For dynamic TLS blocks
+  # see run_sanitised.
   # What is read at once and never kept: in memory, where that can be.
   [ ! -d /dev/shm ] || scratch=/dev/shm
   local -a inputs=("$folder/corpus/$target" "$folder/seeds/$target")
@@ -30,7 +31,7 @@ fuzz_one() {
     -artifact_prefix="$folder/found/$target-" -print_funcs=0 -reload=0)
   run_fuzzer() {
     TMPDIR=$scratch VISCERA_FUZZ_SEEDS=$folder/seeds/$target OMP_NUM_THREADS=1 \
-      ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:malloc_context_size=4:quarantine_size_mb=16 \
+      ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:malloc_context_size=4:quarantine_size_mb=16:intercept_tls_get_addr=0 \
       LSAN_OPTIONS=suppressions=$root/tests/support/leaks.supp:print_suppressions=0 \
       "$folder/bin/fuzz_$target" "${options[@]}" "$@" "${inputs[@]}" >>"$folder/$target.log" 2>&1
   }
