@@ -132,7 +132,7 @@ void installEnglishPlurals(QApplication& application) {
 } // namespace
 
 void prepareForApplication() {
-  useFewHeaps();
+  keepHeapSmall();
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

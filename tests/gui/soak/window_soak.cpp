@@ -5,9 +5,7 @@
 #include <QFile>
 #include <QTest>
 
-#include <algorithm>
-#include <map>
-#include <sstream>
+#include <functional>
 
 #include <vtkInteractorObserver.h>
 
@@ -24,24 +22,15 @@ namespace {
 
 constexpr int kRate = 150;          ///< Beats a minute.
 constexpr int kLongestWait = 90000; ///< ms; the sample heart may have to be made first.
-constexpr double kLatestMs = 100;   ///< A frame after that is late.
-constexpr double kMostGrowth = 0.01;
-/// Of the samples; caches of Qt, Mesa and the system fill in this part.
-constexpr double kWarmUp = 0.1;
-const std::string kPlaying = "playing";
+/// Seconds of playing that belong to the occupation before: the page of another mode is laid out, and the
+/// first frame waits for that.
+constexpr double kAftermath = 1;
 /// A job of the window, such as the measuring of a cycle, has one of the processors that draw.
 const std::string kJob = "a job";
 
 /// Handles the window's events until `done`, or for so long; the soak goes on in either case.
 void waitFor(const std::function<bool()>& done, int milliseconds = kLongestWait) {
   [[maybe_unused]] const bool came = QTest::qWaitFor(done, milliseconds);
-}
-
-template <typename Value>
-Value median(std::vector<Value> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 } // namespace
@@ -120,7 +109,7 @@ void WindowSoak::drag() {
   while (window_->workspace().undo().canUndo() &&
          *window_->workspace().state().pose != window_->workspace().state().rig->restPositions())
     window_->workspace().undo().undo();
-  playFor(0, "a drag");
+  playFor(kAftermath, "a drag");
 }
 
 void WindowSoak::compare() {
@@ -128,7 +117,7 @@ void WindowSoak::compare() {
   window_->play().comparison().showSameOrgan();
   playFor(10, "two views");
   window_->play().comparison().end();
-  playFor(0, "two views");
+  playFor(kAftermath, "two views");
 }
 
 void WindowSoak::record() {
@@ -138,7 +127,7 @@ void WindowSoak::record() {
   waitFor([this] { return !window_->play().recorder().running(); });
   for (const QString& movie : QDir(folder_.path()).entryList({QStringLiteral("*.ogv")}))
     QFile::remove(folder_.filePath(movie));
-  playFor(0, "a recording");
+  playFor(kAftermath, "a recording");
 }
 
 void WindowSoak::onFrame() {
@@ -166,44 +155,6 @@ void WindowSoak::endSecond() {
   tell_(present_);
   present_ = {};
   present_.occupation = occupation_ == kPlaying ? std::string() : occupation_;
-}
-
-std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples) {
-  std::vector<SoakSample> calm;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].occupation == kPlaying && double(i) >= kWarmUp * double(samples.size()))
-      calm.push_back(samples[i]);
-  if (calm.size() < 10)
-    return {"the soak was too short to be judged"};
-  std::vector<std::string> faults;
-  const auto fault = [&faults](auto&&... parts) {
-    std::ostringstream line;
-    (line << ... << parts);
-    faults.push_back(line.str());
-  };
-  const std::size_t part = std::max<std::size_t>(calm.size() / 10, 3);
-  const auto medianMb = [&calm](std::size_t first, std::size_t last) {
-    std::vector<double> values;
-    for (std::size_t i = first; i < last; ++i)
-      values.push_back(calm[i].use.ownMb);
-    return median(values);
-  };
-  const double before = medianMb(0, part), after = medianMb(calm.size() - part, calm.size());
-  if (after > before * (1 + kMostGrowth))
-    fault("memory grew from ", before, " to ", after, " MB");
-  for (const SoakSample& sample : calm) {
-    if (sample.frames == 0)
-      fault("no frame was drawn in the second before ", sample.seconds, " s");
-    if (sample.longestMs - sample.pausedMs > kLatestMs)
-      fault("a frame came after ", sample.longestMs, " ms at ", sample.seconds,
-            " s, of which the machine stood still ", sample.pausedMs, " ms");
-    if (sample.use.descriptors != calm.front().use.descriptors)
-      fault(sample.use.descriptors, " descriptors at ", sample.seconds, " s, ", calm.front().use.descriptors,
-            " before");
-    if (sample.use.threads != calm.front().use.threads)
-      fault(sample.use.threads, " threads at ", sample.seconds, " s, ", calm.front().use.threads, " before");
-  }
-  return faults;
 }
 
 } // namespace viscera::tests

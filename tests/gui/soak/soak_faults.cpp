@@ -1,0 +1,95 @@
+#include "soak_faults.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+
+namespace viscera::tests {
+namespace {
+
+constexpr double kLatestMs = 100; ///< A frame after that is late.
+constexpr double kMostGrowth = 0.01;
+/// Of the samples; caches of Qt, Mesa and the system fill in this part.
+constexpr double kWarmUp = 0.1;
+constexpr std::size_t kFewest = 10; ///< Samples.
+
+using Samples = std::vector<SoakSample>;
+
+struct Faults {
+  template <typename... Parts>
+  void add(const Parts&... parts) {
+    std::ostringstream line;
+    (line << ... << parts);
+    lines.push_back(line.str());
+  }
+  std::vector<std::string> lines;
+};
+
+/// Those after the warm-up in which nothing went on but the beating.
+Samples calmOf(const Samples& samples) {
+  Samples calm;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].occupation == kPlaying && double(i) >= kWarmUp * double(samples.size()))
+      calm.push_back(samples[i]);
+  return calm;
+}
+
+double medianOwnMb(Samples::const_iterator first, Samples::const_iterator last) {
+  std::vector<double> values;
+  for (; first != last; ++first)
+    values.push_back(first->use.ownMb);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void judgeMemory(const Samples& calm, Faults& faults) {
+  const auto part = static_cast<std::ptrdiff_t>(std::max<std::size_t>(calm.size() / 10, 3));
+  const double before = medianOwnMb(calm.begin(), calm.begin() + part);
+  const double after = medianOwnMb(calm.end() - part, calm.end());
+  if (after > before * (1 + kMostGrowth))
+    faults.add("memory grew from ", before, " to ", after, " MB");
+}
+
+void judgeFrames(const Samples& calm, Faults& faults) {
+  for (const SoakSample& sample : calm) {
+    if (sample.frames == 0)
+      faults.add("no frame was drawn in the second before ", sample.seconds, " s");
+    if (sample.longestMs - sample.pausedMs > kLatestMs)
+      faults.add("a frame came after ", sample.longestMs, " ms at ", sample.seconds,
+                 " s, of which the machine stood still ", sample.pausedMs, " ms");
+  }
+}
+
+/// A line for each change, not for each second that it lasts.
+void judgeDescriptors(const Samples& calm, Faults& faults) {
+  for (std::size_t i = 1; i < calm.size(); ++i)
+    if (const int now = calm[i].use.descriptors, before = calm[i - 1].use.descriptors; now != before)
+      faults.add(now, " descriptors at ", calm[i].seconds, " s, ", before, " before");
+}
+
+void judgeThreads(const Samples& calm, Faults& faults) {
+  int most = 0;
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    const int now = calm[i].use.threads;
+    if (2 * i >= calm.size() && now > most)
+      faults.add(now, " threads at ", calm[i].seconds, " s, at most ", most, " before");
+    most = std::max(most, now);
+  }
+}
+
+} // namespace
+
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples) {
+  const Samples calm = calmOf(samples);
+  if (calm.size() < kFewest)
+    return {"the soak was too short to be judged"};
+  Faults faults;
+  judgeMemory(calm, faults);
+  judgeFrames(calm, faults);
+  judgeDescriptors(calm, faults);
+  judgeThreads(calm, faults);
+  return faults.lines;
+}
+
+} // namespace viscera::tests

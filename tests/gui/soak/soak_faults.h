@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process_use.h"
+
+namespace viscera::tests {
+
+/// One second of a soak.
+struct SoakSample {
+  double seconds = 0; ///< Since the soak began.
+  ProcessUse use;
+  int frames = 0;         ///< Drawn in the first view.
+  double longestMs = 0;   ///< Between two frames that followed each other while the heart played.
+  double pausedMs = 0;    ///< For so long of that the machine itself stood still (PauseWatch).
+  std::string occupation; ///< The activity beside the beating: `kPlaying` for none.
+};
+
+inline const std::string kPlaying = "playing";
+
+/// The faults of a soak, a line each; empty when memory, descriptors and threads stayed and no frame came
+/// late while nothing went on but the beating. What the machine itself stood still does not count. Each
+/// worker of a queue of jobs keeps OpenMP's threads from its first parallel loop on, and chance decides which
+/// worker takes a job; therefore only the second half may have no more threads than the first had.
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
+
+} // namespace viscera::tests

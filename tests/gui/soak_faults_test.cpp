@@ -1,0 +1,62 @@
+// What the soak finds wrong with what it measured.
+#include <gtest/gtest.h>
+
+#include "soak/soak_faults.h"
+
+namespace viscera::tests {
+namespace {
+
+/// An hour in which all is well: the first tenth takes what caches need, each minute has a drag.
+std::vector<SoakSample> calmHour() {
+  std::vector<SoakSample> samples(3600);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool warm = i >= 360, drag = i % 60 < 3;
+    samples[i] = {double(i + 1),
+                  {380, warm ? 220.0 : 180.0, 105, drag ? 14 : 12, warm ? 25 : 19},
+                  16,
+                  drag ? 130.0 : 70.0,
+                  0,
+                  drag ? "a drag" : kPlaying};
+  }
+  return samples;
+}
+
+TEST(SoakFaults, AreNoneInACalmHour) {
+  EXPECT_TRUE(soakFaults(calmHour()).empty());
+}
+
+TEST(SoakFaults, AreMemoryThatGrowsAndFramesThatComeLateButNotByTheMachine) {
+  std::vector<SoakSample> samples = calmHour();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].use.ownMb *= 1 + 0.02 * double(i) / 3600;
+  samples[1000].longestMs = 120;
+  samples[1010].longestMs = 120;
+  samples[1010].pausedMs = 30;
+  samples[2000].frames = 0;
+  const std::vector<std::string> faults = soakFaults(samples);
+  ASSERT_EQ(faults.size(), 3u);
+  EXPECT_EQ(faults[0].rfind("memory grew from 22", 0), 0u) << faults[0];
+  EXPECT_EQ(faults[1], "a frame came after 120 ms at 1001 s, of which the machine stood still 0 ms");
+  EXPECT_EQ(faults[2], "no frame was drawn in the second before 2001 s");
+}
+
+TEST(SoakFaults, AreDescriptorsThatStayOpenAndThreadsThatComeInTheSecondHalf) {
+  std::vector<SoakSample> samples = calmHour();
+  for (std::size_t i = 950; i < samples.size(); ++i)
+    samples[i].use.threads += 1; // A worker's first parallel loop.
+  EXPECT_TRUE(soakFaults(samples).empty());
+
+  for (std::size_t i = 3100; i < samples.size(); ++i) {
+    samples[i].use.threads += 1;
+    samples[i].use.descriptors += 1;
+  }
+  EXPECT_EQ(soakFaults(samples), (std::vector<std::string>{"13 descriptors at 3101 s, 12 before",
+                                                           "27 threads at 3101 s, at most 26 before"}));
+}
+
+TEST(SoakFaults, NeedMoreThanAFewSeconds) {
+  EXPECT_EQ(soakFaults(std::vector<SoakSample>(5)).size(), 1u);
+}
+
+} // namespace
+} // namespace viscera::tests
