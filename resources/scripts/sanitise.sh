@@ -31,8 +31,8 @@ run_sanitised() {
   # DCMTK asks for what a length promises without throwing and without touching it. Leaks of Qt, fontconfig and Mesa are
   # not ours; VTK, Qt and the rest of the system are not instrumented, and what they do among themselves is not judged.
   # A test forks and starts threads in its child, which the thread sanitiser stops unless told otherwise. Up to clang 16
-  # the address sanitiser takes a dynamic TLS block for one of an older C library when its address happens to look like it,
-  # and crashes while it looks for leaks; with such a C library as ours, it records nothing of the other blocks, either.
+  # the address sanitiser takes some dynamic TLS blocks, by their addresses, for those of an older C library, and crashes
+  # while it looks for leaks. With a C library of today it knows no other such blocks, so that nothing is lost without them.
   ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:detect_odr_violation=0:intercept_tls_get_addr=0 \
     LSAN_OPTIONS=suppressions=$root/tests/support/leaks.supp:print_suppressions=0 \
     UBSAN_OPTIONS=print_stacktrace=1 OMP_TOOL_LIBRARIES=${archer[0]:-} \
