@@ -13,7 +13,10 @@ namespace {
 constexpr Eigen::Index kPointsBoundAtOnce = 20'000;
 constexpr Eigen::Index kNodesAtOnce = 4096; ///< Nodes or cells that a thread takes at a time.
 constexpr double kSlack = 1e-3;             ///< Of a cell, for nodes that are only just needed.
-constexpr int kCoarser = 4;                 ///< Cells of the inner grid along one of the outer.
+constexpr int kCoarser = 4;                 ///< Cells of the inner grid along one of the outer, or more.
+/// Nodes of the outer grid, 96 bytes each: for a handle that is dragged far away its cells become larger.
+constexpr double kMostOuterNodes = 400'000;
+constexpr double kMostFoldCells = 4'000'000; ///< A byte each; they become larger likewise.
 constexpr double kReach = 3;         ///< Times what the hull's border moves: so far out the motion fades.
 constexpr double kLeastReach = 0.02; ///< Of the hull's diagonal, where anything moves at all.
 constexpr double kRoomToGrow = 1.5;  ///< Times the reach: how far the outer grid goes, for poses to come.
@@ -248,21 +251,25 @@ void RestField::planMending() {
   }
 }
 
-/// Around the inner grid, its nodes on every fourth of that one's.
+/// Around the inner grid, each of its nodes there on one of that one's, so that both are the same on the
+/// inner grid's border. Its size follows the motion, its spacing the room for it.
 void RestField::placeOuter(double reach) {
   reachBuilt_ = kRoomToGrow * reach + std::sqrt(3.0) * inner_.spacing;
-  outer_.spacing = kCoarser * inner_.spacing;
-  const int more = static_cast<int>(std::ceil(reachBuilt_ / outer_.spacing)) + 1;
-  outer_.size = (inner_.size.array() - 1) / kCoarser + 1 + 2 * more;
+  double more = 0; // In floating point: what is too much need not fit into an integer.
+  Eigen::Array3d nodes;
+  for (double coarser = kCoarser; coarser == kCoarser || nodes.prod() > kMostOuterNodes; coarser *= 2) {
+    outer_.spacing = coarser * inner_.spacing;
+    more = std::ceil(reachBuilt_ / outer_.spacing) + 1;
+    nodes = ((inner_.size.cast<double>().array() - 1) / coarser).ceil() + 1 + 2 * more;
+  }
+  outer_.size = nodes.cast<int>();
   outer_.origin = inner_.origin - Vec3::Constant(more * outer_.spacing);
   outer_.vectors.setZero(outer_.count(), 3);
   outerFaded_.clear();
   for (Eigen::Index node = 0; node < outer_.count(); ++node) {
     const Vec3 position = outer_.position(node);
-    const double distance = hull_.signedDistance(position);
-    // Nodes in the hull are corners of no cell outside of the inner grid.
-    if (distance > 0 && distance < reachBuilt_)
-      outerFaded_.push_back(extrapolatedNode(node, position));
+    if (hull_.signedDistance(position) < reachBuilt_)
+      outerFaded_.push_back(extrapolatedNode(node, position)); // In the hull what the inner grid has there.
   }
 }
 
@@ -479,7 +486,12 @@ void RestField::markFolds() {
   }
   folds_.origin = all.low;
   folds_.spacing = inner_.spacing;
-  folds_.size = ((all.high - all.low) / folds_.spacing).array().floor().cast<int>() + 2;
+  const auto nodes = [&]() -> Eigen::Array3d {
+    return ((all.high - all.low) / folds_.spacing).array().floor() + 2;
+  };
+  while (nodes().prod() > kMostFoldCells)
+    folds_.spacing *= 2;
+  folds_.size = nodes().cast<int>();
   foldCells_.assign(static_cast<std::size_t>(folds_.count()), 0);
   for (const Bounds& box : boxes) {
     const Eigen::Vector3i low = ((box.low - folds_.origin) / folds_.spacing).array().floor().cast<int>();

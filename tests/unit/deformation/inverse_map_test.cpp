@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <malloc.h>
+
 #include <gtest/gtest.h>
 
 #include "bernstein_system.h"
@@ -210,6 +212,42 @@ TEST(InverseMap, DoesNotTearOutsideOfTheHullAndLeavesWhatIsFarAlone) {
   EXPECT_EQ(rest.points(0, 1), line(0, 1));
   EXPECT_EQ(rest.states[0], RestState::still);
   EXPECT_NEAR(rest.points(count / 2 + 100, 1), line(count / 2 + 100, 1) - 15, 1e-6) << "in the hull";
+}
+
+/// Megabytes that malloc and new have given and not taken back; 0 where a sanitiser replaces them.
+double allocatedMb() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd) / (1 << 20);
+}
+
+TEST(InverseMap, OfAHandleDraggedFarAwayTakesNoMoreMemoryAndStaysContinuous) {
+  const coordinates::SCelestial system;
+  const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
+  Progress progress;
+  const double diameter = 220;
+  for (const double diameters : {0.5, 3.0, 1e9}) {
+    Points pose = handles.positions;
+    pose(7, 0) += diameters * diameter;
+    const double before = allocatedMb();
+    const InverseMap map(system, handles, pose, {}, {}, progress);
+    EXPECT_LT(allocatedMb() - before, 80) << diameters;
+
+    // Along a ray from the middle to where nothing moves.
+    const Vec3 way = Vec3(0.3, 0.8, -0.5).normalized();
+    const double end = 15 * diameters * diameter + 400;
+    Points ray(4001, 3);
+    for (Eigen::Index i = 0; i < ray.rows(); ++i)
+      ray.row(i) = (end * double(i) / double(ray.rows() - 1) * way).transpose();
+    const Points moved = map.posedPoints(ray) - ray;
+    EXPECT_TRUE(moved.allFinite());
+    EXPECT_GT(moved.row(0).norm(), 0.01 * diameters * diameter);
+    EXPECT_EQ(moved.row(ray.rows() - 1).norm(), 0);
+    if (end / double(ray.rows()) > 0.1 * diameter)
+      continue; // Steps as large as the hull say nothing of jumps.
+    const double largest = moved.rowwise().norm().maxCoeff();
+    for (Eigen::Index i = 1; i < ray.rows(); ++i)
+      ASSERT_LT((moved.row(i) - moved.row(i - 1)).norm(), 0.1 * largest) << diameters << ", sample " << i;
+  }
 }
 
 TEST(InverseMap, MarksFoldedTissue) {

@@ -46,7 +46,8 @@ struct Refinement {
 struct InverseMapOptions {
   double accuracyMm = 0.1;  ///< Largest error of the motion between bound points; spacings are halved until
                             ///< it is met.
-  double mostWeights = 3e6; ///< Bound points times handles are no more: eight bytes of memory each.
+  double mostWeights = 3e6; ///< Bound points times handles are no more: eight bytes of memory each. What lies
+                            ///< around them takes at most 50 MB, however far a handle is dragged.
 };
 
 /// The inverse of a deformation: finds where tissue was at rest, so that images can be deformed with the
