@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what window_soak measured: draw_soak.py soak.csv docs/pictures/soak.png
 
-Above the memory, in the middle how long frames took (the longest of each second, by what went on), below open
-descriptors and threads. Prints the longest frame of each occupation.
+Above the memory, then how long frames took (the longest of each second, by what went on), and how long the same
+small work took the machine beside them; below open descriptors and threads. Prints the longest frame of each occupation.
 """
 import csv
 import sys
@@ -29,8 +29,8 @@ def read(path):
 
 def draw(rows, path):
     minutes = [row["seconds"] / 60 for row in rows]
-    figure, (memory, frames, counts) = plt.subplots(
-        3, 1, sharex=True, figsize=(10, 7.5), height_ratios=[2, 3, 1.4], layout="constrained")
+    figure, (memory, frames, machine, counts) = plt.subplots(
+        4, 1, sharex=True, figsize=(10, 9), height_ratios=[2, 3, 1.4, 1.4], layout="constrained")
     for key, color, label in [("resident_mb", "#aaaaaa", "resident"), ("own_mb", "#444444", "without files"),
                               ("allocated_mb", "#2f7fc1", "allocated")]:
         memory.plot(minutes, [row[key] for row in rows], color=color, linewidth=0.8, label=label)
@@ -46,12 +46,16 @@ def draw(rows, path):
     frames.set_yscale("log")
     frames.set_ylim(top=2 * max(row["longest_ms"] for row in rows))  # Room for the legend.
     frames.legend(loc="upper right", ncols=len(COLORS), frameon=False, markerscale=3)
+    calm = [row for row in rows if row["occupation"] == "playing" and row["work_us"] > 0]
+    machine.scatter([row["seconds"] / 60 for row in calm], [row["work_us"] for row in calm], s=4, color="#444444")
+    machine.set_ylabel("the same work (µs)")
+    machine.set_ylim(0, None)
     counts.plot(minutes, [row["descriptors"] for row in rows], color="#2f7fc1", label="open descriptors")
     counts.plot(minutes, [row["threads"] for row in rows], color="#c1692f", label="threads")
     counts.set_ylim(0, None)
     counts.legend(loc="lower right", ncols=2, frameon=False)
     counts.set_xlabel("minutes")
-    for axes in (memory, frames, counts):
+    for axes in (memory, frames, machine, counts):
         axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(path, dpi=110)
 

@@ -32,14 +32,15 @@ int main(int argc, char** argv) {
 
   std::ofstream table(csv);
   table << "seconds,resident_mb,own_mb,allocated_mb,descriptors,threads,frames,longest_ms,paused_ms,"
-           "occupation\n";
+           "work_us,process_ms,kernel_ms,page_faults,occupation\n";
   std::vector<viscera::tests::SoakSample> samples;
   viscera::tests::WindowSoak().run(seconds, [&](const viscera::tests::SoakSample& sample) {
     samples.push_back(sample);
     table << sample.seconds << ',' << sample.use.residentMb << ',' << sample.use.ownMb << ','
           << sample.use.allocatedMb << ',' << sample.use.descriptors << ',' << sample.use.threads << ','
-          << sample.frames << ',' << sample.longestMs << ',' << sample.pausedMs << ',' << sample.occupation
-          << std::endl;
+          << sample.frames << ',' << sample.longestMs << ',' << sample.machine.pausedMs << ','
+          << sample.machine.workUs << ',' << sample.machine.processMs << ',' << sample.machine.kernelMs << ','
+          << sample.machine.pageFaults << ',' << sample.occupation << std::endl;
   });
   std::vector<std::string> faults = viscera::tests::soakFaults(samples);
   if (const std::string printed = viscera::tests::takePrinted(); !printed.empty())

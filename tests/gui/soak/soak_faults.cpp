@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 
 namespace viscera::tests {
@@ -12,6 +14,7 @@ constexpr double kMostGrowth = 0.01;
 /// Of the samples; caches of Qt, Mesa and the system fill in this part.
 constexpr double kWarmUp = 0.1;
 constexpr std::size_t kFewest = 10; ///< Samples.
+constexpr std::size_t kAround = 2;  ///< Samples before and after one that tell how fast the machine was.
 
 using Samples = std::vector<SoakSample>;
 
@@ -34,13 +37,53 @@ Samples calmOf(const Samples& samples) {
   return calm;
 }
 
-double medianOwnMb(Samples::const_iterator first, Samples::const_iterator last) {
-  std::vector<double> values;
-  for (; first != last; ++first)
-    values.push_back(first->use.ownMb);
+double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+double medianOwnMb(Samples::const_iterator first, Samples::const_iterator last) {
+  std::vector<double> values;
+  std::transform(first, last, std::back_inserter(values), [](const SoakSample& s) { return s.use.ownMb; });
+  return median(values);
+}
+
+/// How long the machine's work took around each sample; one frame alone has time for few works.
+std::vector<double> worksOf(const Samples& calm) {
+  std::vector<double> works;
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    const std::size_t first = i - std::min(i, kAround), last = std::min(i + kAround + 1, calm.size());
+    double sum = 0;
+    for (std::size_t j = first; j < last; ++j)
+      sum += calm[j].machine.workUs;
+    works.push_back(sum / double(last - first));
+  }
+  return works;
+}
+
+/// By how much each longest frame was longer because the machine was slower than usual, ms. A line is fitted
+/// to the times of frames over those of the work, so that only what both have in common counts.
+std::vector<double> slowedMs(const Samples& calm) {
+  const std::vector<double> works = worksOf(calm);
+  std::vector<double> frames;
+  for (const SoakSample& sample : calm)
+    frames.push_back(sample.longestMs - sample.machine.pausedMs);
+  const double meanWork = mean(works), meanFrame = mean(frames), usualWork = median(works);
+  double together = 0, alone = 0;
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    together += (works[i] - meanWork) * (frames[i] - meanFrame);
+    alone += (works[i] - meanWork) * (works[i] - meanWork);
+  }
+  const double slope = alone > 0 ? std::max(0.0, together / alone) : 0;
+  std::vector<double> slowed;
+  for (const double work : works)
+    slowed.push_back(slope * std::max(0.0, work - usualWork));
+  return slowed;
 }
 
 void judgeMemory(const Samples& calm, Faults& faults) {
@@ -52,12 +95,15 @@ void judgeMemory(const Samples& calm, Faults& faults) {
 }
 
 void judgeFrames(const Samples& calm, Faults& faults) {
-  for (const SoakSample& sample : calm) {
+  const std::vector<double> slowed = slowedMs(calm);
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    const SoakSample& sample = calm[i];
     if (sample.frames == 0)
       faults.add("no frame was drawn in the second before ", sample.seconds, " s");
-    if (sample.longestMs - sample.pausedMs > kLatestMs)
+    if (sample.longestMs - sample.machine.pausedMs - slowed[i] > kLatestMs)
       faults.add("a frame came after ", sample.longestMs, " ms at ", sample.seconds,
-                 " s, of which the machine stood still ", sample.pausedMs, " ms");
+                 " s, of which the machine stood still ", sample.machine.pausedMs, " ms and was slower for ",
+                 slowed[i], " ms");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "machine_watch.h"
 #include "process_use.h"
 
 namespace viscera::tests {
@@ -13,16 +14,17 @@ struct SoakSample {
   ProcessUse use;
   int frames = 0;         ///< Drawn in the first view.
   double longestMs = 0;   ///< Between two frames that followed each other while the heart played.
-  double pausedMs = 0;    ///< For so long of that the machine itself stood still (PauseWatch).
+  MachineUse machine;     ///< What the machine did during that.
   std::string occupation; ///< The activity beside the beating: `kPlaying` for none.
 };
 
 inline const std::string kPlaying = "playing";
 
 /// The faults of a soak, a line each; empty when memory, descriptors and threads stayed and no frame came
-/// late while nothing went on but the beating. What the machine itself stood still does not count. Each
-/// worker of a queue of jobs keeps OpenMP's threads from its first parallel loop on, and chance decides which
-/// worker takes a job; therefore only the second half may have no more threads than the first had.
+/// late while nothing went on but the beating. The time that the machine itself stood still, or was slower
+/// than usual in this soak, does not count. Each worker of a queue of jobs keeps OpenMP's threads from its
+/// first parallel loop on, and chance decides which worker takes a job; therefore only the second half may
+/// have no more threads than the first had.
 std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
 
 } // namespace viscera::tests

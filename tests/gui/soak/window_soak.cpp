@@ -135,12 +135,12 @@ void WindowSoak::onFrame() {
   if (present_.occupation.empty() && !window_->workspace().jobs().idle())
     present_.occupation = kJob;
   const bool playing = window_->playback().player().playing();
-  const double pausedMs = pauses_.takeLongestMs();
+  const MachineUse machine = machine_.take();
   if (sinceFrame_.isValid() && playing) {
     const double ms = static_cast<double>(sinceFrame_.nsecsElapsed()) / 1e6;
-    if (ms - pausedMs > present_.longestMs - present_.pausedMs) {
+    if (ms - machine.pausedMs > present_.longestMs - present_.machine.pausedMs) {
       present_.longestMs = ms;
-      present_.pausedMs = pausedMs;
+      present_.machine = machine;
     }
   }
   playing ? static_cast<void>(sinceFrame_.start()) : sinceFrame_.invalidate();

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "pause_watch.h"
+#include "machine_watch.h"
 #include "soak_faults.h"
 #include "window/main_window.h"
 
@@ -36,7 +36,7 @@ private:
   std::unique_ptr<app::Settings> settings_;
   std::unique_ptr<app::MainWindow> window_;
   QElapsedTimer clock_, sinceFrame_;
-  PauseWatch pauses_;
+  MachineWatch machine_;
   double seconds_ = 0;
   int rounds_ = 0;
   SoakSample present_;
