@@ -13,6 +13,7 @@
 
 #include "sway.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/stress/stress_chart.h"
 #include "window/timeline/chart_cursor.h"
 
@@ -58,6 +59,31 @@ TEST_F(StressOverACycle, IsDrawnWholeBeforeAFrameWasPlayed) {
   EXPECT_FALSE(model().peakShown()) << "the map of the instant stays";
   EXPECT_TRUE(window().actions()["stress.exportCurve"]->isEnabled());
   expectTheCurveIsWhatIsShown();
+}
+
+/// The view then shows the sequence, and no handles.
+TEST_F(StressOverACycle, OfASequenceThatStartsDuringADragUndoesTheDrag) {
+  give(swing(30));
+  enter();
+  const Points before = document().pose();
+  const std::size_t steps = window().workspace().undo().names().size();
+  const int handle = reachableHandle();
+  ASSERT_GE(handle, 0);
+  const QPoint from = onScreen(handleInView(handle));
+  QTest::mouseMove(&view(), from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(20, 0));
+  QTest::mouseMove(&view(), from + QPoint(40, 0));
+  ASSERT_NE(document().pose(), before);
+  key(Qt::Key_Space);
+  EXPECT_TRUE(window().playback().player().playing());
+  EXPECT_EQ(document().pose(), before);
+  EXPECT_FALSE(view().view().handleWidget()->IsDragging());
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 0));
+  key(Qt::Key_Space);
+  settle();
+  EXPECT_EQ(document().pose(), before);
+  EXPECT_EQ(window().workspace().undo().names().size(), steps);
 }
 
 TEST_F(StressOverACycle, HasACursorAtTheInstantInEveryFrame) {

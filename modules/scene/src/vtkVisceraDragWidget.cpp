@@ -83,7 +83,7 @@ void vtkVisceraDragWidget::ReleaseAction(vtkAbstractWidget* widget) {
   if (!self->Dragging)
     return;
   self->EventCallbackCommand->SetAbortFlag(1);
-  self->EndDrag(false);
+  self->FinishDrag(false);
 }
 
 void vtkVisceraDragWidget::EscapeAction(vtkAbstractWidget* widget) {
@@ -98,7 +98,15 @@ void vtkVisceraDragWidget::EscapeAction(vtkAbstractWidget* widget) {
 
 void vtkVisceraDragWidget::CancelDrag() {
   if (Dragging)
-    EndDrag(true);
+    FinishDrag(true);
+}
+
+void vtkVisceraDragWidget::FinishDrag(bool cancelled) {
+  if (Ending)
+    return;
+  Ending = true;
+  EndDrag(cancelled);
+  Ending = false;
 }
 
 void vtkVisceraDragWidget::EndDrag(bool) {

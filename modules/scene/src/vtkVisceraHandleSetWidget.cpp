@@ -108,7 +108,7 @@ void vtkVisceraHandleSetWidget::DragTo(const viscera::Vec3& position) {
 
 void vtkVisceraHandleSetWidget::Drop() {
   if (Dragging)
-    EndDrag(false);
+    FinishDrag(false);
 }
 
 void vtkVisceraHandleSetWidget::DragBegan() {
@@ -142,7 +142,7 @@ void vtkVisceraHandleSetWidget::Drag(int x, int y) {
 void vtkVisceraHandleSetWidget::Follow(const std::function<void()>& move) {
   auto* handles = GetHandleSet();
   if (handles->GetDraggedHandles().empty()) // The handles were replaced under the cursor.
-    return EndDrag(true);
+    return FinishDrag(true);
   const viscera::Vec3 before = handles->GetPosition(handles->GetActiveHandle());
   move();
   if (handles->GetPosition(handles->GetActiveHandle()) == before)

@@ -231,6 +231,29 @@ TEST_F(HandleWidget, DisablingTheWidgetCancelsTheDrag) {
   EXPECT_EQ(log.back(), "cancelled 0");
 }
 
+/// As a window does whose picture no longer shows what was grabbed.
+TEST_F(HandleWidget, EndsADragOnceThatIsCancelledAgainAtItsEnd) {
+  place({{70, 0, 0}});
+  const Vec3 before = handles->GetPosition(0);
+  onEvent = [this](const std::string& event) {
+    ASSERT_LT(log.size(), 100u) << "no end";
+    if (event != "hovered" && event != "grabbed" && event != "selected")
+      window.view.handleWidget()->CancelDrag();
+  };
+  const auto at = grab(0);
+  log.clear();
+  mouse.move(at[0] + 30, at[1]);
+  EXPECT_THAT(log, ElementsAre("moved 0", "moved 0", "cancelled 0")) << "the last move is the way back";
+  EXPECT_EQ(handles->GetPosition(0), before);
+  EXPECT_FALSE(window.view.handleWidget()->IsDragging());
+  mouse.release();
+
+  grab(0);
+  log.clear();
+  mouse.release();
+  EXPECT_THAT(log, ElementsAre("released 0")) << "a drag that was released is not cancelled";
+}
+
 TEST_F(HandleWidget, ReplacingTheHandlesDuringADragEndsIt) {
   place({{70, 0, 0}, {-70, 0, 0}});
   const auto at = grab(0);

@@ -33,11 +33,14 @@ protected:
   /// Called for a press on a part. Begins a drag unless a subclass overrides it.
   virtual void Press(int x, int y) { BeginDrag(x, y); }
   virtual void Drag(int x, int y);
+  /// Ends a drag; called by `FinishDrag` alone.
   virtual void EndDrag(bool cancelled);
   /// Called when a drag has begun, before its first event is sent.
   virtual void DragBegan() {}
 
   void BeginDrag(int x, int y);
+  /// Calls `EndDrag`, once for each drag, even when an observer of its last events cancels the drag.
+  void FinishDrag(bool cancelled);
 
   bool Dragging = false;
 
@@ -49,4 +52,5 @@ private:
   static void EscapeAction(vtkAbstractWidget* widget);
 
   bool Escape;
+  bool Ending = false; ///< `EndDrag` is under way.
 };
