@@ -7,8 +7,11 @@
 #include <cmath>
 
 #include "session_fixture.h"
+#include "shapes.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/medical_io/surface_file.h"
 #include "viscera/presentation/presenter.h"
+#include "window/import/import_controller.h"
 #include "window/modes/explore_mode.h"
 #include "window_probe.h"
 
@@ -132,6 +135,21 @@ TEST_F(Parts, TwoQuickAnswersAreTwoAndHideNothing) {
   clickTwice(wrong, wrong);
   EXPECT_EQ(quiz.mistakes(), 2);
   EXPECT_TRUE(document().organs().back()->look.visible);
+}
+
+TEST_F(Parts, ASurfaceThatIsStillCheckedIsNoAnswer) {
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  geometry::TriangleMesh insideOut =
+      sphere(3, 80, boundsOf(document().organs().front()->mesh->points).center());
+  insideOut.triangles.col(1).swap(insideOut.triangles.col(2));
+  const QString file = path(QStringLiteral("ball.stl"));
+  medical_io::writeSurface(file.toStdString(), insideOut);
+  open(file);
+  ASSERT_TRUE(window().imports().isOpen());
+  ASSERT_TRUE(window().explore().quiz().active());
+  click(view().rect().center());
+  EXPECT_EQ(window().explore().quiz().quiz()->mistakes(), 0);
+  EXPECT_EQ(label("quizResult"), QString());
 }
 
 TEST_F(Parts, AnotherOrganEndsTheQuiz) {

@@ -72,9 +72,11 @@ void ModeController::onClick(const QPointF& place, Qt::KeyboardModifiers modifie
   if (modes_[present_]->press(place))
     return;
   const auto pick = parts_.view.pickNear(place);
-  if (!pick)
+  // Surfaces that are being opened or were measured are no organs of the document.
+  const document::OrganId organ = pick ? parts_.picture.organOf(pick->organ) : document::OrganId{};
+  if (!organ)
     return modes_[present_]->click(nullptr);
-  const ClickedPlace clicked{parts_.picture.organOf(pick->organ), pick->position, pick->normal};
+  const ClickedPlace clicked{organ, pick->position, pick->normal};
   modes_[present_]->click(&clicked);
 }
 

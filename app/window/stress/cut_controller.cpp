@@ -86,9 +86,9 @@ void CutController::probeAt(const QPointF& place) {
     inside.reset();
   if (inside)
     return model_.setProbe(inside->point);
-  if (!surface)
+  const document::OrganId organ = surface ? picture_.organOf(surface->organ) : document::OrganId{};
+  if (!organ)
     return model_.setProbe(-1);
-  const document::OrganId organ = picture_.organOf(surface->organ);
   if (organ != model_.live().organ())
     return workspace_.selection().setOrgan(organ);
   const Points& points = model_.live().points();
