@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
@@ -54,7 +56,7 @@ QStringList SampleLoader::names() const {
 
 void SampleLoader::load(const QString& name, bool play) {
   workspace_.inBackground<Sample>(
-      tr("Sample %1").arg(nameInWords(name)), "open",
+      tr("Sample %1").arg(nameInWords(name)), kSlot,
       [library = library_, id = name.toStdString()](Progress& progress) {
         return make(library, id, progress);
       },
@@ -63,6 +65,11 @@ void SampleLoader::load(const QString& name, bool play) {
         if (play && playback_.sequence() && playback_.wantedPose() == motion::WantedPose::sequence)
           playback_.play();
       });
+}
+
+bool SampleLoader::loading() const {
+  const std::vector<JobInfo> jobs = workspace_.jobs().jobs();
+  return std::any_of(jobs.begin(), jobs.end(), [](const JobInfo& job) { return job.slot == kSlot; });
 }
 
 SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& library, const std::string& name,

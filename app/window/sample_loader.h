@@ -22,6 +22,9 @@ class SampleLoader final : public QObject {
   Q_OBJECT
 
 public:
+  /// The slot of its job, which is also that of opening files.
+  static constexpr const char* kSlot = "open";
+
   SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent = nullptr);
 
   /// The names of the installed samples.
@@ -33,6 +36,8 @@ public:
   /// Replaces everything in the document by a sample, as one undo step. With `play` its motion starts at
   /// once, in a mode that shows motions.
   void load(const QString& name, bool play);
+  /// Whether a sample, or a file in its place, is being loaded.
+  bool loading() const;
 
 Q_SIGNALS:
   /// `untouched`: the document held no unsaved work before. `first`: the document was empty before.

@@ -14,7 +14,9 @@
 
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/compare/comparison.h"
 #include "window/main_window.h"
+#include "window/modes/play_mode.h"
 #include "window/modes/stress_mode.h"
 #include "window/view/view_area.h"
 
@@ -137,10 +139,16 @@ inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& play
                            std::to_string(fraction) + "; ";
 }
 
-/// Whether no work is pending: no job runs, every organ is bound, and the stress map is computed in its mode.
+/// Whether no job runs and every organ is bound.
+inline bool atPeace(app::Workspace& workspace) {
+  return workspace.jobs().idle() && !workspace.live().busy();
+}
+
+/// The same in both views, and whether the stress map is computed in its mode.
 inline bool atPeace(app::MainWindow& window) {
   app::Workspace& workspace = window.workspace();
-  if (!workspace.jobs().idle() || workspace.live().busy())
+  app::Comparison& comparison = window.play().comparison();
+  if (!atPeace(workspace) || (comparison.on() && !atPeace(comparison.workspace())))
     return false;
   if (window.mode() != "stress" || workspace.document().organs().empty())
     return true;

@@ -105,8 +105,11 @@ const Picture& Comparison::picture() const {
 /// The first view's camera stays as it is: a view that becomes narrower moves its camera back by itself, and
 /// restores it.
 void Comparison::open() {
-  if (on())
+  wanted_.reset();
+  if (on()) { // What it was still loading must not come in place of what is shown now.
+    second_->workspace.jobs().cancelSlot(SampleLoader::kSlot);
     return;
+  }
   second_ = std::make_unique<Second>(first_, first_.area.window());
   Second& second = *second_;
   firstHeader_ = new SideHeader(1);
@@ -117,7 +120,7 @@ void Comparison::open() {
       ComparedStress::Side{second.workspace, second.playback, *second.picture}, first_.view);
   connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
-  connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeRate);
+  connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeSample);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
   connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
   // After everyone has heard of the change: a change of the second document lets the transport of both tell
@@ -291,14 +294,19 @@ void Comparison::setBeside(std::shared_ptr<const sequences::Sequence> sequence) 
 }
 
 void Comparison::showSample(const QString& name) {
+  show({presentation::Compared::What::sample, name.toStdString(), 0, {}});
+}
+
+/// Until the sample is loaded, the second view keeps what it has.
+void Comparison::show(const presentation::Compared& sample) {
   open();
   dropSystem();
   same_ = false;
-  what_ = presentation::Compared::What::sample;
+  if (what_ != presentation::Compared::What::sample)
+    what_.reset();
   second_->picture->setOfSameOrgans(false);
-  sample_ = name;
-  wantedRate_ = 0;
-  second_->samples.load(name, false);
+  wanted_ = sample;
+  second_->samples.load(text(sample.name), false);
 }
 
 void Comparison::showFiles(const QStringList& files) {
@@ -333,6 +341,7 @@ void Comparison::end() {
   if (secondHeader_) // Its table reads the second document, which goes with `second`.
     delete secondHeader_->findChild<QToolButton*>(QStringLiteral("systemErrors"));
   what_.reset();
+  wanted_.reset();
   rates_.clear();
   // The picture releases the view's renderer before the view is deleted.
   second->differences.reset();
@@ -348,6 +357,8 @@ void Comparison::end() {
 }
 
 std::optional<presentation::Compared> Comparison::compared() const {
+  if (on() && wanted_ && second_->samples.loading())
+    return wanted_;
   if (!on() || !what_ || second_->workspace.document().organs().empty())
     return std::nullopt;
   using What = presentation::Compared::What;
@@ -407,9 +418,7 @@ void Comparison::restore(const presentation::Compared& compared) {
   case What::pose:
     return showPose(compared.pose);
   case What::sample:
-    showSample(text(compared.name));
-    wantedRate_ = compared.ratePerMinute;
-    return;
+    return show(compared);
   }
   setSecondRate(compared.ratePerMinute);
 }
@@ -442,10 +451,12 @@ void Comparison::syncMotion() {
 }
 
 /// At the first view's rate, or at that of a session.
-void Comparison::takeRate() {
-  const double wanted = std::exchange(wantedRate_, 0);
-  if (wanted > 0)
-    setSecondRate(wanted);
+void Comparison::takeSample(const QString& name) {
+  what_ = presentation::Compared::What::sample;
+  sample_ = name;
+  const auto wanted = std::exchange(wanted_, std::nullopt);
+  if (wanted && wanted->ratePerMinute > 0)
+    setSecondRate(wanted->ratePerMinute);
   else if (first_.playback.sequence())
     setSecondRate(first_.playback.player().ratePerMinute());
 }

@@ -64,9 +64,9 @@ public:
   /// Ends the comparison; the window shows one view again.
   void end();
 
-  /// What the first view is compared with, for saving in a session. Empty for a comparison with files, while
-  /// a comparison is still loading, and for a kept pose whose organs, handles or coordinates are no longer
-  /// the document's.
+  /// What the first view is compared with, for saving in a session; also a sample that is still loading.
+  /// Empty for a comparison with files, and for a kept pose whose organs, handles or coordinates are no
+  /// longer the document's.
   std::optional<presentation::Compared> compared() const;
   /// Restores a saved comparison; organs, motion and camera of the first view stay as they are. Shows a
   /// message when what was compared with is missing.
@@ -92,6 +92,8 @@ private:
   struct Second;
 
   void open();
+  void show(const presentation::Compared& sample);
+  void takeSample(const QString& name);
   void showPose(const Points& pose);
   void setSecondRate(double perMinute);
   bool hasWhatIsIn(const presentation::Compared& compared) const;
@@ -101,7 +103,6 @@ private:
   QToolButton* makeDifferenceButton();
   QToolButton* makeErrorsButton();
   void dropSystem();
-  void takeRate();
   void linkCameras();
   void syncHeaders();
   void syncMotion();
@@ -118,10 +119,12 @@ private:
   std::shared_ptr<const sequences::Sequence> beside_;
   bool same_ = false;
   std::optional<presentation::Compared::What> what_; ///< None: files, or nothing yet.
-  QString sample_;                                   ///< The one that was asked for.
+  QString sample_;                                   ///< The one that is shown.
   /// The rates that the user chose for the second view's sequences, per minute; restored on undo.
   std::map<std::shared_ptr<const sequences::Sequence>, double> rates_;
-  double wantedRate_ = 0; ///< Rate of the sample that is being loaded, per minute; 0: the first view's rate.
+  /// The sample that is being loaded, also after that was cancelled. Its rate is 0 where it is to have the
+  /// first view's.
+  std::optional<presentation::Compared> wanted_;
 };
 
 } // namespace viscera::app

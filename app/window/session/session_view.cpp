@@ -19,6 +19,7 @@ namespace {
 constexpr double kSameMotionMm = 0.01;
 /// The field of a view with the numbers of a measured motion.
 constexpr const char* kMeasuredField = "measured";
+constexpr const char* kMotionsSlot = "motions";
 } // namespace
 
 /// The motions of a saved view, and the state of the present one.
@@ -31,7 +32,8 @@ struct SessionView::Wanted {
   std::vector<Motion> motions;
   std::optional<presentation::Playing> playing;
   std::optional<presentation::Compared> compared;
-  Points shownPose; ///< As the picture was saved.
+  Points shownPose;                 ///< As the picture was saved.
+  document::DocumentState document; ///< Of the session.
 };
 
 SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {
@@ -43,6 +45,7 @@ SessionView::SessionView(Window window, QObject* parent) : QObject(parent), wind
 }
 
 void SessionView::forget() {
+  stopMakingMotions();
   waiting_.reset();
   window_.view.change([](presentation::ViewState& state) {
     state.slides.clear();
@@ -68,8 +71,10 @@ std::string SessionView::gather(bool shown) const {
     state.stress.range = stress.range();
   gatherMotions(state);
   state.compared = window_.comparison.compared();
-  if (window_.playback.showing())
+  if (window_.playback.showing() && !waiting_)
     state.shownPose = window_.workspace.live().shownPose();
+  if (making_ && stillShows(*making_))
+    gatherWanted(state);
   const std::string view = presentation::toJson(state);
   const std::string measured = window_.measured.record();
   if (measured.empty())
@@ -99,7 +104,8 @@ void SessionView::gatherMotions(presentation::ViewState& state) const {
   if (window_.playback.sequence())
     state.playing = presentation::Playing{present,        player.fraction(), player.ratePerMinute(),
                                           player.speed(), player.loop(),     window_.playback.showing()};
-  const auto& prescribed = player.runner().prescribed();
+  const bool waits = waiting_ && waiting_->sequence == window_.playback.sharedSequence();
+  const auto prescribed = waits ? std::optional(waiting_->volume) : player.runner().prescribed();
   if (!state.playing || !prescribed)
     return;
   presentation::Prescribed kept{prescribed->organ, prescribed->file, {}};
@@ -108,10 +114,35 @@ void SessionView::gatherMotions(presentation::ViewState& state) const {
   state.playing->prescribed = std::move(kept);
 }
 
+/// What will be shown once the motions are created: they come after those that are there by now.
+void SessionView::gatherWanted(presentation::ViewState& state) const {
+  std::vector<int> rows; // In `state`, of each wanted motion.
+  for (const Wanted::Motion& motion : making_->motions) {
+    const bool there = motion.organ && window_.workspace.document().organ(motion.organ->id);
+    rows.push_back(there ? static_cast<int>(state.motions.size()) : -1);
+    if (there)
+      state.motions.push_back({motion.organ->id, motion.recipe});
+  }
+  if (const auto& playing = making_->playing) {
+    const bool made = playing->motion >= 0 && playing->motion < static_cast<int>(rows.size());
+    const int row = made ? rows[static_cast<std::size_t>(playing->motion)] : -1;
+    if (playing->motion < 0 || row >= 0) {
+      state.playing = playing;
+      state.playing->motion = row;
+    }
+  }
+  if (making_->compared)
+    state.compared = making_->compared;
+  if (making_->document == window_.workspace.state())
+    state.shownPose = making_->shownPose;
+}
+
 void SessionView::apply(const std::string& text) {
   presentation::ViewState state = presentation::viewFromJson(text);
+  stopMakingMotions();
   waiting_.reset();
   Wanted wanted;
+  wanted.document = window_.workspace.state();
   for (presentation::MotionChoice& motion : state.motions)
     wanted.motions.push_back(
         {window_.workspace.document().organ(motion.organ), std::move(motion.recipe), nullptr});
@@ -135,22 +166,44 @@ void SessionView::apply(const std::string& text) {
     presentation::lookFrom(*camera, window_.view.state(), window_.picture.view());
   else
     Q_EMIT framingWanted();
-  makeMotions(wanted);
+  makeMotions(std::move(wanted));
 }
 
-void SessionView::makeMotions(const Wanted& wanted) {
+void SessionView::makeMotions(Wanted wanted) {
   if (wanted.motions.empty())
     return show(wanted);
-  window_.workspace.inBackground<Wanted>(
-      tr("Preparing the motion"), "motions",
-      [wanted, library = sample_organs::standardLibrary()](Progress& progress) {
-        Wanted made = wanted;
+  making_ = std::make_shared<const Wanted>(std::move(wanted));
+  window_.workspace.jobs().submit<Wanted>(
+      tr("Preparing the motion").toStdString(), kMotionsSlot,
+      [wanted = making_, library = sample_organs::standardLibrary()](Progress& progress) {
+        Wanted made = *wanted;
         for (Wanted::Motion& item : made.motions)
           if (item.organ)
             item.sequence = motion::makeMotion(item.recipe, *item.organ, library, progress);
         return made;
       },
-      [this](const Wanted& made) { show(made); });
+      [this, wanted = making_](const JobResult<Wanted>& made) {
+        if (wanted != making_) // Another session has been opened.
+          return;
+        making_.reset();
+        if (made.error)
+          window_.workspace.report(*made.error);
+        if (made.value && stillShows(*made.value))
+          show(*made.value);
+      });
+}
+
+void SessionView::stopMakingMotions() {
+  making_.reset();
+  window_.workspace.jobs().cancelSlot(kMotionsSlot);
+}
+
+/// False once other organs, such as a sample, have taken the place of the session's.
+bool SessionView::stillShows(const Wanted& wanted) const {
+  const document::OrganList& organs = *wanted.document.organs;
+  return organs.empty() || std::any_of(organs.begin(), organs.end(), [this](const auto& organ) {
+           return window_.workspace.document().organ(organ->id) != nullptr;
+         });
 }
 
 void SessionView::show(const Wanted& wanted) {

@@ -40,7 +40,8 @@ public:
   explicit SessionView(Window window, QObject* parent = nullptr);
 
   /// The present view as JSON (docs/session_format.md); `shown` as a slide shows it, else with the look from
-  /// before the slide: a session opens with that.
+  /// before the slide: a session opens with that. Motions that are still created, and what waits for them,
+  /// are in it as they were saved.
   std::string gather(bool shown = false) const;
   /// Restores that view in the window. A worker creates the motions, which are shown when it is done. Throws
   /// `DataError` for text that is not such a view, and then changes nothing.
@@ -59,8 +60,11 @@ private:
   struct Wanted;
 
   void gatherMotions(presentation::ViewState& state) const;
+  void gatherWanted(presentation::ViewState& state) const;
   void recallMeasured(const std::string& text);
-  void makeMotions(const Wanted& wanted);
+  void makeMotions(Wanted wanted);
+  void stopMakingMotions();
+  bool stillShows(const Wanted& wanted) const;
   void show(const Wanted& wanted);
   void play(const Wanted& wanted);
   void prescribe(const presentation::Prescribed& prescribed);
@@ -74,6 +78,7 @@ private:
   };
 
   Window window_;
+  std::shared_ptr<const Wanted> making_; ///< What a worker creates the motions of, or null.
   std::optional<Waiting> waiting_;
   Subscription subscription_;
 };
