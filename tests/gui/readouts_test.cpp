@@ -16,6 +16,7 @@
 #include <vtkRenderer.h>
 
 #include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/compare/compared_system.h"
@@ -338,6 +339,17 @@ TEST_F(SecondViewOfASession, HasItsSampleAndNoFiles) {
   EXPECT_EQ(comparison().workspace().document().organs().front()->name, name);
   comparison().showFiles({sphereFile(QStringLiteral("other.stl"), 40)});
   EXPECT_FALSE(comparison().compared());
+}
+
+TEST_F(SecondViewOfASession, HasItsSampleAlsoBesideNoOrgan) {
+  comparison().showSample(QStringLiteral("kidney_left"));
+  waitForSecond();
+  const std::string name = comparison().workspace().document().organs().front()->name;
+  ASSERT_TRUE(window().workspace().perform(document::removeAllOrgans()));
+  saveAndOpen();
+  waitForSecond();
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_EQ(comparison().workspace().document().organs().front()->name, name);
 }
 
 TEST_F(SecondViewOfASession, WithCoordinatesThatAreNotThereSaysSo) {

@@ -395,7 +395,8 @@ void Comparison::restore(const presentation::Compared& compared) {
   using What = presentation::Compared::What;
   const bool posed =
       compared.what != What::pose || compared.pose.rows() == first_.workspace.document().pose().rows();
-  if (first_.workspace.document().organs().empty() || !posed)
+  const bool ofFirst = compared.what != What::sample;
+  if ((ofFirst && first_.workspace.document().organs().empty()) || !posed)
     return;
   open();
   if (!hasWhatIsIn(compared)) {
