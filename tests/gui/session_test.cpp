@@ -329,6 +329,27 @@ TEST_F(SessionTest, ASampleAtItsInstantComesBackPlayingThere) {
   EXPECT_EQ(document().organs().front()->origin.sample, "heart@medium");
 }
 
+TEST_F(SessionTest, AnInstantBehindAnotherPoseComesBackThere) {
+  window().samples().load(QStringLiteral("heart"), false);
+  ASSERT_TRUE(waitUntil([this] { return window().playback().sequence() != nullptr; }));
+  settle();
+  window().setMode("play");
+  window().playback().seek(0.4);
+  const Points pose = window().workspace().live().shownPose();
+  window().setMode("deform");
+  ASSERT_NE(window().workspace().live().shownPose(), pose);
+  save(path(QStringLiteral("beat.viscera")));
+  reopenWindow();
+  open(path(QStringLiteral("beat.viscera")));
+  ASSERT_TRUE(waitUntil([this] { return window().playback().sequence() != nullptr; }));
+  settle();
+  EXPECT_EQ(window().mode(), "deform");
+  EXPECT_FALSE(window().playback().showing());
+  EXPECT_EQ(window().playback().player().fraction(), 0.4);
+  window().setMode("play");
+  EXPECT_EQ(window().workspace().live().shownPose(), pose);
+}
+
 TEST_F(SessionTest, ASessionOfAnOlderMotionShowsTheOneOfTodayAndSaysSo) {
   open(QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/play_peristalsis_light.viscera"));
   ASSERT_TRUE(waitUntil([this] { return window().playback().showing(); })) << message().toStdString();

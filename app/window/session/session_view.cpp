@@ -234,6 +234,8 @@ void SessionView::play(const Wanted& wanted) {
       playback.seek(playing.fraction);
       if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
         warnAboutChangedMotion(wanted.shownPose);
+    } else if (playing.fraction > 0 && playback.wantedPose() != motion::WantedPose::sequence) {
+      playback.setPlace(playing.fraction);
     }
   }
 }

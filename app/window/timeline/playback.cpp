@@ -201,6 +201,10 @@ void Playback::seek(double fraction) {
     changeTransport([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });
 }
 
+void Playback::setPlace(double fraction) {
+  changeTransport([&] { transport_->setPlace(std::clamp(fraction, 0.0, 1.0)); });
+}
+
 void Playback::step(int frames) {
   pause();
   if (start())

@@ -96,6 +96,8 @@ public Q_SLOTS:
   void setSpeed(double speed);
   /// Goes to an instant of the cycle, [0, 1].
   void seek(double fraction);
+  /// The same, without a request for a mode that shows it: for a session that was saved in another one.
+  void setPlace(double fraction);
   /// Steps by frames of a twenty-fifth of a second.
   void step(int frames);
   /// Steps by the smallest useful time of this sequence (10 ms for a heart), or by frames if it has none.

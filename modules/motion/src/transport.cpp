@@ -11,7 +11,12 @@
 namespace viscera::motion {
 namespace {
 constexpr double kFastestSpeed = 10;
+
+void requirePlace(double fraction) {
+  if (!(fraction >= 0 && fraction <= 1))
+    throw UsageError("A place in the cycle lies between 0 and 1");
 }
+} // namespace
 
 Transport::Clock Transport::steadyClock() {
   return [] {
@@ -86,9 +91,14 @@ bool Transport::advance() {
 }
 
 void Transport::seek(double fraction) {
-  if (!(fraction >= 0 && fraction <= 1))
-    throw UsageError("A place in the cycle lies between 0 and 1");
-  if (!ready())
+  requirePlace(fraction);
+  if (ready())
+    setPlace(fraction);
+}
+
+void Transport::setPlace(double fraction) {
+  requirePlace(fraction);
+  if (players_.empty() || !players_.front()->movable())
     return;
   const bool was = std::exchange(started_, true);
   players_.front()->fraction_ = loop_ && fraction >= 1 ? 0 : fraction;

@@ -216,6 +216,20 @@ TEST(Transport, ShowsThePoseThatIsWantedAndComesBackToItsInstant) {
   EXPECT_EQ(s.live.shownPose(), s.document.pose());
 }
 
+TEST(Transport, ShowsAPlaceThatWasSetWhileAnotherPoseWasWantedOnceTheSequencesIs) {
+  Stage s;
+  s.transport.setPose(WantedPose::document);
+  s.transport.seek(0.25);
+  EXPECT_EQ(s.player.fraction(), 0) << "nobody would see it";
+  s.transport.setPlace(0.25);
+  EXPECT_EQ(s.player.fraction(), 0.25);
+  EXPECT_FALSE(s.transport.showing());
+  EXPECT_EQ(s.live.shownPose(), s.document.pose());
+  s.transport.setPose(WantedPose::sequence);
+  EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
+  EXPECT_THROW(s.transport.setPlace(1.5), UsageError);
+}
+
 TEST(Transport, StopsAtTheBeginningWhenTheHandlesAreNoLongerTheSequences) {
   for (const bool playing : {true, false}) {
     Stage s;

@@ -47,6 +47,8 @@ public:
   /// Goes to a place of the first view's cycle, [0, 1]; playing goes on from there. Throws `UsageError`
   /// outside. Nothing happens if `play` would do nothing.
   void seek(double fraction);
+  /// The same, also while another pose is wanted: the place is shown when the sequence's is wanted again.
+  void setPlace(double fraction);
   /// Pauses, and moves by some seconds of the sequence, forward or back.
   void step(double seconds);
   void setPose(WantedPose pose);
