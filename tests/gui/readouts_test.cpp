@@ -350,6 +350,9 @@ TEST_F(SecondViewOfASession, HasItsSampleAlsoBesideNoOrgan) {
   waitForSecond();
   EXPECT_TRUE(document().organs().empty());
   EXPECT_EQ(comparison().workspace().document().organs().front()->name, name);
+  scene::OrganView& second = comparison().view().view();
+  const Vec3 focus(second.renderer()->GetActiveCamera()->GetFocalPoint());
+  EXPECT_LT((focus - second.bounds().center()).norm(), 0.1 * second.bounds().diagonal()) << "in the middle";
 }
 
 TEST_F(SecondViewOfASession, WithCoordinatesThatAreNotThereSaysSo) {

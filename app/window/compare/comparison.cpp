@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "viscera/presentation/presenter.h"
 #include "window/compare/compared_stress.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/difference_map.h"
@@ -474,8 +475,12 @@ void Comparison::setSecondRate(double perMinute) {
 void Comparison::linkCameras() {
   ViewWidget& first = *first_.area.view();
   second_->cameras = std::make_unique<CameraLink>(first, *second_->view);
+  const document::DocumentState& state = first_.workspace.state();
+  const bool nothing = state.organs->empty() && !state.scan; // The camera looks at what was there.
   if (!same_)
-    second_->cameras->setOffset(second_->view->view().bounds().center() - first.view().bounds().center());
+    second_->cameras->setOffset(
+        second_->view->view().bounds().center() -
+        (nothing ? presentation::cameraOf(first.view()).focus : first.view().bounds().center()));
   syncHeaders();
 }
 
