@@ -18,11 +18,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "../window_probe.h"
 #include "label_files.h"
@@ -39,7 +41,7 @@
 namespace viscera::tests {
 namespace {
 
-constexpr int kLongestWait = 90000; ///< ms; a sample heart may have to be made first.
+constexpr int kLongestWait = 90000; ///< ms, for one job; a sample heart may have to be made first.
 constexpr int kTick = 5;            ///< ms between looks at a window that works.
 /// ms, after which also those parts of the window have come round that wait for the hand to rest.
 constexpr int kPause = 130;
@@ -77,6 +79,16 @@ constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
                                           {"session", 3},
                                           {"window", 3},
                                           {"play", 8}}};
+
+/// The ids of the oldest job of each view; 0: it has none.
+std::array<std::int64_t, 2> oldestJobs(app::MainWindow& window) {
+  const auto oldest = [](app::Workspace& workspace) {
+    const std::vector<JobInfo> jobs = workspace.jobs().jobs();
+    return jobs.empty() ? 0 : jobs.front().id;
+  };
+  app::Comparison& comparison = window.play().comparison();
+  return {oldest(window.workspace()), comparison.on() ? oldest(comparison.workspace()) : 0};
+}
 
 /// The visible and enabled widgets.
 std::vector<QWidget*> usableWidgets(QWidget& window) {
@@ -300,6 +312,7 @@ void WindowMonkey::pump() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
+/// Each organ of a heart is bound by a job of its own, and by slow coordinates that takes long.
 void WindowMonkey::settle() {
   constexpr int kQuietLooks = 3;
   QElapsedTimer timer;
@@ -307,8 +320,11 @@ void WindowMonkey::settle() {
   QTimer tick; // Wakes the loop where nothing else does.
   tick.start(kTick);
   int quiet = 0;
+  std::array<std::int64_t, 2> jobs = oldestJobs(*window_);
   while (quiet < kQuietLooks && timer.elapsed() < kLongestWait) {
     pump();
+    if (const auto now = oldestJobs(*window_); std::exchange(jobs, now) != now)
+      timer.restart();
     quiet = atPeace(*window_) ? quiet + 1 : 0;
     if (quiet == 0)
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
