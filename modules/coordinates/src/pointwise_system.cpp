@@ -50,7 +50,7 @@ PointwiseSystem::PointwiseSystem(SystemDescription description, Prepare prepare)
                                          Progress&) { return prepare(handles, options.parameters); }) {}
 
 /// After the checks that every system asks for.
-std::unique_ptr<const PointSolver> PointwiseSystem::solverFor(const HandleSet& handles, const Points& points,
+std::shared_ptr<const PointSolver> PointwiseSystem::solverFor(const HandleSet& handles, const Points& points,
                                                               const BindOptions& options,
                                                               Progress& progress) const {
   options.parameters.requireWithin(parameters());

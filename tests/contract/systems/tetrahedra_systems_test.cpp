@@ -120,6 +120,38 @@ TEST(Harmonic, SayWhichProgramIsMissing) {
   }
 }
 
+/// As the organs of one document, and the witness points inside one.
+TEST(SystemsOnTetrahedra, SolveOnceForPointsThatAreBoundToTheSameHandles) {
+  for (const char* id : {"harmonic", "bounded-biharmonic"}) {
+    Progress progress;
+    const auto system = tests::builtIn(id);
+    BindOptions options = deformation::withTetgen(tests::optionsFor(*system, {{"resolution", "6"}}));
+    int meshed = 0;
+    options.tetrahedralise = [&meshed, tetgen = options.tetrahedralise](auto&&... arguments) {
+      ++meshed;
+      return tetgen(arguments...);
+    };
+    HandleSet handles = tests::concaveCage();
+    const Points first = tests::cloud(20, 5, 4, Vec3(6, 6, 50)),
+                 second = tests::cloud(30, 6, 4, Vec3(6, 6, 50));
+    system->bind(handles, first, options, progress);
+    const auto shared = system->bind(handles, second, options, progress);
+    system->gradients(handles, first, options, progress);
+    EXPECT_EQ(meshed, 1) << id;
+    const auto alone = tests::builtIn(id)->bind(handles, second, options, progress);
+    EXPECT_EQ(meshed, 2) << id;
+    EXPECT_EQ(coordinatesOf(*shared), coordinatesOf(*alone)) << id;
+
+    options.parameters.setFromText(system->parameters(), "resolution", "7");
+    system->bind(handles, second, options, progress);
+    EXPECT_EQ(meshed, 3) << id << ": another resolution";
+    handles.positions *= 1.1;
+    system->bind(handles, second, options, progress);
+    EXPECT_EQ(meshed, 4) << id << ": other handles";
+    EXPECT_THROW(system->bind(handles, second, {}, progress), UsageError) << "without a mesher";
+  }
+}
+
 TEST(BoundedBiharmonic, AreBoundedLocalAndConverge) {
   HandleSet handles;
   handles.positions = tests::onSphere(20, 50);

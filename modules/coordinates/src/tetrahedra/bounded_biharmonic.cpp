@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tetrahedra/finite_elements.h"
+#include "tetrahedra/last_solver.h"
 #include "tetrahedra/simplex_program.h"
 #include "tetrahedra/tetrahedra_field.h"
 #include "viscera/geometry/convex_hull.h"
@@ -148,6 +149,6 @@ BoundedBiharmonic::BoundedBiharmonic()
                       .smooth = false,
                       .affine = false},
            .parameters = {kBiharmonicResolution, kMargin}},
-          prepareBiharmonic) {}
+          keepingTheLastSolver(prepareBiharmonic)) {}
 
 } // namespace viscera::coordinates

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "tetrahedra/finite_elements.h"
+#include "tetrahedra/last_solver.h"
 #include "tetrahedra/tetrahedra_field.h"
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
@@ -111,6 +112,6 @@ Harmonic::Harmonic()
                       .rotationInvariant = false,
                       .smooth = false},
            .parameters = {kHarmonicResolution}},
-          prepareHarmonic) {}
+          keepingTheLastSolver(prepareHarmonic)) {}
 
 } // namespace viscera::coordinates

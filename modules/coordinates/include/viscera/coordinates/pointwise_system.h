@@ -41,7 +41,7 @@ public:
                                                                    const ParameterValues& parameters)>;
   /// For systems whose coordinates of one point depend on the other points that are bound with it, and for
   /// those that take long or need tetrahedra. Throws as `Prepare`, and `Cancelled`.
-  using PrepareFor = std::function<std::unique_ptr<const PointSolver>(
+  using PrepareFor = std::function<std::shared_ptr<const PointSolver>(
       const HandleSet& handles, const Points& points, const BindOptions& options, Progress& progress)>;
 
   PointwiseSystem(SystemDescription description, PrepareFor prepare)
@@ -55,7 +55,7 @@ public:
                                 Progress& progress) const override;
 
 private:
-  std::unique_ptr<const PointSolver> solverFor(const HandleSet& handles, const Points& points,
+  std::shared_ptr<const PointSolver> solverFor(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const;
 
   PrepareFor prepare_;
