@@ -41,7 +41,7 @@
 namespace viscera::tests {
 namespace {
 
-constexpr int kLongestWait = 90000; ///< ms, for one job; a sample heart may have to be made first.
+constexpr int kLongestWait = 90000; ///< ms, in which no job gets on; a heart may be made without a report.
 constexpr int kTick = 5;            ///< ms between looks at a window that works.
 /// ms, after which also those parts of the window have come round that wait for the hand to rest.
 constexpr int kPause = 130;
@@ -80,14 +80,17 @@ constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
                                           {"window", 3},
                                           {"play", 8}}};
 
-/// The ids of the oldest job of each view; 0: it has none.
-std::array<std::int64_t, 2> oldestJobs(app::MainWindow& window) {
+/// A job and how far it is.
+using Place = std::pair<std::int64_t, double>;
+
+/// Of the oldest job of each view; zero: it has none.
+std::array<Place, 2> oldestJobs(app::MainWindow& window) {
   const auto oldest = [](app::Workspace& workspace) {
     const std::vector<JobInfo> jobs = workspace.jobs().jobs();
-    return jobs.empty() ? 0 : jobs.front().id;
+    return jobs.empty() ? Place() : Place(jobs.front().id, jobs.front().fraction);
   };
   app::Comparison& comparison = window.play().comparison();
-  return {oldest(window.workspace()), comparison.on() ? oldest(comparison.workspace()) : 0};
+  return {oldest(window.workspace()), comparison.on() ? oldest(comparison.workspace()) : Place()};
 }
 
 /// The visible and enabled widgets.
@@ -312,7 +315,7 @@ void WindowMonkey::pump() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-/// Each organ of a heart is bound by a job of its own, and by slow coordinates that takes long.
+/// Waits as long as jobs get on: some attempts of the thesis take minutes for many handles.
 void WindowMonkey::settle() {
   constexpr int kQuietLooks = 3;
   QElapsedTimer timer;
@@ -320,7 +323,7 @@ void WindowMonkey::settle() {
   QTimer tick; // Wakes the loop where nothing else does.
   tick.start(kTick);
   int quiet = 0;
-  std::array<std::int64_t, 2> jobs = oldestJobs(*window_);
+  std::array<Place, 2> jobs = oldestJobs(*window_);
   while (quiet < kQuietLooks && timer.elapsed() < kLongestWait) {
     pump();
     if (const auto now = oldestJobs(*window_); std::exchange(jobs, now) != now)
