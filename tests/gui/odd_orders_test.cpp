@@ -1,10 +1,13 @@
 #include "window_test.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "shapes.h"
 #include "viscera/document/organ_commands.h"
@@ -38,6 +41,25 @@ protected:
     settle();
   }
 };
+
+TEST_F(OddOrders, ARenameDuringARenameEndsTheFirstWithWhatWasTyped) {
+  open(sphereFile());
+  auto& list = find<QTreeWidget>("organList");
+  const auto editor = [&list] { return list.viewport()->findChild<QLineEdit*>(); };
+  window().actions()["organ.rename"]->trigger();
+  ASSERT_NE(editor(), nullptr);
+  editor()->setText(QStringLiteral("liver"));
+  window().actions()["organ.rename"]->trigger();
+  settle();
+  EXPECT_EQ(document().organs().front()->name, "liver");
+  ASSERT_NE(editor(), nullptr) << "the second is open";
+  EXPECT_EQ(editor()->text(), QStringLiteral("liver"));
+  editor()->setText(QStringLiteral("spleen"));
+  QTest::keyClick(editor(), Qt::Key_Return);
+  settle();
+  EXPECT_EQ(document().organs().front()->name, "spleen");
+  EXPECT_EQ(window().workspace().undo().names().size(), 3u);
+}
 
 TEST_F(OddOrders, TheMapOfDifferencesComesAndGoesWithItsViewAndItsOrgans) {
   open(sphereFile());

@@ -21,6 +21,7 @@
 #include "window/panels/volume_column.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
+#include "window/widgets/end_edit.h"
 #include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -181,6 +182,7 @@ void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
 }
 
 void OrganPanel::editName() {
+  endEdit(*list_);
   const auto organ = workspace_.currentOrgan();
   if (organ && items_.count(organ->id))
     list_->editItem(items_[organ->id], kOrganName);
