@@ -55,7 +55,7 @@ struct BindOptions {
 };
 
 /// The interface of all coordinate systems: it binds points to handles, which means that it computes their
-/// coordinates. Stateless; every member may be called from several threads.
+/// coordinates. Results depend on the arguments alone; every member may be called from several threads.
 ///
 ///     Progress progress;
 ///     const auto binding = system->bind(handles, mesh.points, {}, progress);
