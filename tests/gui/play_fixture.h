@@ -1,10 +1,13 @@
 #pragma once
 
+#include <QComboBox>
+#include <QFile>
 #include <QTest>
 
 #include <string>
 
 #include "window/modes/play_mode.h"
+#include "window/panels/curve_box.h"
 #include "window_test.h"
 
 namespace viscera::tests {
@@ -44,6 +47,20 @@ protected:
       window().playback().advance();
       QTest::qWait(1);
     }
+  }
+  /// Prescribes 130 ml for the left ventricle at the beginning of the cycle and 75 ml in its middle, which is
+  /// shown. Returns the file with the curve.
+  QString prescribeLeftVentricle() {
+    QFile file(path(QStringLiteral("lv.csv")));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("fraction,ml\n0,130\n0.5,75\n");
+    file.close();
+    auto& organ = find<QComboBox>("curveOrgan");
+    organ.setCurrentIndex(organ.findText(QStringLiteral("LV cavity")));
+    window().findChild<app::CurveBox*>()->load(file.fileName());
+    window().playback().seek(0.5);
+    EXPECT_NEAR(volumeOf("LV"), 75, 1e-6) << message().toStdString();
+    return file.fileName();
   }
   app::PlayMode& parts() { return window().play(); }
 };

@@ -434,19 +434,11 @@ TEST_F(PlayMode, AVolumeCurveIsFollowedUntilItIsTakenBack) {
 }
 
 TEST_F(PlayMode, ASessionKeepsThePrescribedVolume) {
-  QFile file(path(QStringLiteral("lv.csv")));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("fraction,ml\n0,130\n0.5,75\n");
-  file.close();
-  auto& organ = find<QComboBox>("curveOrgan");
-  organ.setCurrentIndex(organ.findText(QStringLiteral("LV cavity")));
-  window().findChild<app::CurveBox*>()->load(file.fileName());
-  window().playback().seek(0.5);
-  ASSERT_NEAR(volumeOf("LV"), 75, 1e-6) << message().toStdString();
+  const QString curve = prescribeLeftVentricle();
   bool done = false;
   window().sessions().saveTo(path(QStringLiteral("lv.viscera")), false, [&] { done = true; });
   ASSERT_TRUE(waitUntil([&] { return done; }));
-  QFile::remove(file.fileName());
+  QFile::remove(curve);
   reopenWindow();
   open(path(QStringLiteral("lv.viscera")));
   ASSERT_TRUE(waitUntil([&] { return window().playback().player().runner().prescribed().has_value(); }))

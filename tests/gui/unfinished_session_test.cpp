@@ -1,7 +1,5 @@
 #include "play_fixture.h"
 
-#include <QComboBox>
-#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -12,7 +10,6 @@
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "window/compare/comparison.h"
-#include "window/panels/curve_box.h"
 #include "window/session/session_files.h"
 
 namespace viscera::tests {
@@ -142,15 +139,7 @@ TEST_F(UnfinishedSession, ASampleThatStillLoadsDoesNotReplaceWhatIsChosenAfterIt
 }
 
 TEST_F(UnfinishedSession, HasThePrescribedVolumeThatWaitsForItsOrgan) {
-  QFile curve(path(QStringLiteral("lv.csv")));
-  ASSERT_TRUE(curve.open(QIODevice::WriteOnly));
-  curve.write("fraction,ml\n0,130\n0.5,75\n");
-  curve.close();
-  auto& organ = find<QComboBox>("curveOrgan");
-  organ.setCurrentIndex(organ.findText(QStringLiteral("LV cavity")));
-  window().findChild<app::CurveBox*>()->load(curve.fileName());
-  window().playback().seek(0.5);
-  ASSERT_NEAR(volumeOf("LV"), 75, 1e-6) << message().toStdString();
+  prescribeLeftVentricle();
   const QString file = save();
   const Json before = view();
   reopenWindow();

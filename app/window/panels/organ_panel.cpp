@@ -1,5 +1,6 @@
 #include "window/panels/organ_panel.h"
 
+#include <QAbstractItemDelegate>
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -21,7 +22,6 @@
 #include "window/panels/volume_column.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
-#include "window/widgets/end_edit.h"
 #include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -62,6 +62,17 @@ QTreeWidget* makeList(QWidget* parent) {
   list->setItemDelegateForColumn(kOrganVolume, new VolumeColumn(list));
   list->setMinimumHeight(56);
   return list;
+}
+
+/// Ends the edit of a name, if one is under way, with what was typed: Qt begins no other before. May change
+/// the rows.
+void endEdit(const QTreeWidget& list) {
+  auto* editor = list.viewport()->findChild<QLineEdit*>();
+  if (!editor)
+    return;
+  QAbstractItemDelegate* delegate = list.itemDelegate();
+  Q_EMIT delegate->commitData(editor);
+  Q_EMIT delegate->closeEditor(editor);
 }
 
 } // namespace
