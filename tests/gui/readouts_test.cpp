@@ -364,5 +364,34 @@ TEST_F(SecondViewOfASession, WithCoordinatesThatAreNotThereSaysSo) {
   EXPECT_TRUE(message().contains(QStringLiteral("nobodys"))) << message().toStdString();
 }
 
+/// A mode that learns of other organs may show the chart before the chart itself learns of them.
+TEST_F(Readouts, OfAChartThatIsShownBeforeItKnowsOfOtherOrgansFollow) {
+  app::VolumeMonitor monitor(window().workspace(), window().playback());
+  app::VolumePanel* shown = nullptr;
+  QObject earlier;
+  QObject::connect(&monitor, &app::VolumeMonitor::linesChanged, &earlier, [&] {
+    if (shown) {
+      shown->hide();
+      shown->show();
+    }
+  });
+  app::VolumePanel panel(monitor, window().playback(), window().viewModel());
+  const auto tiles = [&] {
+    return static_cast<std::size_t>(panel.findChildren<QLabel*>(QStringLiteral("tileValue")).size());
+  };
+  shown = &panel;
+  panel.show();
+  std::vector<document::OrganId> others;
+  for (std::size_t organ = 1; organ < document().organs().size(); ++organ)
+    others.push_back(document().organs()[organ]->id);
+  ASSERT_GT(others.size(), 1);
+  ASSERT_TRUE(window().workspace().perform(document::removeOrgans(others)));
+  EXPECT_EQ(tiles(), monitor.lines().size());
+  panel.setNormalsOf(monitor.lines().size());
+  window().workspace().undo().undo();
+  EXPECT_EQ(tiles(), monitor.lines().size());
+  EXPECT_GT(tiles(), 1);
+}
+
 } // namespace
 } // namespace viscera::tests

@@ -404,6 +404,8 @@ void VolumePanel::take(const motion::VolumeRecord* record) {
 }
 
 void VolumePanel::followFrame() {
+  if (!followsLines())
+    return;
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
     tiles_[line].value->setText(formatMilliliters(monitor_.lines()[line].nowMl));
     tiles_[line].detail->setText(detailOf(line));
@@ -418,6 +420,8 @@ void VolumePanel::refreshIfNew() {
 }
 
 void VolumePanel::refresh() {
+  if (!followsLines())
+    return;
   if (normalsOf_ < monitor_.lines().size() && monitor_.beats(normalsOf_) != normalsBeat_)
     syncNormals();
   followFrame();

@@ -65,6 +65,8 @@ private:
   QWidget* makeTiles();
   void makeChart();
   void rebuild();
+  /// Whether `rebuild` has followed the monitor's lines; another observer of these may show the panel before.
+  bool followsLines() const { return tiles_.size() == monitor_.lines().size(); }
   void refresh();
   /// As `refresh`, without drawing the same cycle again.
   void refreshIfNew();
