@@ -16,6 +16,8 @@ namespace {
 
 /// Points that a thread takes at once: whole tiles, so that no two threads write into the same one.
 constexpr Eigen::Index kPointsAtOnce = 4 * TiledWeights::kTile;
+/// A report after every point would cost more than many points do.
+constexpr std::chrono::milliseconds kReportEvery{100};
 
 /// Calls `solve(point)` for every point, on several threads; the points for which it is false, ascending.
 std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progress,
@@ -23,12 +25,20 @@ std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progr
   std::vector<char> failed(static_cast<std::size_t>(count));
   std::atomic<Eigen::Index> done{0};
   progress.throwIfCancelled();
+  const auto report = [&] { progress.report(static_cast<double>(done) / static_cast<double>(count)); };
   parallelRanges(count, kPointsAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    auto reported = std::chrono::steady_clock::now();
     for (Eigen::Index point = begin; point < end; ++point) {
-      progress.throwIfCancelled(); // Some systems take seconds a point.
+      progress.throwIfCancelled();
       failed[static_cast<std::size_t>(point)] = solve(point) ? 0 : 1;
+      ++done;
+      const auto now = std::chrono::steady_clock::now();
+      if (now - reported >= kReportEvery && point + 1 < end) { // Some systems take seconds a point.
+        reported = now;
+        report();
+      }
     }
-    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(count));
+    report();
   });
   std::vector<int> failures;
   for (std::size_t point = 0; point < failed.size(); ++point)

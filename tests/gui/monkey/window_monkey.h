@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
@@ -97,6 +98,7 @@ private:
   void dismissDialogs();
   static void pump();
   void settle();
+  bool comesToPeace(int milliseconds, const std::function<void()>& meanwhile = {});
   /// Returns false if the session could not be saved.
   bool save(const QString& file, bool embed);
   QPoint placeInView(double x, double y);
@@ -112,7 +114,8 @@ private:
   document::DocumentState begin_; ///< Where undo leads to.
   Subscription changes_;
   std::string did_;
-  bool stuck_ = false; ///< The work that was started did not end in time.
+  int patience_ = 60000; ///< ms, for the work that an action begins.
+  bool stuck_ = false;   ///< The work that was cancelled did not end in time.
 };
 
 } // namespace viscera::tests

@@ -1,11 +1,17 @@
 #include "viscera/coordinates/coordinate_system.h"
 
+#include <chrono>
+#include <memory>
 #include <set>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "clouds.h"
 #include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {
@@ -40,6 +46,16 @@ public:
   }
 };
 
+/// Takes its time for each point, as some attempts of the thesis with many handles.
+class Slow final : public PointSolver {
+public:
+  bool solve(const Vec3&, Values& weights) const override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));
+    weights.setConstant(1.0 / static_cast<double>(weights.size()));
+    return true;
+  }
+};
+
 } // namespace
 
 TEST(CoordinateSystem, DifferentiatesByCentralDifferences) {
@@ -58,6 +74,23 @@ TEST(CoordinateSystem, DifferentiatesByCentralDifferences) {
   EXPECT_LT((gradients.values.topRows(4) - expected).cwiseAbs().maxCoeff(), 1e-10);
   EXPECT_LT((gradients.values.bottomRows(4) - expected).cwiseAbs().maxCoeff(), 1e-10);
   EXPECT_EQ(gradients.values.middleRows(4, 4), Points::Zero(4, 3));
+}
+
+/// Or a slow system looks as if it hung: threads take many points at once.
+TEST(PointwiseSystem, ReportsItsProgressWithinTheFirstPointsOfASlowSystem) {
+  const PointwiseSystem slow({"slow", "Slow", "For tests", {}},
+                             PointwiseSystem::Prepare([](const HandleSet&, const ParameterValues&) {
+                               return std::make_unique<const Slow>();
+                             }));
+  HandleSet handles;
+  handles.positions.resize(4, 3);
+  handles.positions << 0, 0, 0, 20, 0, 0, 0, 10, 0, 0, 0, 5;
+  std::vector<double> reports;
+  Progress progress([&](double fraction, const std::string&) { reports.push_back(fraction); });
+  BindOptions options;
+  options.threads = Threads(1);
+  slow.bind(handles, Points::Constant(4, 3, 1), options, progress);
+  EXPECT_EQ(reports, (std::vector<double>{0.25, 0.5, 0.75, 1}));
 }
 
 TEST(BuiltInSystems, HaveDifferentNames) {
