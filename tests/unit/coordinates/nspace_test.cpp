@@ -170,6 +170,21 @@ TEST(CCelestial, WalkBeginsAtEveryPoint) {
     EXPECT_TRUE(alongLine("c-celestial", handles, {{"samples", "10"}}).report.failures.empty()) << handles;
 }
 
+/// With many handles a point takes minutes.
+TEST(CCelestial, IsCancelledWithinOnePoint) {
+  const auto system = tests::builtIn("c-celestial");
+  for (const char* sampling : {"hit-and-run", "sphere", "cube"}) {
+    int looks = 0;
+    Progress progress({}, [&] {
+      if (++looks == 100)
+        progress.cancel();
+    });
+    const auto options = tests::optionsFor(*system, {{"sampling", sampling}, {"samples", "1000000"}});
+    EXPECT_THROW(system->bind(tests::handlesAroundLine(9), Points::Zero(1, 3), options, progress), Cancelled)
+        << sampling;
+  }
+}
+
 TEST(CCelestial, WalkedAndThrownMeanTheSameCentre) {
   const auto thrown = coordinatesOnLine("c-celestial", 9, {{"sampling", "sphere"}, {"samples", "20000"}}, 20);
   const auto walked = coordinatesOnLine("c-celestial", 9, {{"samples", "20000"}}, 20);

@@ -52,6 +52,7 @@ struct Sampler {
   Sampling sampling;
   int samples;
   unsigned seed;
+  const Progress& progress; ///< Of the binding; a million samples with many handles take minutes a point.
 
   bool operator()(const HandleDirections& sight, Values& beta) const {
     const BalancedSpace<3> space(sight.units);
@@ -77,6 +78,7 @@ struct Sampler {
     std::uniform_real_distribution<double> part(0, 1);
     Values way(beta.size());
     for (int sample = 0; sample < samples; ++sample) {
+      progress.throwIfCancelled();
       for (Eigen::Index i = 0; i < way.size(); ++i)
         way[i] = number(random);
       way = space.project(way); // Every direction within the space is as likely as any other.
@@ -116,6 +118,7 @@ struct Sampler {
     Values sample(beta.size());
     bool found = false;
     for (int i = 0; i < samples; ++i) {
+      progress.throwIfCancelled();
       for (Eigen::Index k = 0; k < sample.size(); ++k)
         sample[k] = sampling == Sampling::cube ? side(random) : number(random);
       if (sampling == Sampling::sphere)
@@ -146,11 +149,12 @@ CCelestial::CCelestial()
                       .continuous = false,
                       .smooth = false},
            .parameters = {kSampling, kSamplesAPoint, kCelestialSeed}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<DirectionSolver>(
+          [](const HandleSet& handles, const Points&, const BindOptions& options, Progress& progress) {
+            const ParameterValues& parameters = options.parameters;
+            return std::make_shared<const DirectionSolver>(
                 handles.positions, Sampler{chosen<Sampling>(parameters, kSampling),
                                            static_cast<int>(parameters.get(kSamplesAPoint)),
-                                           static_cast<unsigned>(parameters.get(kCelestialSeed))});
+                                           static_cast<unsigned>(parameters.get(kCelestialSeed)), progress});
           }) {}
 
 } // namespace viscera::coordinates
