@@ -132,17 +132,18 @@ bindWitnesses(const coordinates::CoordinateSystem& system, const coordinates::Ha
   const coordinates::BindOptions own = withTetgen(options);
   const Eigen::Index portion = system.traits().needsTetrahedra ? points.rows() : kWitnessPortion;
   std::shared_ptr<WitnessGradients> result;
+  const auto partOf = [&](Eigen::Index done) {
+    return static_cast<double>(done) / static_cast<double>(points.rows());
+  };
   for (Eigen::Index begin = 0; begin < points.rows(); begin += portion) {
-    progress.throwIfCancelled();
-    progress.report(static_cast<double>(begin) / static_cast<double>(points.rows()),
-                    "derivatives at the witness points");
     const Eigen::Index count = std::min(portion, points.rows() - begin);
-    Progress brief; // A portion takes milliseconds to a second; between them the caller may cancel.
-    Progress& watched = system.traits().needsTetrahedra ? progress : brief;
-    const auto gradients = system.gradients(handles, points.middleRows(begin, count), own, watched);
-    if (!result)
-      result = std::make_shared<WitnessGradients>(points.rows(), handles.positions.rows(), gradients.lift);
-    result->put(begin, gradients, count);
+    progress.report(partOf(begin), "derivatives at the witness points");
+    runPart(progress, partOf(begin), partOf(begin + count), [&](Progress& part) {
+      const auto gradients = system.gradients(handles, points.middleRows(begin, count), own, part);
+      if (!result)
+        result = std::make_shared<WitnessGradients>(points.rows(), handles.positions.rows(), gradients.lift);
+      result->put(begin, gradients, count);
+    });
   }
   if (!result)
     result = std::make_shared<WitnessGradients>(0, handles.positions.rows());

@@ -81,6 +81,14 @@ constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
                                           {"window", 3},
                                           {"play", 8}}};
 
+/// What is under way in a view, for a message.
+std::string workOf(app::Workspace& workspace) {
+  std::string work;
+  for (const JobInfo& job : workspace.jobs().jobs())
+    work += "; " + job.name + (job.running ? " runs" : " waits");
+  return work + (workspace.live().busy() ? "; an organ is being bound" : "");
+}
+
 /// The visible and enabled widgets.
 std::vector<QWidget*> usableWidgets(QWidget& window) {
   std::vector<QWidget*> usable;
@@ -477,7 +485,11 @@ void WindowMonkey::play(const MonkeyAction& action) {
 Violation WindowMonkey::violation() {
   Violation wrong;
   wrong.add(Invariant::silence, takePrinted());
-  wrong.add(Invariant::end, stuck_ ? "the work that was cancelled does not end" : "");
+  if (stuck_) {
+    app::Comparison& comparison = window_->play().comparison();
+    wrong.add(Invariant::end, "the work that was cancelled does not end" + workOf(window_->workspace()) +
+                                  (comparison.on() ? workOf(comparison.workspace()) : ""));
+  }
   try {
     document::validate(window_->workspace().state());
   } catch (const Error& error) {

@@ -1,5 +1,6 @@
 #include "viscera/deformation/witness_gradients.h"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,21 @@ TEST_F(WitnessGradientsTest, AreTheSameWhenTheyComeInPortions) {
   bound->evaluate(pose_, inPortions);
   EXPECT_EQ(whole.stretchMin, inPortions.stretchMin);
   EXPECT_TRUE(bound->closedForm());
+}
+
+/// Slow coordinates take hours for a portion.
+TEST_F(WitnessGradientsTest, AreCancelledWithinAPortion) {
+  const auto systems = coordinates::builtInSystems();
+  const auto slow = std::find_if(systems.begin(), systems.end(),
+                                 [](const auto& system) { return system->id() == "c-celestial"; });
+  ASSERT_NE(slow, systems.end());
+  int looks = 0;
+  Progress progress({}, [&] {
+    if (++looks == 20)
+      progress.cancel();
+  });
+  EXPECT_THROW(bindWitnesses(**slow, handles_, points_, {{}, {1}}, progress), Cancelled);
+  EXPECT_LT(looks, 40) << "it goes on after that";
 }
 
 TEST_F(WitnessGradientsTest, NameAPointOutsideTheHullWhateverItsPortion) {
