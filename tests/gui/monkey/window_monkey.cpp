@@ -322,7 +322,7 @@ void WindowMonkey::settle() {
   stuck_ = !comesToPeace(kLongestWait, [&cancel] { cancel.click(); });
 }
 
-/// Handles events until nothing is under way any more, for at most so many ms; whether that came.
+/// Handles events until nothing is under way any more, for at most so many ms. Returns whether that came.
 bool WindowMonkey::comesToPeace(int milliseconds, const std::function<void()>& meanwhile) {
   constexpr int kQuietLooks = 3;
   QElapsedTimer timer;

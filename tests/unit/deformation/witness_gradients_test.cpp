@@ -134,7 +134,7 @@ TEST_F(WitnessGradientsTest, AreTheSameWhenTheyComeInPortions) {
   EXPECT_TRUE(bound->closedForm());
 }
 
-/// Slow coordinates take hours for a portion.
+/// With slow coordinates a portion takes hours.
 TEST_F(WitnessGradientsTest, AreCancelledWithinAPortion) {
   const auto systems = coordinates::builtInSystems();
   const auto slow = std::find_if(systems.begin(), systems.end(),
