@@ -88,7 +88,7 @@ TEST(PointwiseSystem, ReportsItsProgressWithinTheFirstPointsOfASlowSystem) {
   std::vector<double> reports;
   Progress progress([&](double fraction, const std::string&) { reports.push_back(fraction); });
   BindOptions options;
-  options.threads = Threads(1);
+  options.threads = Threads{1};
   slow.bind(handles, Points::Constant(4, 3, 1), options, progress);
   EXPECT_EQ(reports, (std::vector<double>{0.25, 0.5, 0.75, 1}));
 }
