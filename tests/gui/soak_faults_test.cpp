@@ -85,6 +85,17 @@ TEST(SoakFaults, AreDescriptorsThatStayOpenAndThreadsThatComeInTheSecondHalf) {
                                                            "27 threads at 3101 s, at most 26 before"}));
 }
 
+TEST(SoakFaults, AreNotInALongerWarmUpOrLateWhereThatIsAllowed) {
+  std::vector<SoakSample> samples = calmHour();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].use.ownMb += i < 1200 ? -6 : 0;
+    samples[i].longestMs = 150;
+  }
+  EXPECT_EQ(soakFaults(samples, {0.1, true}).size(), 1u);
+  EXPECT_TRUE(soakFaults(samples, {0.34, true}).empty());
+  EXPECT_GT(soakFaults(samples, {0.34, false}).size(), 1000u);
+}
+
 TEST(SoakFaults, NeedMoreThanAFewSeconds) {
   EXPECT_EQ(soakFaults(std::vector<SoakSample>(5)).size(), 1u);
 }

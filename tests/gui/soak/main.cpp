@@ -13,16 +13,25 @@
 
 /// The soak as a program, which ends with 1 when something was wrong:
 ///   window_soak --seconds 3600 --csv soak.csv   an hour; every second of it is a row of the table
+/// Memory alone, in the hour after half an hour of warm-up:
+///   window_soak --seconds 5400 --warm-up 1800 --late-frames allowed
 int main(int argc, char** argv) {
-  double seconds = 60;
+  double seconds = 60, warmUp = -1;
   std::string csv = "soak.csv";
+  viscera::tests::SoakRules rules;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
     if (option == "--seconds")
       seconds = std::atof(argv[i + 1]);
     else if (option == "--csv")
       csv = argv[i + 1];
+    else if (option == "--warm-up")
+      warmUp = std::atof(argv[i + 1]);
+    else if (option == "--late-frames")
+      rules.lateFramesAllowed = argv[i + 1] == std::string("allowed");
   }
+  if (warmUp >= 0)
+    rules.warmUp = warmUp / seconds;
   qputenv("QT_QPA_PLATFORM", "xcb");
   viscera::tests::useLentDisplay();
   viscera::app::prepareForApplication();
@@ -42,7 +51,7 @@ int main(int argc, char** argv) {
           << sample.machine.workUs << ',' << sample.machine.processMs << ',' << sample.machine.kernelMs << ','
           << sample.machine.pageFaults << ',' << sample.occupation << std::endl;
   });
-  std::vector<std::string> faults = viscera::tests::soakFaults(samples);
+  std::vector<std::string> faults = viscera::tests::soakFaults(samples, rules);
   if (const std::string printed = viscera::tests::takePrinted(); !printed.empty())
     faults.push_back(printed);
   for (const std::string& fault : faults)

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kLatestMs = 100; ///< A frame after that is late.
 constexpr double kMostGrowth = 0.01;
-/// Of the samples; caches of Qt, Mesa and the system fill in this part.
-constexpr double kWarmUp = 0.1;
 constexpr std::size_t kFewest = 10; ///< Samples.
 constexpr std::size_t kAround = 2;  ///< Samples before and after one that tell how fast the machine was.
 
@@ -29,10 +27,10 @@ struct Faults {
 };
 
 /// Those after the warm-up in which nothing went on but the beating.
-Samples calmOf(const Samples& samples) {
+Samples calmOf(const Samples& samples, double warmUp) {
   Samples calm;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].occupation == kPlaying && double(i) >= kWarmUp * double(samples.size()))
+    if (samples[i].occupation == kPlaying && double(i) >= warmUp * double(samples.size()))
       calm.push_back(samples[i]);
   return calm;
 }
@@ -126,13 +124,14 @@ void judgeThreads(const Samples& calm, Faults& faults) {
 
 } // namespace
 
-std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples) {
-  const Samples calm = calmOf(samples);
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples, const SoakRules& rules) {
+  const Samples calm = calmOf(samples, rules.warmUp);
   if (calm.size() < kFewest)
     return {"the soak was too short to be judged"};
   Faults faults;
   judgeMemory(calm, faults);
-  judgeFrames(calm, faults);
+  if (!rules.lateFramesAllowed)
+    judgeFrames(calm, faults);
   judgeDescriptors(calm, faults);
   judgeThreads(calm, faults);
   return faults.lines;

@@ -20,11 +20,16 @@ struct SoakSample {
 
 inline const std::string kPlaying = "playing";
 
+struct SoakRules {
+  double warmUp = 0.1;            ///< The share of the soak in which caches fill and nothing is judged.
+  bool lateFramesAllowed = false; ///< For a soak that shares its processors, or draws with one thread.
+};
+
 /// The faults of a soak, a line each; empty when memory, descriptors and threads stayed and no frame came
 /// late while nothing went on but the beating. The time that the machine itself stood still, or was slower
 /// than usual in this soak, does not count. Each worker of a queue of jobs keeps OpenMP's threads from its
 /// first parallel loop on, and chance decides which worker takes a job; therefore only the second half may
 /// have no more threads than the first had.
-std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples);
+std::vector<std::string> soakFaults(const std::vector<SoakSample>& samples, const SoakRules& rules = {});
 
 } // namespace viscera::tests
