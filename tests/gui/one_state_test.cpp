@@ -112,6 +112,21 @@ TEST_F(OneState, AnInstantUnderALockStaysOneWhenTheOwnPoseChanges) {
   }
 }
 
+// While an organ is being bound its volume cannot be kept (the window's monkey, seed 1524).
+TEST_F(OneState, AnInstantUnderALockIsShownAgainOnceItsOrganIsBound) {
+  const document::OrganId heart = document().organs().front()->id;
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(heart, true)));
+  window().playback().seek(0.4);
+  waitForPeace();
+  ASSERT_TRUE(window().workspace().perform(document::setSystem({"t-celestial", {}})));
+  expectAllIsOne("with other coordinates");
+
+  undo();
+  ASSERT_TRUE(window().workspace().live().busy());
+  window().playback().seek(0.6);
+  expectAllIsOne("after a step to another instant during the binding");
+}
+
 /// How the window is when the change of sequence is undone.
 struct Moment {
   const char* name;

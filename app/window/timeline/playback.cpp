@@ -39,6 +39,11 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
     if (!otherHandles_.isEmpty() && player_.movable())
       workspace_.retract(std::exchange(otherHandles_, {}));
   }));
+  // Locked volumes are kept by the new coordinates, and not at all while an organ is still being bound.
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+    if (event.status && showing() && !workspace_.live().busy())
+      showLater();
+  }));
 }
 
 Playback::Playback(Workspace& workspace, motion::Transport::Clock clock, QObject* parent)
@@ -220,10 +225,11 @@ void Playback::stepFinely(int steps) {
 
 void Playback::onShown() {
   const std::string& obstacle = player_.runner().obstacle();
-  if (!obstacle.empty() && !outOfReach_ && !workspace_.live().busy())
+  const bool outOfReach = !obstacle.empty() && !workspace_.live().busy();
+  if (outOfReach && !outOfReach_)
     workspace_.report(DataError(phrase("the volume cannot be kept here: %1", obstacle),
                                 present_.sequence->name(), "unlock it, or let more handles compensate"));
-  outOfReach_ = !obstacle.empty();
+  outOfReach_ = outOfReach;
   Q_EMIT advanced();
 }
 
