@@ -85,6 +85,13 @@ inline ShownOrgan shownOrgan(app::MainWindow& window, const document::Organ& org
   return shown;
 }
 
+/// Whether an organ is to be seen outside of Stress: as the slide that is shown has it, else the document.
+inline bool wantedVisible(app::MainWindow& window, const document::Organ& organ) {
+  const presentation::OrgansSeen& slide = window.viewModel().state().organsSeen;
+  const auto found = slide.find(organ.id);
+  return found == slide.end() ? organ.look.visible : found->second.visible;
+}
+
 /// The differences between the 3D view and the document with its live binding; empty for none.
 inline std::string disagreement(app::MainWindow& window) {
   std::ostringstream wrong;
@@ -107,7 +114,7 @@ inline std::string disagreement(app::MainWindow& window) {
       wrong << organ->name << " is not drawn once; ";
     else if (drawn.points != window.workspace().live().points(organ->id))
       wrong << organ->name << " is drawn with other points than it has; ";
-    else if (window.mode() != "stress" && drawn.visible != organ->look.visible)
+    else if (window.mode() != "stress" && drawn.visible != wantedVisible(window, *organ))
       wrong << organ->name << (drawn.visible ? " is seen though hidden; " : " is not seen; ");
   }
   return wrong.str();
