@@ -87,7 +87,8 @@ void WindowSoak::playFor(double seconds, const char* occupation) {
           static_cast<int>(1000 * seconds) + 1000);
 }
 
-/// Another handle in each round; the change is undone, so that the heart that beats on is the same.
+/// Another handle in each round. The view comes to rest, as for someone who looks at what the drag did, and
+/// the change is undone, so that the heart that beats on is the same.
 void WindowSoak::drag() {
   occupation_ = "a drag";
   window_->setMode("deform");
@@ -105,7 +106,7 @@ void WindowSoak::drag() {
     QTest::qWait(40);
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, -20));
-  waitFor([this] { return window_->workspace().jobs().idle(); });
+  waitFor([&] { return window_->workspace().jobs().idle() && view.atRest(); });
   while (window_->workspace().undo().canUndo() &&
          *window_->workspace().state().pose != window_->workspace().state().rig->restPositions())
     window_->workspace().undo().undo();
