@@ -122,9 +122,8 @@ TEST_F(OneState, AnInstantUnderALockIsShownAgainOnceItsOrganIsBound) {
   expectAllIsOne("with other coordinates");
 
   undo();
-  ASSERT_TRUE(window().workspace().live().busy());
-  window().playback().seek(0.6);
-  expectAllIsOne("after a step to another instant during the binding");
+  window().playback().seek(0.6); // As a rule while the organ is being bound, which takes longer than a frame.
+  expectAllIsOne("after a step to another instant");
 }
 
 /// How the window is when the change of sequence is undone.
