@@ -104,7 +104,10 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   layout_->restore(settings_);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // A drag under way ends while everything that observes the document is there.
+  workspace_.guarded([this] { workspace_.undo().cancelStep(); });
+}
 
 void MainWindow::makeModes() {
   modes_ = std::make_unique<ModeController>(

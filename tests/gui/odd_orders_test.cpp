@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -59,6 +60,29 @@ TEST_F(OddOrders, ARenameDuringARenameEndsTheFirstWithWhatWasTyped) {
   settle();
   EXPECT_EQ(document().organs().front()->name, "spleen");
   EXPECT_EQ(window().workspace().undo().names().size(), 3u);
+}
+
+// All that observes the document has to be there still (the window's monkey, seed 657).
+TEST_F(OddOrders, AWindowThatEndsDuringADragEndsTheDragFirst) {
+  for (const char* mode : {"handles", "deform"}) {
+    SCOPED_TRACE(mode);
+    reopenWindow();
+    open(sphereFile());
+    window().setMode(mode);
+    settle();
+    const QPoint from = onScreen(handleInView(reachableHandle()));
+    QTest::mouseMove(&view(), from);
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+    QTest::mouseMove(&view(), from + QPoint(9, 5));
+    handleEvents();
+    ASSERT_TRUE(window().workspace().undo().stepOpen());
+    const QPointer<QObject> modes(&window().modes());
+    std::vector<bool> modesThere;
+    const auto watched = window().workspace().onChange(
+        [&](const document::Change&) { modesThere.push_back(!modes.isNull()); });
+    endWindow();
+    EXPECT_EQ(modesThere, std::vector<bool>{true}) << "when the drag ended";
+  }
 }
 
 TEST_F(OddOrders, TheMapOfDifferencesComesAndGoesWithItsViewAndItsOrgans) {

@@ -427,10 +427,11 @@ void WindowMonkey::clickInView(const MonkeyAction& action) {
                                           : action.d < 0.4 ? Qt::ShiftModifier
                                                            : Qt::NoModifier;
   QTest::mouseMove(&view, at);
-  if (action.c < 0.2)
-    QTest::mouseDClick(&view, Qt::LeftButton, modifiers, at);
-  else
-    QTest::mouseClick(&view, action.c > 0.9 ? Qt::RightButton : Qt::LeftButton, modifiers, at);
+  QTest::mouseClick(&view, action.c > 0.9 ? Qt::RightButton : Qt::LeftButton, modifiers, at);
+  if (action.c >= 0.2)
+    return;
+  QTest::mouseDClick(&view, Qt::LeftButton, modifiers, at); // The second press alone.
+  QTest::mouseRelease(&view, Qt::LeftButton, modifiers, at);
 }
 
 void WindowMonkey::pressKey(const MonkeyAction& action) {
@@ -495,6 +496,8 @@ Violation WindowMonkey::violation() {
   } catch (const Error& error) {
     wrong.add(Invariant::document, std::string("the document is not valid: ") + error.what());
   }
+  if (window_->workspace().undo().stepOpen()) // The mouse is up again.
+    wrong.add(Invariant::undo, "a step is still open");
   if (!atPeace(*window_))
     return wrong;
   if (!window_->imports().isOpen()) // It shows organs that are not in the document yet.

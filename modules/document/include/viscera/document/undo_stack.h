@@ -52,6 +52,8 @@ public:
     int number_;
   };
   bool stepOpen() const { return stepOpen_; }
+  /// Cancels the open step, if there is one; its object then has no effect.
+  void cancelStep();
 
   /// Makes the next command begin a new step even if its merge key is that of the last one, as after a slider
   /// was released.
@@ -100,7 +102,6 @@ private:
 
   void beginStep(const std::string& name);
   void endStep();
-  void cancelStep();
   void change(DocumentState state);
   void push(Entry entry);
   void forgetOldest();
