@@ -59,6 +59,20 @@ TEST(UndoStack, LeavesNothingOfACancelledDrag) {
   EXPECT_TRUE(s.undo.isClean());
 }
 
+TEST(UndoStack, CancelsTheOpenStepOfWhoeverOpenedIt) {
+  Session s;
+  const DocumentState before = s.document.state();
+  s.undo.cancelStep(); // None is open.
+  UndoStack::Step step(s.undo, "Move handle");
+  s.undo.perform(moveHandles({s.handle(8)}, row(9, 9, 40)));
+  s.undo.cancelStep();
+  EXPECT_EQ(s.document.state(), before);
+  s.undo.perform(moveHandles({s.handle(8)}, row(5, 5, 40)));
+  step.cancel();
+  EXPECT_EQ(s.undo.position(), 1u) << "a step that is over took back what came after it";
+  EXPECT_EQ(s.document.pose().row(8), row(5, 5, 40));
+}
+
 TEST(UndoStack, MakesNoStepOfADragThatComesBackToWhereItBegan) {
   Session s;
   UndoStack::Step step(s.undo, "Move handle");
