@@ -20,6 +20,7 @@ struct SoakSample {
 
 inline const std::string kPlaying = "playing";
 
+/// What a soak is judged by.
 struct SoakRules {
   double warmUp = 0.1;            ///< The share of the soak in which caches fill and nothing is judged.
   bool lateFramesAllowed = false; ///< For a soak that shares its processors, or draws with one thread.
