@@ -6116,6 +6116,14 @@
         <translation>la superfície no es travessa ella mateixa</translation>
     </message>
     <message>
+        <source>every piece of the surface is smaller than the %1 mm that remeshing resolves</source>
+        <translation>totes les peces de la superfície són més petites que els %1 mm que distingeix el remallat</translation>
+    </message>
+    <message>
+        <source>keep the largest piece first</source>
+        <translation>conserveu primer la peça més gran</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing</source>
         <translation>la superfície no tanca res</translation>
     </message>

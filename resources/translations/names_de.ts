@@ -6116,6 +6116,14 @@
         <translation>die Oberfläche durchdringt sich nicht</translation>
     </message>
     <message>
+        <source>every piece of the surface is smaller than the %1 mm that remeshing resolves</source>
+        <translation>alle Stücke der Oberfläche sind kleiner als die %1 mm, die beim Neuvernetzen aufgelöst werden</translation>
+    </message>
+    <message>
+        <source>keep the largest piece first</source>
+        <translation>behalten Sie zuerst das größte Stück</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing</source>
         <translation>die Oberfläche umschließt nichts</translation>
     </message>

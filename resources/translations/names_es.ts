@@ -6116,6 +6116,14 @@
         <translation>la superficie no se cruza consigo misma</translation>
     </message>
     <message>
+        <source>every piece of the surface is smaller than the %1 mm that remeshing resolves</source>
+        <translation>todos los fragmentos de la superficie son menores que los %1 mm que distingue el remallado</translation>
+    </message>
+    <message>
+        <source>keep the largest piece first</source>
+        <translation>conserve primero el fragmento mayor</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing</source>
         <translation>la superficie no encierra nada</translation>
     </message>

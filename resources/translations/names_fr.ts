@@ -6116,6 +6116,14 @@
         <translation>la surface ne se traverse pas</translation>
     </message>
     <message>
+        <source>every piece of the surface is smaller than the %1 mm that remeshing resolves</source>
+        <translation>tous les morceaux de la surface sont plus petits que les %1 mm que le remaillage distingue</translation>
+    </message>
+    <message>
+        <source>keep the largest piece first</source>
+        <translation>gardez d’abord le plus grand morceau</translation>
+    </message>
+    <message>
         <source>the surface encloses nothing</source>
         <translation>la surface n’enferme rien</translation>
     </message>

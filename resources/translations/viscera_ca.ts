@@ -2401,6 +2401,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Checking again</source>
         <translation>Es torna a comprovar</translation>
     </message>
+    <message>
+        <source>%1 of %2 organs could not be repaired that way and stay as they are. The panel says why.</source>
+        <translation>%1 de %2 òrgans no s’han pogut reparar així i es queden com estaven. El panell diu per què.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ImportPanel</name>

@@ -2401,6 +2401,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Checking again</source>
         <translation>Wird erneut geprüft</translation>
     </message>
+    <message>
+        <source>%1 of %2 organs could not be repaired that way and stay as they are. The panel says why.</source>
+        <translation>%1 von %2 Organen konnten so nicht repariert werden und bleiben, wie sie sind. Das Bedienfeld nennt den Grund.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ImportPanel</name>

@@ -2401,6 +2401,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Checking again</source>
         <translation>Comprobando de nuevo</translation>
     </message>
+    <message>
+        <source>%1 of %2 organs could not be repaired that way and stay as they are. The panel says why.</source>
+        <translation>%1 de %2 órganos no se pudieron reparar así y quedan como estaban. El panel dice por qué.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ImportPanel</name>

@@ -2401,6 +2401,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>Checking again</source>
         <translation>Nouveau contrôle</translation>
     </message>
+    <message>
+        <source>%1 of %2 organs could not be repaired that way and stay as they are. The panel says why.</source>
+        <translation>%1 organes sur %2 n’ont pas pu être réparés ainsi et restent tels quels. Le panneau dit pourquoi.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ImportPanel</name>

@@ -152,6 +152,39 @@ TEST_F(Import, RemeshingSaysHowFarTheSurfaceHasMoved) {
   EXPECT_THAT(said()->text().toStdString(), testing::ContainsRegex("triangles instead of .* mm at most"));
 }
 
+TEST_F(Import, WhatCannotBeRepairedIsSaidAndDoesNotKeepTheOthersFromIt) {
+  TriangleMesh flat;
+  flat.points.resize(3, 3);
+  flat.points << 0, 0, 0, 100, 0, 0, 0, 100, 0;
+  flat.triangles.resize(1, 3);
+  flat.triangles << 0, 1, 2;
+  window().files().open({write(flat, QStringLiteral("leaf.ply")), write(flat, QStringLiteral("blade.ply")),
+                         write(geometry::scaled(liver(), 0.001))});
+  settle();
+  const auto& organs = [this]() -> const std::vector<document::DraftOrgan>& {
+    return window().imports().draft().organs;
+  };
+  const auto reasons = [this] {
+    int shown = 0;
+    for (const QLabel* label : panel().findChildren<QLabel*>(QStringLiteral("refusal")))
+      shown += label->isVisible() && label->text().contains(QStringLiteral("encloses nothing")) ? 1 : 0;
+    return shown;
+  };
+  ASSERT_EQ(organs().size(), 3u);
+  window().imports().repair({0, 2}, "remesh");
+  settle();
+  EXPECT_THAT(organs()[2].repairs, testing::ElementsAre("remesh"));
+  EXPECT_TRUE(message().contains(QStringLiteral("Leaf: The surface encloses nothing. Check")))
+      << message().toStdString();
+  EXPECT_EQ(reasons(), 1);
+  window().imports().repair({0, 1, 2}, "remesh");
+  settle();
+  EXPECT_TRUE(message().contains(QStringLiteral("2 of 3 organs"))) << message().toStdString();
+  EXPECT_EQ(reasons(), 2);
+  press(importButton());
+  EXPECT_EQ(document().organs().size(), 3u);
+}
+
 TEST_F(Import, CancelLeavesTheDocumentUntouched) {
   open(sphereFile());
   const document::DocumentState before = document().state();

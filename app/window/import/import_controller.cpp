@@ -111,10 +111,11 @@ void ImportController::preview() {
   previewed_ = box;
 }
 
-void ImportController::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {
+void ImportController::work(const QString& name, const std::vector<std::size_t>& organs,
+                            std::function<document::ImportDraft(Progress&)> next) {
   panel_->setBusy(true);
   workspace_.jobs().submit<document::ImportDraft>(name.toStdString(), kImportSlot, std::move(next),
-                                                  [this](JobResult<document::ImportDraft> result) {
+                                                  [this, organs](JobResult<document::ImportDraft> result) {
                                                     if (!open_)
                                                       return;
                                                     if (result.error)
@@ -122,19 +123,40 @@ void ImportController::work(const QString& name, std::function<document::ImportD
                                                     if (result.value)
                                                       draft_ = std::move(*result.value);
                                                     show();
+                                                    if (result.value)
+                                                      sayRefusals(organs);
                                                   });
+}
+
+/// Each card has its own reason.
+void ImportController::sayRefusals(const std::vector<std::size_t>& organs) {
+  std::vector<const DataError*> refusals;
+  for (const std::size_t organ : organs)
+    if (const auto& refusal = draft_.organs.at(organ).refusal)
+      refusals.push_back(&*refusal);
+  if (refusals.size() == 1)
+    workspace_.report(*refusals.front());
+  else if (!refusals.empty())
+    workspace_.say(
+        {Message::Severity::error,
+         tr("%1 of %2 organs could not be repaired that way and stay as they are. The panel says why.")
+             .arg(refusals.size())
+             .arg(organs.size()),
+         {},
+         0});
 }
 
 void ImportController::repair(const std::vector<std::size_t>& organs, const std::string& repair) {
   if (open_)
-    work(tr("Repairing: %1").arg(repairName(repair)), [draft = draft_, organs, repair](Progress& progress) {
-      return document::repaired(draft, organs, repair, progress);
-    });
+    work(tr("Repairing: %1").arg(repairName(repair)), organs,
+         [draft = draft_, organs, repair](Progress& progress) {
+           return document::repaired(draft, organs, repair, progress);
+         });
 }
 
 void ImportController::revert(std::size_t organ) {
   if (open_)
-    work(tr("Checking again"),
+    work(tr("Checking again"), {organ},
          [draft = draft_, organ](Progress& progress) { return document::reverted(draft, organ, progress); });
 }
 

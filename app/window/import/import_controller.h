@@ -43,7 +43,10 @@ Q_SIGNALS:
   void closed();
 
 private:
-  void work(const QString& name, std::function<document::ImportDraft(Progress&)> next);
+  /// Makes the next draft on a worker, shows it, and says which of these organs were refused.
+  void work(const QString& name, const std::vector<std::size_t>& organs,
+            std::function<document::ImportDraft(Progress&)> next);
+  void sayRefusals(const std::vector<std::size_t>& organs);
   void revert(std::size_t organ);
   void include(const std::vector<std::size_t>& organs, bool included);
   void show();

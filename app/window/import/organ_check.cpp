@@ -125,7 +125,8 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
 OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent)
     : QFrame(parent) {
   setObjectName(QStringLiteral("organCheck"));
-  const bool brief = detail.brief && !organ.assessment.questionable() && organ.repairs.empty();
+  const bool brief =
+      detail.brief && !organ.assessment.questionable() && organ.repairs.empty() && !organ.refusal;
   auto* column = makeLayout<QVBoxLayout>(this, 6, {12, brief ? 4 : 8, 12, brief ? 4 : 8});
   column->addLayout(makeHeading(organ, detail.file));
   if (!organ.included || brief)
@@ -204,6 +205,12 @@ QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
   if (!done.isEmpty()) {
     auto* label = wrapped(tr("Done: %1").arg(done.join(QStringLiteral(", "))), this);
     label->setObjectName(QStringLiteral("muted"));
+    column->addWidget(label);
+  }
+  if (organ.refusal) {
+    auto* label =
+        wrapped(sentenceOf(DataError(organ.refusal->problem(), {}, organ.refusal->tryThis())), this);
+    label->setObjectName(QStringLiteral("refusal"));
     column->addWidget(label);
   }
   if (organ.change) {

@@ -27,6 +27,14 @@ void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Prog
       medical_io::assessSurface(*organ.mesh, {organ.name, stated ? space : std::nullopt, labelMap}, progress);
 }
 
+void repair(DraftOrgan& organ, const medical_io::SurfaceRepair& what, Progress& progress) {
+  auto mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
+  organ.change = what.remakes ? std::optional(medical_io::surfaceChange(*organ.mesh, *mesh)) : std::nullopt;
+  organ.mesh = std::move(mesh);
+  organ.repairs.push_back(what.id);
+  organ.refusal.reset();
+}
+
 void assessArrangement(ImportDraft& draft) {
   std::vector<medical_io::PlacedOrgan> placed;
   for (const DraftOrgan& organ : draft.organs)
@@ -154,23 +162,21 @@ ImportDraft draftOf(OpenedFiles files, Progress& progress) {
   return draft;
 }
 
-ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& repair,
+ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& id,
                      Progress& progress) {
-  const medical_io::SurfaceRepair& what = medical_io::surfaceRepair(repair);
+  const medical_io::SurfaceRepair& what = medical_io::surfaceRepair(id);
   for (std::size_t done = 0; done < organs.size(); ++done) {
     DraftOrgan& organ = draft.organs.at(organs[done]);
     progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
                     phrase("Repairing %1", organ.name));
     try {
-      auto mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
-      organ.change =
-          what.remakes ? std::optional(medical_io::surfaceChange(*organ.mesh, *mesh)) : std::nullopt;
-      organ.mesh = std::move(mesh);
+      DraftOrgan mended = organ;
+      repair(mended, what, progress);
+      assess(mended, draft.files, organs[done], progress);
+      organ = std::move(mended);
     } catch (const DataError& error) {
-      throw DataError(error.problem(), organ.name, error.tryThis());
+      organ.refusal.emplace(error.problem(), organ.name, error.tryThis());
     }
-    organ.repairs.push_back(repair);
-    assess(organ, draft.files, organs[done], progress);
   }
   assessArrangement(draft);
   return draft;
@@ -181,6 +187,7 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   organ.mesh = organ.asRead;
   organ.repairs.clear();
   organ.change.reset();
+  organ.refusal.reset();
   assess(organ, draft.files, place, progress);
   assessArrangement(draft);
   return draft;

@@ -40,6 +40,8 @@ constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
 /// says, or as often as the others when triangles cross.
 constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
+/// A piece with fewer cells along its longest side may have no zero level on the smoothed grid.
+constexpr double kFewestCells = 4;
 constexpr Eigen::Index kVerticesAtOnce = 512;
 constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
 
@@ -113,6 +115,18 @@ TriangleMesh withoutCrumbs(TriangleMesh mesh) {
   return mesh;
 }
 
+/// Why there is no zero level.
+DataError nothingEnclosed(const TriangleMesh& mesh, double spacing) {
+  const Bounds largest = boundsOf(geometry::largestPiece(mesh).points);
+  if (geometry::connectedPieces(mesh).count > 1 &&
+      (largest.high - largest.low).maxCoeff() < kFewestCells * spacing)
+    return DataError(phrase("every piece of the surface is smaller than the %1 mm that remeshing resolves",
+                            significant(kFewestCells * spacing, 2)),
+                     "surface", "keep the largest piece first");
+  return DataError("the surface encloses nothing", "surface",
+                   "check that its triangles face outward and that its holes are small");
+}
+
 /// The contour smoothed and thinned out. Collapsed edges near a crease, and smoothing where triangles are
 /// large, now and then push one triangle through another: the first way without that is taken, else the one
 /// with the fewest.
@@ -170,8 +184,7 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
   const TriangleMesh zeroLevel =
       withoutCrumbs(contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing));
   if (zeroLevel.triangles.rows() == 0)
-    throw DataError("the surface encloses nothing", "surface",
-                    "check that its triangles face outward and that its holes are small");
+    throw nothingEnclosed(mesh, spacing);
   return smoothAndThin(zeroLevel, options.triangles, progress, threads);
 }
 

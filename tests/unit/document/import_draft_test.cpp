@@ -26,6 +26,15 @@ protected:
     return mesh;
   }
 
+  static TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
+    TriangleMesh both;
+    both.points.resize(a.points.rows() + b.points.rows(), 3);
+    both.points << a.points, b.points;
+    both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
+    both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
+    return both;
+  }
+
   ImportDraft draft(const std::vector<std::pair<std::string, TriangleMesh>>& surfaces) {
     std::vector<std::filesystem::path> files;
     for (const auto& [name, mesh] : surfaces) {
@@ -160,13 +169,7 @@ TEST_F(ImportDrafts, ACavityComesWithTheOrganThatItIsIn) {
 TEST_F(ImportDrafts, SayWhatRemeshingHasChanged) {
   // A ball with a vessel of 1 mm, which the grid of the new surface does not see.
   const TriangleMesh ball = tests::sphere(3, 40), vessel = tests::sphere(2, 1, {0, 0, 60});
-  TriangleMesh both;
-  both.points.resize(ball.points.rows() + vessel.points.rows(), 3);
-  both.points << ball.points, vessel.points;
-  both.triangles.resize(ball.triangles.rows() + vessel.triangles.rows(), 3);
-  both.triangles << ball.triangles,
-      (vessel.triangles.array() + static_cast<int>(ball.points.rows())).matrix();
-  const ImportDraft first = draft({{"liver.ply", both}});
+  const ImportDraft first = draft({{"liver.ply", together(ball, vessel)}});
   EXPECT_FALSE(first.organs[0].change);
   const ImportDraft anew = repaired(first, {0}, "remesh", progress_);
   const auto& change = anew.organs[0].change;
@@ -179,6 +182,29 @@ TEST_F(ImportDrafts, SayWhatRemeshingHasChanged) {
               testing::ElementsAre("repaired on import: remesh", testing::HasSubstr("triangles instead of")));
   EXPECT_FALSE(repaired(anew, {0}, "mirror", progress_).organs[0].change) << "of the last repair";
   EXPECT_FALSE(reverted(anew, 0, progress_).organs[0].change);
+}
+
+TEST_F(ImportDrafts, AnOrganThatCannotBeRepairedStaysAndTheOthersAreRepaired) {
+  // Crumbs that lie far apart are smaller than what remeshing resolves.
+  const TriangleMesh crumbs = together(tests::sphere(2, 1.2), tests::sphere(2, 1, {0, 160, 0}));
+  const ImportDraft read = draft({{"crumbs.ply", crumbs}, {"liver.ply", liver()}});
+  const ImportDraft tried = repaired(read, {0, 1}, "remesh", progress_);
+  ASSERT_TRUE(tried.organs[0].refusal);
+  EXPECT_EQ(tried.organs[0].refusal->where(), "crumbs");
+  EXPECT_EQ(tried.organs[0].refusal->problem(),
+            "Every piece of the surface is smaller than the 6.5 mm that remeshing resolves");
+  EXPECT_EQ(tried.organs[0].refusal->tryThis(), "keep the largest piece first");
+  EXPECT_EQ(tried.organs[0].mesh, read.organs[0].mesh);
+  EXPECT_THAT(tried.organs[0].repairs, testing::IsEmpty());
+  EXPECT_FALSE(tried.organs[1].refusal);
+  EXPECT_THAT(tried.organs[1].repairs, testing::ElementsAre("remesh"));
+
+  EXPECT_FALSE(reverted(tried, 0, progress_).organs[0].refusal);
+  const ImportDraft one = repaired(tried, {0}, "keep-largest", progress_);
+  EXPECT_FALSE(one.organs[0].refusal) << "of the last repair";
+  EXPECT_THAT(repaired(one, {0}, "remesh", progress_).organs[0].repairs,
+              testing::ElementsAre("keep-largest", "remesh"))
+      << "the advice helps";
 }
 
 TEST_F(ImportDrafts, ARepairCanBeCancelledAndAnUnknownOneIsRefused) {

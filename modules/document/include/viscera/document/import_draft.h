@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/error.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/assess_surface.h"
@@ -23,6 +24,7 @@ struct DraftOrgan {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As repaired so far.
   std::vector<std::string> repairs;                   ///< Ids of what was done, in order.
   std::optional<medical_io::SurfaceChange> change;    ///< By the last repair, where it made the surface anew.
+  std::optional<DataError> refusal;                   ///< Why the last repair was not possible.
   medical_io::SurfaceAssessment assessment;           ///< Of `mesh`.
   bool included = true;                               ///< Whether it will become an organ.
 };
@@ -45,8 +47,8 @@ struct ImportDraft {
 ImportDraft draftOf(OpenedFiles files, Progress& progress);
 
 /// The draft with one repair (an id of `medical_io::surfaceRepairs`) done to the organs at these places, and
-/// assessed anew. Throws `DataError` naming the organ when a surface cannot be repaired that way,
-/// `Cancelled`.
+/// assessed anew. An organ that cannot be repaired that way stays as it is, with the reason as its `refusal`.
+/// Throws `Cancelled`.
 ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& repair,
                      Progress& progress);
 
