@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QSet>
 #include <QSpinBox>
 #include <QTest>
@@ -101,6 +102,14 @@ TEST_F(TwoViews, TheSecondNamesNoSessionsAmongWhatItOpens) {
   ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("notes.docx")); }));
   EXPECT_TRUE(message().contains(QStringLiteral(".stl"))) << message().toStdString();
   EXPECT_FALSE(message().contains(QStringLiteral(".viscera")));
+}
+
+TEST_F(TwoViews, AnOfferOfTheSecondEndsWithIt) {
+  parts().comparison().showFiles({path(QStringLiteral("gone.stl"))});
+  ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("gone.stl")); }));
+  ASSERT_TRUE(find<QPushButton>("offer").isVisible());
+  parts().comparison().end();
+  EXPECT_EQ(message(), QString()) << "its button would look for files for a view that is gone";
 }
 
 TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {

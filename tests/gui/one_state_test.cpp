@@ -488,5 +488,14 @@ TEST_F(OneState, AWarningOfOtherHandlesGoesWhenTheyFitAgain) {
   EXPECT_EQ(message(), QString());
 }
 
+TEST_F(OneState, AnOfferOfASequencesHandlesEndsWithTheSequence) {
+  key(Qt::Key_P, Qt::ControlModifier);
+  key(Qt::Key_5);
+  key(Qt::Key_Space);
+  ASSERT_TRUE(message().contains(QStringLiteral("moves its own handles"))) << message().toStdString();
+  window().playback().forgetAll();
+  EXPECT_EQ(message(), QString()) << "its button would use the handles of a sequence that is gone";
+}
+
 } // namespace
 } // namespace viscera::tests

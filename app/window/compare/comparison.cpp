@@ -119,7 +119,11 @@ void Comparison::open() {
   second.stress = std::make_unique<ComparedStress>(
       ComparedStress::Side{first_.workspace, first_.playback, first_.picture},
       ComparedStress::Side{second.workspace, second.playback, *second.picture}, first_.view);
-  connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
+  connect(&second.workspace, &Workspace::messageRaised, this, [this](const Message& message) {
+    offered_ = message.offers.empty() ? QString() : message.text;
+    first_.workspace.say(message);
+  });
+  connect(&second.workspace, &Workspace::messageRetracted, &first_.workspace, &Workspace::messageRetracted);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeSample);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
@@ -335,6 +339,7 @@ void Comparison::chooseFiles() {
 void Comparison::end() {
   if (!on())
     return;
+  first_.workspace.retract(std::exchange(offered_, {}));
   first_.volumes.setSecond(nullptr, nullptr);
   second_->subscriptions.clear();
   const std::unique_ptr<Second> second = std::move(second_);

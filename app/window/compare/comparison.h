@@ -120,6 +120,7 @@ private:
   bool same_ = false;
   std::optional<presentation::Compared::What> what_; ///< None: files, or nothing yet.
   QString sample_;                                   ///< The one that is shown.
+  QString offered_; ///< The second view's last message, if it offers something, which ends with the view.
   /// The rates that the user chose for the second view's sequences, per minute; restored on undo.
   std::map<std::shared_ptr<const sequences::Sequence>, double> rates_;
   /// The sample that is being loaded, also after that was cancelled. Its rate is 0 where it is to have the

@@ -36,8 +36,8 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
       showPending_ = true;
       workspace_.afterChange([this] { showChanges(); });
     }
-    if (!otherHandles_.isEmpty() && player_.movable())
-      workspace_.retract(std::exchange(otherHandles_, {}));
+    if (!sequence() || player_.movable())
+      retractOffer();
   }));
   // Locked volumes are kept by the new coordinates, and not at all while an organ is still being bound.
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
@@ -117,6 +117,7 @@ void Playback::choose(const sequences::Sequence* sequence) {
 }
 
 void Playback::take(const Motion& motion) {
+  retractOffer();
   present_ = motion;
   player_.setSequence(present_.sequence, present_.organ);
   showLater();
@@ -178,6 +179,12 @@ void Playback::offerOwnHandles() {
        }});
   otherHandles_ = message.text;
   workspace_.say(message);
+}
+
+/// It names the present sequence.
+void Playback::retractOffer() {
+  if (!otherHandles_.isEmpty())
+    workspace_.retract(std::exchange(otherHandles_, {}));
 }
 
 void Playback::play() {

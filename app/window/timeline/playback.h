@@ -128,6 +128,7 @@ private:
   bool changeTransport(const std::function<void()>& what);
   bool start();
   void offerOwnHandles();
+  void retractOffer();
   void onShown();
   void onState();
 
