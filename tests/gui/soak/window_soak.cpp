@@ -87,8 +87,15 @@ void WindowSoak::playFor(double seconds, const char* occupation) {
           static_cast<int>(1000 * seconds) + 1000);
 }
 
+/// For a view at rest VTK keeps textures of the view's size in the present mode.
+void WindowSoak::rest() {
+  QCoreApplication::processEvents(); // The mode is laid out.
+  waitFor([this] { return window_->workspace().jobs().idle() && window_->viewArea().view()->atRest(); });
+}
+
 /// Another handle in each round. The view comes to rest, as for someone who looks at what the drag did, and
-/// the change is undone, so that the heart that beats on is the same.
+/// the change is undone, so that the heart that beats on is the same. It rests in Play, too, so that each
+/// round ends with textures of one size.
 void WindowSoak::drag() {
   occupation_ = "a drag";
   window_->setMode("deform");
@@ -106,10 +113,12 @@ void WindowSoak::drag() {
     QTest::qWait(40);
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, -20));
-  waitFor([&] { return window_->workspace().jobs().idle() && view.atRest(); });
+  rest();
   while (window_->workspace().undo().canUndo() &&
          *window_->workspace().state().pose != window_->workspace().state().rig->restPositions())
     window_->workspace().undo().undo();
+  window_->setMode("play");
+  rest();
   playFor(kAftermath, "a drag");
 }
 

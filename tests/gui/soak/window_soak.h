@@ -25,6 +25,7 @@ public:
 
 private:
   void playFor(double seconds, const char* occupation);
+  void rest();
   void drag();
   void compare();
   void record();
