@@ -143,9 +143,11 @@ TEST_F(Track, ASecondSeriesIsComparedWithTheOneBefore) {
 TEST_F(Track, IsOneStepThatUndoTakesBackWithItsTable) {
   const auto ball = document().organs().front()->mesh;
   findMotion();
+  ASSERT_TRUE(message().contains(QStringLiteral("6 phases"))) << message().toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
   settle();
   ASSERT_EQ(document().organs().size(), 1U);
+  EXPECT_EQ(message(), QString()) << "it is of organs that are gone, and so is what it may offer";
   EXPECT_EQ(document().organs().front()->mesh, ball);
   EXPECT_TRUE(document().keySequence().keys.empty());
   EXPECT_EQ(measured().present(), nullptr);

@@ -193,7 +193,7 @@ void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrg
   playback_.play();
 }
 
-/// Shows a message with the result, doubts about it, and offers.
+/// Shows a message with the result, doubts about it, and offers. It ends with the organs of the motion.
 void MeasuredMotion::say(const Found& found) {
   const motion::PatientMotion& motion = *found.motion;
   Message message{Message::Severity::info, summaryOf(found), {}, kSaidSeconds};
@@ -218,6 +218,7 @@ void MeasuredMotion::say(const Found& found) {
     message.offers.push_back({tr("Leave out phase %1").arg(numbers.join(QStringLiteral(", "))),
                               [this, fewer, options = found.options] { find(fewer, options); }});
   }
+  said_ = message.text;
   workspace_.say(message);
 }
 
@@ -265,6 +266,8 @@ void MeasuredMotion::sync() {
   if (present == present_)
     return;
   present_ = present;
+  if (!said_.isEmpty())
+    workspace_.retract(std::exchange(said_, {}));
   workspace_.jobs().cancelSlot(kPhaseSlot);
   phases_.clear();
   reported_ = false;

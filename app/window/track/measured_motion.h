@@ -95,6 +95,7 @@ private:
   const Found* present_ = nullptr;
   std::vector<std::unique_ptr<motion::MeasuredPhase>> phases_; ///< Phases of the present motion; null: not
                                                                ///< requested.
+  QString said_; ///< The message with the present motion's result.
   int searches_ = 0;
   bool making_ = false;   ///< A worker computes a measured phase.
   bool reported_ = false; ///< An error about a phase's surfaces was reported for this motion.
