@@ -288,6 +288,7 @@ TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
   EXPECT_EQ(firstOffered(), QStringLiteral("breathing"));
   EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("breathing"));
   const document::OrganId liver = document().organs().front()->id;
+  EXPECT_FALSE(find<QTableWidget>("cycleTable").isVisible()) << "there is no cycle yet";
   chooseSequence("breathing");
   EXPECT_TRUE(find<QAbstractButton>("offerFit").isVisible());
   EXPECT_TRUE(standsOut("offerFit"));
@@ -302,6 +303,7 @@ TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
   EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible()) << "it has that motion";
   EXPECT_FALSE(find<QLabel>("ejectionFraction").isVisible()) << "a liver ejects nothing";
   EXPECT_FALSE(find<QLabel>("cardiacOutput").isVisible());
+  EXPECT_TRUE(find<QTableWidget>("cycleTable").isVisible());
 }
 
 TEST_F(SequencesThatFit, AStomachIsToldThatItHasNoHeartbeat) {

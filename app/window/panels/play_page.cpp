@@ -101,8 +101,9 @@ void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
 }
 
 void PlayPage::makeTable() {
-  addSection(tr("During one cycle"));
+  cycleHead_ = addSection(tr("During one cycle"));
   table_ = new QTableWidget(0, kCavityColumns, this);
+  table_->setObjectName(QStringLiteral("cycleTable"));
   table_->setHorizontalHeaderLabels({QString(), tr("max"), tr("min"), tr("SV"), tr("EF")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCavityName, QHeaderView::Stretch);
@@ -204,8 +205,11 @@ void PlayPage::syncState() {
                                 .arg(formatNumber(player.ratePerMinute(), 0))
                                 .arg(formatNumber(player.periodSeconds(), 2))
                           : nothing());
+  cycleHead_->setVisible(sequence != nullptr);
+  table_->setVisible(sequence != nullptr); // A row of each organ would only push away what follows.
   syncPhase();
   syncIndices(); // Normal ranges belong to the motion.
+  syncWalls();
   record_->setName(
       sequence
           ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(formatNumber(player.ratePerMinute(), 0))
@@ -284,7 +288,7 @@ void PlayPage::syncIndices() {
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   syncPatientCirculation();
   for (QLabel* fact : {fraction_, stroke_, output_})
-    setFactShown(fact, best < lines.size());
+    setFactShown(fact, playback_.sequence() && best < lines.size());
   fraction_->setText(indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1))
                              : nothing());
   stroke_->setText(indices ? tr("%1 ml").arg(formatNumber(indices->strokeVolumeMl, 1)) : nothing());

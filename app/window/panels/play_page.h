@@ -46,6 +46,7 @@ private:
   FitOffer* offer_ = nullptr;
   QLabel* rate_ = nullptr;
   QLabel* phase_ = nullptr;
+  QWidget* cycleHead_ = nullptr; ///< Of the table, which is shown with a sequence.
   QTableWidget* table_ = nullptr;
   QLabel* fraction_ = nullptr;
   QLabel* stroke_ = nullptr;
