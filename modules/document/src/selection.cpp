@@ -34,6 +34,8 @@ void Selection::toggle(HandleId handle) {
 
 void Selection::setOrgan(OrganId organ) {
   const OrganId present = document_.organ(organ) ? organ : OrganId{};
+  if (!present)
+    removed_.clear(); // None is selected on purpose.
   if (std::exchange(organ_, present) != present)
     document_.announce(changed_.emission());
 }
@@ -48,6 +50,7 @@ void Selection::clear() {
   const bool any = !handles_.empty() || organ_ || group_;
   handles_.clear();
   organ_ = {};
+  removed_.clear();
   group_ = {};
   if (any)
     document_.announce(changed_.emission());
@@ -56,16 +59,27 @@ void Selection::clear() {
 void Selection::drop() {
   const Rig& rig = document_.rig();
   auto gone = std::erase_if(handles_, [&rig](HandleId handle) { return rig.indexOf(handle) < 0; });
-  if (organ_ && !document_.organ(organ_)) {
-    organ_ = {};
+  if (dropOrgan())
     ++gone;
-  }
   if (group_ && rig.indexOf(group_) < 0) {
     group_ = {};
     ++gone;
   }
   if (gone > 0)
     document_.announce(changed_.emission());
+}
+
+/// Returns whether the selected organ has changed.
+bool Selection::dropOrgan() {
+  const OrganId before = organ_;
+  const auto isThere = [this](OrganId organ) { return document_.organ(organ) != nullptr; };
+  if (organ_ && !isThere(organ_))
+    removed_.push_back(std::exchange(organ_, {}));
+  const auto back = std::find_if(removed_.rbegin(), removed_.rend(), isThere);
+  if (!organ_ && back != removed_.rend())
+    organ_ = *back;
+  std::erase_if(removed_, isThere);
+  return organ_ != before;
 }
 
 } // namespace viscera::document

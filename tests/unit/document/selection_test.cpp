@@ -39,6 +39,21 @@ TEST(Selection, LosesWhatLeavesTheDocument) {
   EXPECT_EQ(news, 3);
 }
 
+TEST(Selection, ComesBackToAnOrganThatUndoBringsBack) {
+  Session s;
+  Selection selection(s.document);
+  const OrganId organ = s.organ();
+  selection.setOrgan(organ);
+  s.undo.perform(removeOrgans({organ}));
+  s.undo.undo();
+  EXPECT_EQ(selection.organ(), organ);
+  s.undo.redo();
+  EXPECT_FALSE(selection.organ());
+  selection.setOrgan({});
+  s.undo.undo();
+  EXPECT_FALSE(selection.organ()) << "none was selected on purpose";
+}
+
 TEST(Selection, IsUpToDateWhoeverHearsFirst) {
   Session s;
   std::unique_ptr<Selection> selection;

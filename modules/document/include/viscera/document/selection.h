@@ -8,7 +8,8 @@ namespace viscera::document {
 
 /// The selected organ and handles of a document. It is not a part of the document: selecting is not an undo
 /// step and is not saved. Items that are removed from the document are removed from the selection before
-/// observers of the document are called. For the document's thread.
+/// observers of the document are called. The selected organ is selected again when undo brings it back,
+/// unless another one is selected then. For the document's thread.
 class Selection {
 public:
   explicit Selection(Document& document);
@@ -37,10 +38,12 @@ public:
 
 private:
   void drop();
+  bool dropOrgan();
 
   Document& document_;
   std::vector<HandleId> handles_;
   OrganId organ_;
+  std::vector<OrganId> removed_; ///< Selected organs that left the document, the latest last.
   GroupId group_;
   Signal<> changed_;
   Subscription subscription_;
