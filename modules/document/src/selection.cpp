@@ -59,7 +59,7 @@ void Selection::clear() {
 void Selection::drop() {
   const Rig& rig = document_.rig();
   auto gone = std::erase_if(handles_, [&rig](HandleId handle) { return rig.indexOf(handle) < 0; });
-  if (dropOrgan())
+  if (followOrgan())
     ++gone;
   if (group_ && rig.indexOf(group_) < 0) {
     group_ = {};
@@ -69,8 +69,9 @@ void Selection::drop() {
     document_.announce(changed_.emission());
 }
 
-/// Returns whether the selected organ has changed.
-bool Selection::dropOrgan() {
+/// Forgets the organ when it has gone and takes up one that is back. Returns whether the selected one has
+/// changed.
+bool Selection::followOrgan() {
   const OrganId before = organ_;
   const auto isThere = [this](OrganId organ) { return document_.organ(organ) != nullptr; };
   if (organ_ && !isThere(organ_))

@@ -38,7 +38,7 @@ public:
 
 private:
   void drop();
-  bool dropOrgan();
+  bool followOrgan();
 
   Document& document_;
   std::vector<HandleId> handles_;
