@@ -172,14 +172,17 @@ TEST_F(PlayMode, OpeningAFileTakesThePlaceOfTheSampleAndUndoBringsItBackWithItsM
 TEST_F(PlayMode, UndoOfOpeningAFileIsHeardByEveryPanelThoughTheSelectionGoesWithIt) {
   key(Qt::Key_2);
   ASSERT_EQ(window().mode(), "handles");
-  open(sphereFile());
   document::Selection& selection = window().workspace().selection();
+  const document::OrganId heart = selection.organ();
+  ASSERT_TRUE(heart);
+  open(sphereFile());
   ASSERT_TRUE(selection.organ());
+  ASSERT_NE(selection.organ(), heart);
   selection.setHandles({document().rig().handles.front().id});
   settle();
   window().workspace().undo().undo();
   EXPECT_EQ(document().organs().size(), 5u);
-  EXPECT_FALSE(selection.organ());
+  EXPECT_EQ(selection.organ(), heart) << "which was selected before";
   EXPECT_TRUE(selection.handles().empty());
   selection.setHandles({document().rig().handles.front().id});
   settle();
