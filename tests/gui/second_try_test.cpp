@@ -57,6 +57,10 @@ TEST_F(SmallFaults, UndoOnAnUntouchedStartLeavesTheSample) {
   key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_FALSE(document().organs().empty());
   EXPECT_EQ(document().organs().front()->name, "Heart") << "another sample is a step";
+  EXPECT_FALSE(window().isWindowModified()) << "both samples are as they came";
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().organs().front()->name, "Liver");
+  EXPECT_FALSE(window().isWindowModified());
 }
 
 TEST_F(SmallFaultsOfAFile, ASampleThatArrivesInDeformLeavesTheMode) {

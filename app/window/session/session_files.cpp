@@ -377,7 +377,7 @@ void SessionFiles::sampleLoaded(const QString&, bool untouched, bool first) {
   if (first) // The sample is the first content, so there is no earlier state for undo.
     workspace_.undo().reset(workspace_.state());
   else
-    workspace_.undo().markSaved();
+    workspace_.undo().markUntouched();
 }
 
 } // namespace viscera::app

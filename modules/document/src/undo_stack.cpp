@@ -85,7 +85,7 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
 } // namespace
 
 UndoStack::UndoStack(Document& document, std::size_t memory)
-    : document_(document), memory_(memory), saved_(document.state()) {}
+    : document_(document), memory_(memory), clean_{document.state()} {}
 
 void UndoStack::change(DocumentState state) {
   document_.replace(std::move(state), stepOpen_, changed_.emission());
@@ -115,9 +115,9 @@ void UndoStack::perform(const Command& command) {
 }
 
 bool UndoStack::merges(const Command& command) const {
-  // The saved state has to stay reachable by undo, so no command is merged into the step that ended there.
+  // A saved state has to stay reachable by undo, so no command is merged into the step that ended there.
   return !sealed_ && !command.mergeKey.empty() && position_ > 0 && position_ == entries_.size() &&
-         entries_.back().mergeKey == command.mergeKey && !(entries_.back().after == saved_);
+         entries_.back().mergeKey == command.mergeKey && !isClean(entries_.back().after);
 }
 
 void UndoStack::push(Entry entry) {
@@ -241,7 +241,18 @@ void UndoStack::markSaved() {
 }
 
 void UndoStack::markSaved(DocumentState state) {
-  saved_ = std::move(state);
+  clean_ = {std::move(state)};
+  changed_.emit();
+}
+
+void UndoStack::markUntouched() {
+  endStep();
+  std::erase_if(clean_, [this](const DocumentState& clean) { // Those that no step leads to any more.
+    return std::none_of(entries_.begin(), entries_.end(), [&clean](const Entry& entry) {
+      return entry.before == clean || entry.after == clean;
+    });
+  });
+  clean_.push_back(document_.state());
   changed_.emit();
 }
 
@@ -249,8 +260,8 @@ void UndoStack::markUnsaved() {
   markSaved(DocumentState()); // Equal to none: states are compared by address.
 }
 
-bool UndoStack::isClean() const {
-  return document_.state() == saved_;
+bool UndoStack::isClean(const DocumentState& state) const {
+  return std::find(clean_.begin(), clean_.end(), state) != clean_.end();
 }
 
 void UndoStack::reset(DocumentState state) {
@@ -282,7 +293,7 @@ void UndoStack::reset(DocumentState state) {
   for (const StressLine& line : state.stressMarks->lines)
     document_.ids_.reserve(line.id);
   seal();
-  saved_ = state;
+  clean_ = {state};
   change(std::move(state));
 }
 

@@ -373,5 +373,22 @@ TEST(UndoStack, RemembersTheStateThatWasSavedWhileWorkWentOn) {
   EXPECT_FALSE(s.undo.isClean());
 }
 
+TEST(UndoStack, KeepsEveryUntouchedStateCleanUntilTheNextSave) {
+  Session s;
+  s.undo.perform(setParameter("locality", 1));
+  s.undo.markUntouched();
+  s.undo.perform(setParameter("locality", 2));
+  EXPECT_FALSE(s.undo.isClean());
+  s.undo.undo();
+  EXPECT_TRUE(s.undo.isClean());
+  s.undo.undo();
+  EXPECT_TRUE(s.undo.isClean());
+  s.undo.redo();
+  s.undo.redo();
+  s.undo.markSaved();
+  s.undo.undo();
+  EXPECT_FALSE(s.undo.isClean()) << "the file holds another state";
+}
+
 } // namespace
 } // namespace viscera::document

@@ -78,10 +78,13 @@ public:
   void markSaved();
   /// Remembers the state that was saved while work went on.
   void markSaved(DocumentState state);
+  /// Remembers the present state as one with nothing to save, beside the others of this kind, as after one
+  /// untouched example replaced another.
+  void markUntouched();
   /// Marks all states as unsaved, for a document from a recovery file.
   void markUnsaved();
-  /// Whether the document is in the saved (or loaded) state, also after undoing back to it.
-  bool isClean() const;
+  /// Whether the document is in the saved (or loaded, or an untouched) state, also after undoing back to it.
+  bool isClean() const { return isClean(document_.state()); }
 
   /// Another document: forgets all steps and takes `state` as saved.
   void reset(DocumentState state);
@@ -106,12 +109,13 @@ private:
   void push(Entry entry);
   void forgetOldest();
   bool merges(const Command& command) const;
+  bool isClean(const DocumentState& state) const;
 
   Document& document_;
   std::size_t memory_;
   std::vector<Entry> entries_;
   std::size_t position_ = 0;
-  DocumentState saved_;
+  std::vector<DocumentState> clean_; ///< Those with nothing to save.
   DocumentState stepBefore_;
   std::string stepName_;
   bool stepOpen_ = false;
