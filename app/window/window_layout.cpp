@@ -93,8 +93,9 @@ void WindowLayout::placeRail(QWidget* rail) {
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->toggleViewAction()->setVisible(false);
-  bar->layout()->setContentsMargins(0, 0, 0, 0);
   bar->setStyleSheet(QStringLiteral("QToolBar { border: none; padding: 0; spacing: 0; }"));
+  // After the sheet, which sets others where the application has one, too.
+  bar->layout()->setContentsMargins(0, 0, 0, 0);
   bar->addWidget(rail);
   window_.addToolBar(Qt::LeftToolBarArea, bar);
   rail_ = bar;
