@@ -3701,12 +3701,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Obre’n els òrgans</translation>
     </message>
     <message>
-        <source>The scan %2 is in the same folder as %1.</source>
-        <translation>L’exploració %2 és a la mateixa carpeta que %1.</translation>
+        <source>The scan %2 has the same voxels as %1.</source>
+        <translation>L’exploració %2 té els mateixos vòxels que %1.</translation>
     </message>
     <message>
-        <source>The label map %2 is in the same folder as %1.</source>
-        <translation>El mapa d’etiquetes %2 és a la mateixa carpeta que %1.</translation>
+        <source>The label map %2 has the same voxels as %1.</source>
+        <translation>El mapa d’etiquetes %2 té els mateixos vòxels que %1.</translation>
     </message>
 </context>
 <context>

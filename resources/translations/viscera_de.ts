@@ -3701,12 +3701,12 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Deren Organe öffnen</translation>
     </message>
     <message>
-        <source>The scan %2 is in the same folder as %1.</source>
-        <translation>Der Scan %2 liegt im selben Ordner wie %1.</translation>
+        <source>The scan %2 has the same voxels as %1.</source>
+        <translation>Der Scan %2 hat dieselben Voxel wie %1.</translation>
     </message>
     <message>
-        <source>The label map %2 is in the same folder as %1.</source>
-        <translation>Die Labelmap %2 liegt im selben Ordner wie %1.</translation>
+        <source>The label map %2 has the same voxels as %1.</source>
+        <translation>Die Labelmap %2 hat dieselben Voxel wie %1.</translation>
     </message>
 </context>
 <context>

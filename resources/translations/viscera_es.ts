@@ -3701,12 +3701,12 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Abrir sus órganos</translation>
     </message>
     <message>
-        <source>The scan %2 is in the same folder as %1.</source>
-        <translation>El estudio %2 está en la misma carpeta que %1.</translation>
+        <source>The scan %2 has the same voxels as %1.</source>
+        <translation>El estudio %2 tiene los mismos vóxeles que %1.</translation>
     </message>
     <message>
-        <source>The label map %2 is in the same folder as %1.</source>
-        <translation>El mapa de etiquetas %2 está en la misma carpeta que %1.</translation>
+        <source>The label map %2 has the same voxels as %1.</source>
+        <translation>El mapa de etiquetas %2 tiene los mismos vóxeles que %1.</translation>
     </message>
 </context>
 <context>

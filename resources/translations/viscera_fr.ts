@@ -3701,12 +3701,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ouvrir ses organes</translation>
     </message>
     <message>
-        <source>The scan %2 is in the same folder as %1.</source>
-        <translation>L’examen %2 est dans le même dossier que %1.</translation>
+        <source>The scan %2 has the same voxels as %1.</source>
+        <translation>L’examen %2 a les mêmes voxels que %1.</translation>
     </message>
     <message>
-        <source>The label map %2 is in the same folder as %1.</source>
-        <translation>La carte d’étiquettes %2 est dans le même dossier que %1.</translation>
+        <source>The label map %2 has the same voxels as %1.</source>
+        <translation>La carte d’étiquettes %2 a les mêmes voxels que %1.</translation>
     </message>
 </context>
 <context>

@@ -172,7 +172,8 @@ TEST_F(PatientTest, AnExportThatIsCancelledLeavesNothing) {
 TEST_F(PatientTest, ALabelMapOffersTheScanBesideItAndTheScanItsOrgans) {
   const QString labels = labelFile(), scan = scanFile();
   open(labels);
-  EXPECT_TRUE(message().contains(QStringLiteral("ball_ct.nii"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("The scan ball_ct.nii has the same voxels")))
+      << message().toStdString();
   ASSERT_TRUE(offer());
   offer()->click();
   settle();
@@ -180,7 +181,8 @@ TEST_F(PatientTest, ALabelMapOffersTheScanBesideItAndTheScanItsOrgans) {
   reopenWindow();
   window().scans().open(scan);
   settle();
-  EXPECT_TRUE(message().contains(QStringLiteral("ball_seg.nrrd"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("The label map ball_seg.nrrd has the same voxels")))
+      << message().toStdString();
   ASSERT_TRUE(offer());
   offer()->click();
   settle();

@@ -71,8 +71,8 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
   const bool scan = contents == ImageContents::values;
   const QString place = text(found.string());
   const QString said =
-      scan ? tr("The scan %2 is in the same folder as %1.").arg(fileNameOf(image), fileNameOf(found))
-           : tr("The label map %2 is in the same folder as %1.").arg(fileNameOf(image), fileNameOf(found));
+      scan ? tr("The scan %2 has the same voxels as %1.").arg(fileNameOf(image), fileNameOf(found))
+           : tr("The label map %2 has the same voxels as %1.").arg(fileNameOf(image), fileNameOf(found));
   // It takes the place of a message that names the files that did not open.
   const QString unopened = files_.unopenedBeside(image);
   workspace_.say({unopened.isEmpty() ? Message::Severity::info : Message::Severity::error,
