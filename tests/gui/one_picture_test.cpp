@@ -102,7 +102,8 @@ void pinProbesOnALogarithmicRange(app::MainWindow& window) {
 
 void showThePeak(app::MainWindow& window) {
   window.stress().model().setPeakShown(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.stress().model().peakShown() && atPeace(window); }, 30000));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window.stress().model().peakShown() && atPeace(window); }, 120000));
 }
 
 /// A window of 900 x 600 pixels, whose picture is compared with others of the same document.

@@ -419,7 +419,7 @@ std::string Walk::checkSelection() {
 
 /// What somebody sees who opens the same document anew, and looks at the same pose.
 std::string Walk::checkAgainstFresh() {
-  if (!QTest::qWaitFor([this] { return atPeace(window_); }, 30000))
+  if (!QTest::qWaitFor([this] { return atPeace(window_); }, 120000))
     return "the window's work has no end; ";
   if (const std::string wrong = check(); !wrong.empty())
     return "once all work was done: " + wrong;

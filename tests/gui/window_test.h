@@ -51,7 +51,7 @@ protected:
   /// Opens a file as a user does and waits until its organs are bound.
   void open(const QString& file);
 
-  /// Handles the window's events until `done` or half a minute has passed; says whether it is done.
+  /// Handles the window's events until `done` or two minutes have passed; says whether it is done.
   bool waitUntil(const std::function<bool()>& done);
   /// Handles events until nothing is being loaded, bound or waiting to be drawn.
   void settle();
