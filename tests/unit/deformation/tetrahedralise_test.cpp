@@ -146,7 +146,8 @@ TEST(Tetrahedralise, EndsAWorkerThatTakesTooLong) {
 }
 
 TEST(Tetrahedralise, EndsAWorkerThatTakesTooMuchMemory) {
-  const FakeWorker eater("tail /dev/zero\n");
+  const FakeWorker eater(
+      "head -c 1 >/dev/null; tail /dev/zero\n"); // The limit holds before the request comes.
   TetrahedraOptions options = eater.options();
   options.memoryLimitBytes = 50u << 20;
   EXPECT_EQ(failureOf(tests::box(), options), Reason::memoryLimit);

@@ -49,7 +49,8 @@ public:
 
   /// The error number with which it could not be started, or 0.
   int startError() const { return startError_; }
-  /// Limits memory, messages and, for a program that outlives us, processor time.
+  /// Limits memory, messages and, for a program that outlives us, processor time; also of the processes that
+  /// it starts from now on.
   void limit(const ChildLimits& limits) const;
   /// Whether it has ended; fills in how, but for output and messages. With `wait` it returns only then.
   bool ended(ChildResult& result, bool wait = false);
@@ -67,7 +68,8 @@ private:
 };
 
 /// Runs `program` (no arguments), with `input` on its standard input, until it ends; collects its standard
-/// output. Whatever it does, this returns soon after the time limit, and no process of its group is left.
+/// output. Whatever it does, this returns soon after the time limit, and no process of its group is left. The
+/// limits hold before the input comes; a process that it starts without reading may escape that of memory.
 /// Throws `Cancelled`, after the program was killed; `Error` when the machine has no more files or
 /// processes. Thread-safe.
 ChildResult runChild(const std::filesystem::path& program, const std::vector<char>& input,
