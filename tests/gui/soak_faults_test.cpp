@@ -61,6 +61,20 @@ TEST(SoakFaults, AreNotFramesThatTheMachineDrewMoreSlowlyButOthersBesideThem) {
   EXPECT_EQ(faults[1].rfind("a frame came after 105 ms at 1331 s", 0), 0u) << faults[1];
 }
 
+/// Half of the seconds follow a recording, with less memory, in one part a few more and in another a few
+/// less.
+TEST(SoakFaults, AreNotTwoStatesOfMemoryThatEachStay) {
+  std::vector<SoakSample> samples = calmHour();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].use.ownMb = i % 60 < (i < 1800 ? 29 : 33) ? 231 : 227;
+  EXPECT_TRUE(soakFaults(samples).empty());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].use.allocatedMb *= 1 + 0.02 * double(i) / 3600;
+  const std::vector<std::string> faults = soakFaults(samples);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].rfind("allocated memory grew from 105.", 0), 0u) << faults[0];
+}
+
 TEST(SoakFaults, AreFramesThatBecomeLateOnAMachineThatIsAsFastAsBefore) {
   std::vector<SoakSample> samples = calmHour();
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -42,7 +44,8 @@ int main(int argc, char** argv) {
   std::ofstream table(csv);
   table << "seconds,resident_mb,own_mb,allocated_mb,descriptors,threads,frames,longest_ms,paused_ms,"
            "work_us,process_ms,kernel_ms,page_faults,occupation\n";
-  std::vector<viscera::tests::SoakSample> samples;
+  std::vector<viscera::tests::SoakSample> samples(static_cast<std::size_t>(std::max(seconds, 0.0)) + 10);
+  samples.clear(); // What grows later is not this table.
   viscera::tests::WindowSoak().run(seconds, [&](const viscera::tests::SoakSample& sample) {
     samples.push_back(sample);
     table << sample.seconds << ',' << sample.use.residentMb << ',' << sample.use.ownMb << ','
