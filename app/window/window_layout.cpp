@@ -94,7 +94,7 @@ void WindowLayout::placeRail(QWidget* rail) {
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->toggleViewAction()->setVisible(false);
   bar->setStyleSheet(QStringLiteral("QToolBar { border: none; padding: 0; spacing: 0; }"));
-  // After the sheet, which sets others where the application has one, too.
+  // After the bar's own sheet: where the application has one already, Qt sets other margins with it.
   bar->layout()->setContentsMargins(0, 0, 0, 0);
   bar->addWidget(rail);
   window_.addToolBar(Qt::LeftToolBarArea, bar);

@@ -61,8 +61,7 @@ TEST(SoakFaults, AreNotFramesThatTheMachineDrewMoreSlowlyButOthersBesideThem) {
   EXPECT_EQ(faults[1].rfind("a frame came after 105 ms at 1331 s", 0), 0u) << faults[1];
 }
 
-/// Half of the seconds follow a recording, with less memory, in one part a few more and in another a few
-/// less.
+/// Half of the seconds follow a recording, with less memory: a few more at first, a few less at the end.
 TEST(SoakFaults, AreNotTwoStatesOfMemoryThatEachStay) {
   std::vector<SoakSample> samples = calmHour();
   for (std::size_t i = 0; i < samples.size(); ++i)

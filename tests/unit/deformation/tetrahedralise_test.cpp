@@ -146,8 +146,8 @@ TEST(Tetrahedralise, EndsAWorkerThatTakesTooLong) {
 }
 
 TEST(Tetrahedralise, EndsAWorkerThatTakesTooMuchMemory) {
-  const FakeWorker eater(
-      "head -c 1 >/dev/null; tail /dev/zero\n"); // The limit holds before the request comes.
+  // The worker's memory is limited before the request comes, so it waits for that.
+  const FakeWorker eater("head -c 1 >/dev/null; tail /dev/zero\n");
   TetrahedraOptions options = eater.options();
   options.memoryLimitBytes = 50u << 20;
   EXPECT_EQ(failureOf(tests::box(), options), Reason::memoryLimit);

@@ -69,7 +69,7 @@ private:
 
 /// Runs `program` (no arguments), with `input` on its standard input, until it ends; collects its standard
 /// output. Whatever it does, this returns soon after the time limit, and no process of its group is left. The
-/// limits hold before the input comes; a process that it starts without reading may escape that of memory.
+/// limits hold before the program gets its input; a process that it has started by then has none of memory.
 /// Throws `Cancelled`, after the program was killed; `Error` when the machine has no more files or
 /// processes. Thread-safe.
 ChildResult runChild(const std::filesystem::path& program, const std::vector<char>& input,

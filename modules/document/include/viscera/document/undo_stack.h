@@ -79,7 +79,7 @@ public:
   /// Remembers the state that was saved while work went on.
   void markSaved(DocumentState state);
   /// Remembers the present state as one with nothing to save, beside the others of this kind, as after one
-  /// untouched example replaced another.
+  /// untouched sample replaced another.
   void markUntouched();
   /// Marks all states as unsaved, for a document from a recovery file.
   void markUnsaved();
