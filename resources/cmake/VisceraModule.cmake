@@ -89,11 +89,33 @@ function(viscera_precompile target header)
   endif()
 endfunction()
 
-# viscera_module(<name> SOURCES a.cpp ... [USES targets-in-public-headers...] [PRIVATELY targets...])
+# The floors of the house, from the lowest: a module may use those of its own stratum and of lower ones.
+set(VISCERA_STRATA numbers content work faces)
+
+# viscera_describe_module(<name> STRATUM stratum ABOUT text [FOLDER folder] [USES targets...] [PRIVATELY targets...])
+# notes a folder of modules/ (of the CMakeLists.txt that calls it, unless given): its stratum, what it contains, and what it
+# may include, public headers only what is in USES. The tests of tests/contract/house and the table in docs/architecture.md
+# are made of these notes.
+function(viscera_describe_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "STRATUM;ABOUT;FOLDER" "USES;PRIVATELY")
+  if(NOT ARG_STRATUM IN_LIST VISCERA_STRATA OR NOT ARG_ABOUT)
+    message(FATAL_ERROR "Module ${name} needs ABOUT and a STRATUM of: ${VISCERA_STRATA}.")
+  endif()
+  if(NOT ARG_FOLDER)
+    file(RELATIVE_PATH ARG_FOLDER "${PROJECT_SOURCE_DIR}/modules" "${CMAKE_CURRENT_SOURCE_DIR}")
+  endif()
+  list(JOIN ARG_USES " " uses)
+  list(JOIN ARG_PRIVATELY " " privately)
+  set_property(GLOBAL APPEND_STRING PROPERTY VISCERA_MODULE_NOTES
+    "module ${name}\nfolder ${ARG_FOLDER}\nstratum ${ARG_STRATUM}\nuses ${uses}\nprivately ${privately}\nabout ${ARG_ABOUT}\n")
+endfunction()
+
+# viscera_module(<name> STRATUM stratum ABOUT text SOURCES a.cpp ... [USES targets-in-public-headers...] [PRIVATELY targets...])
 # makes the shared library viscera_<name> (alias Viscera::<name>) from files under src/,
 # whose public headers are in include/viscera/<name>/.
 function(viscera_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "STRATUM;ABOUT" "SOURCES;USES;PRIVATELY")
+  viscera_describe_module(${name} STRATUM "${ARG_STRATUM}" ABOUT "${ARG_ABOUT}" USES ${ARG_USES} PRIVATELY ${ARG_PRIVATELY})
   list(TRANSFORM ARG_SOURCES PREPEND "src/")
   add_library(viscera_${name} SHARED ${ARG_SOURCES})
   add_library(Viscera::${name} ALIAS viscera_${name})
