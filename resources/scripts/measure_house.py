@@ -8,7 +8,7 @@ builds nothing; paths are printed relative to the tree.
   arrows           pairs (module, other module whose header it includes); app and tests not counted
   arrows in cycles those from which a way leads back
   arrows upward    those to a module of a higher stratum (STRATUM in the modules' CMakeLists.txt); "-" before strata were stated
-  casts            dynamic_casts to a class derived from sequences::Sequence, outside the folder that defines the class
+  casts            dynamic_casts to a class derived from sequences::Sequence, outside the module that defines it
   organ names      files that decide by a name what an organ is, outside norms and anatomy: two different words for organs or
                    chambers are compared, searched for, or begin rows of a table. Translated texts and comments do not count
   colours          of a liver: colours that stand beside the word, also in the definitions of sample organs; groups of
@@ -92,7 +92,7 @@ def strata(tree):
 
 
 def casts(tree):
-    """(file, class) of each cast to a class derived from Sequence, in other folders than the one that defines it."""
+    """(file, class) of each cast to a class derived from Sequence, in other modules than the one that defines it."""
     derived, defined_in = {"Sequence"}, {}
     classes = [(file, name, base) for file, text in tree.files.items()
                for name, base in re.findall(r"^\s*class (\w+)(?: final)? : public ([\w:]+)", text, flags=re.M)]
@@ -101,13 +101,11 @@ def casts(tree):
             if base.split("::")[-1] in derived and name not in derived:
                 derived.add(name)
                 defined_in[name] = file
-    def folder(file):
-        return file.parts[:file.parts.index("include")] if "include" in file.parts else file.parent.parts
     found = []
     for file, text in tree.files.items():
         for target in re.findall(r"dynamic_cast<\s*(?:const\s+)?([\w:]+)", text):
             name = target.split("::")[-1]
-            if name in defined_in and file.parts[:len(folder(defined_in[name]))] != folder(defined_in[name]):
+            if name in defined_in and file.parts[:2] != defined_in[name].parts[:2]:
                 found.append((str(file), name))
     return found
 
