@@ -56,7 +56,7 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
     return;
   try {
     wish(*motion_);
-    workspace_.undo().perform(document::setPose(motion_->pose()));
+    workspace_.undo().perform(document::setPose(motion_->sharedPose()));
     setObstacle(messageInWords(motion_->obstacle()));
   } catch (const Error& error) {
     if (obstacle_.isEmpty())
@@ -88,7 +88,7 @@ std::optional<Vec3> PoseEditor::moveBy(const std::vector<document::HandleId>& ha
     motion.translate(by);
     if (motion.selection().empty())
       return;
-    document::Command command = document::setPose(motion.pose());
+    document::Command command = document::setPose(motion.sharedPose());
     command.name = handles.size() == 1
                        ? tr("Move handle %1")
                              .arg(inWords(workspace_.document()
@@ -111,8 +111,9 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
     for (const int row : motion.selection())
       wanted.row(row) = workspace_.document().rig().handles[static_cast<std::size_t>(row)].rest.transpose();
     motion.reach(wanted);
-    workspace_.undo().perform(document::setPose(
-        motion.pose(), tr("Reset %n handles", nullptr, static_cast<int>(handles.size())).toStdString()));
+    workspace_.undo().perform(
+        document::setPose(motion.sharedPose(),
+                          tr("Reset %n handles", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
       return;
     workspace_.say(

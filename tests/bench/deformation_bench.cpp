@@ -1,3 +1,6 @@
+#include <memory>
+#include <utility>
+
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
@@ -85,9 +88,10 @@ public:
     else
       pose.array() += 0.1 * (++step_ % 50);
     if (together) {
+      const auto shared = std::make_shared<const Points>(std::move(pose));
       std::vector<NewPose> poses;
       for (Deformer* organ : all_)
-        poses.push_back({organ, pose, oneHandle ? std::vector<int>{12} : std::vector<int>{}});
+        poses.push_back({organ, shared, oneHandle ? std::vector<int>{12} : std::vector<int>{}});
       poseTogether(poses, threads_);
       benchmark::DoNotOptimize(volumesTogether(all_, threads_).data());
       return;

@@ -10,21 +10,31 @@
 #include "viscera/geometry/volume.h"
 
 namespace viscera::deformation {
+namespace {
+
+std::shared_ptr<const Points> withRow(const Points& pose, int handle, const Vec3& position) {
+  auto moved = std::make_shared<Points>(pose);
+  moved->row(handle) = position.transpose();
+  return moved;
+}
+
+} // namespace
 
 Deformer::Deformer(std::shared_ptr<const geometry::TriangleMesh> rest,
                    std::shared_ptr<const coordinates::Binding> binding, Points restHandles, Threads threads)
     : rest_(std::move(rest)), binding_(std::move(binding)),
       around_(geometry::vertexTriangles(rest_->points.rows(), rest_->triangles)),
-      restHandles_(std::move(restHandles)), threads_(threads), pose_(restHandles_), points_(rest_->points),
+      restHandles_(std::make_shared<const Points>(std::move(restHandles))), threads_(threads),
+      pose_(restHandles_), points_(rest_->points),
       restVolume_(geometry::volume(rest_->points, rest_->triangles, threads)) {
   assert(binding_->pointCount() == rest_->points.rows());
-  assert(binding_->handleCount() == restHandles_.rows());
+  assert(binding_->handleCount() == restHandles_->rows());
 }
 
 void Deformer::requirePose(const Points& pose) const {
-  if (pose.rows() != restHandles_.rows())
+  if (pose.rows() != restHandles_->rows())
     throw DataError(phrase("the pose has %n {handle|handles}, the organ is bound to %2", pose.rows(),
-                           restHandles_.rows()),
+                           restHandles_->rows()),
                     "pose", "use a pose of the same handles");
   for (Eigen::Index handle = 0; handle < pose.rows(); ++handle)
     if (!pose.row(handle).allFinite())
@@ -33,39 +43,42 @@ void Deformer::requirePose(const Points& pose) const {
 
 void Deformer::setPose(const Points& pose) {
   requirePose(pose);
-  pose_ = pose;
-  binding_->deform(pose_, points_, threads_);
+  pose_ = std::make_shared<const Points>(pose);
+  binding_->deform(*pose_, points_, threads_);
   changed();
 }
 
 /// As `setPose`, but for the points: they follow in pieces.
-PiecesOfWork Deformer::poseInPieces(const Points& pose) {
-  pose_ = pose;
+PiecesOfWork Deformer::poseInPieces(std::shared_ptr<const Points> pose) {
+  pose_ = std::move(pose);
   changed();
-  return binding_->deformInPieces(pose_, points_);
+  return binding_->deformInPieces(*pose_, points_);
 }
 
 /// As `moveHandle` of each of these, but for the points: they follow in pieces.
-PiecesOfWork Deformer::moveInPieces(const Points& pose, const std::vector<int>& moved) {
+PiecesOfWork Deformer::moveInPieces(std::shared_ptr<const Points> pose, const std::vector<int>& moved) {
   std::vector<PiecesOfWork> works;
-  for (const int handle : moved) {
-    const auto before = std::make_shared<const Points>(pose_);
+  std::shared_ptr<const Points> before = pose_;
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const int handle = moved[k];
     PiecesOfWork work = binding_->moveHandleInPieces(
-        *before, handle, (pose.row(handle) - pose_.row(handle)).transpose(), points_);
+        *before, handle, (pose->row(handle) - before->row(handle)).transpose(), points_);
     works.push_back({work.count, [before, run = std::move(work.run)](Eigen::Index piece) { run(piece); }});
-    pose_.row(handle) = pose.row(handle);
+    if (k + 1 < moved.size())
+      before = withRow(*before, handle, pose->row(handle).transpose());
   }
+  pose_ = std::move(pose);
   changed();
   return inTurn(std::move(works));
 }
 
 void Deformer::moveHandle(int handle, const Vec3& position) {
-  assert(handle >= 0 && handle < pose_.rows());
+  assert(handle >= 0 && handle < pose_->rows());
   if (!position.allFinite())
     throw DataError("the position is not finite", phrase("handle %1", handle), "place the handle again");
-  const Vec3 delta = position - pose_.row(handle).transpose();
-  binding_->moveHandle(pose_, handle, delta, points_, threads_);
-  pose_.row(handle) = position.transpose();
+  const Vec3 delta = position - pose_->row(handle).transpose();
+  binding_->moveHandle(*pose_, handle, delta, points_, threads_);
+  pose_ = withRow(*pose_, handle, position);
   changed();
 }
 
@@ -92,7 +105,7 @@ double Deformer::volumeMm3() {
 const Points& Deformer::volumeGradient() {
   if (!gradientValid_) {
     geometry::volumeGradient(points_, rest_->triangles, around_, pointGradient_, threads_);
-    binding_->pullBack(pose_, pointGradient_, handleGradient_, threads_);
+    binding_->pullBack(*pose_, pointGradient_, handleGradient_, threads_);
   }
   gradientValid_ = true;
   return handleGradient_;

@@ -6,7 +6,7 @@ namespace viscera::deformation {
 
 void poseTogether(const std::vector<NewPose>& poses, Threads threads) {
   for (const NewPose& wanted : poses)
-    wanted.deformer->requirePose(wanted.pose);
+    wanted.deformer->requirePose(*wanted.pose);
   std::vector<PiecesOfWork> works;
   for (const NewPose& wanted : poses)
     works.push_back(wanted.moved.empty() ? wanted.deformer->poseInPieces(wanted.pose)

@@ -251,13 +251,15 @@ Command moveHandles(std::vector<HandleId> handles, Points positions) {
                       });
 }
 
-Command setPose(Points pose, std::string name) {
-  return edit::onPart(std::move(name), &DocumentState::pose, [pose = std::move(pose)](Points& now) {
-    if (pose.rows() != now.rows())
-      throw DataError(phrase("The pose has %1 handles, the document %2", pose.rows(), now.rows()), {},
-                      "use a pose of the same handles");
-    now = pose;
-  });
+Command setPose(std::shared_ptr<const Points> pose, std::string name) {
+  return {std::move(name), [pose = std::move(pose)](DocumentState state, IdSource&) {
+            if (pose->rows() != state.pose->rows())
+              throw DataError(
+                  phrase("The pose has %1 handles, the document %2", pose->rows(), state.pose->rows()), {},
+                  "use a pose of the same handles");
+            state.pose = pose;
+            return state;
+          }};
 }
 
 Command resetPose() {

@@ -158,15 +158,15 @@ void BoundOrgan::setState(State state) {
 
 /// The pose for the handles that the organ is still bound to: each is displaced as its namesake is now; one
 /// that is gone is at rest.
-Points BoundOrgan::translated(const BindingTarget& now, const Points& pose) const {
-  Points own = boundTo->handles.positions;
+std::shared_ptr<const Points> BoundOrgan::translated(const BindingTarget& now, const Points& pose) const {
+  auto own = std::make_shared<Points>(boundTo->handles.positions);
   for (std::size_t i = 0; i < boundTo->ids.size(); ++i) {
     const auto found = std::find(now.ids.begin(), now.ids.end(), boundTo->ids[i]);
     if (found == now.ids.end())
       continue;
     const auto row = static_cast<Eigen::Index>(found - now.ids.begin());
     const auto mine = static_cast<Eigen::Index>(i);
-    own.row(mine) += pose.row(row) - now.handles.positions.row(row);
+    own->row(mine) += pose.row(row) - now.handles.positions.row(row);
   }
   return own;
 }
@@ -188,23 +188,23 @@ void BoundOrgan::moves(bool roughly) {
   ++revision;
 }
 
-std::optional<deformation::NewPose> BoundOrgan::poseFor(const BindingTarget& now, const Points& pose,
-                                                        bool interactive) {
+std::optional<deformation::NewPose>
+BoundOrgan::poseFor(const BindingTarget& now, const std::shared_ptr<const Points>& pose, bool interactive) {
   if (!deformer)
     return std::nullopt;
   const bool current = boundTo.get() == &now;
-  Points own = current ? pose : translated(now, pose);
+  std::shared_ptr<const Points> own = current ? pose : translated(now, *pose);
   if (interactive)
-    if (auto moved = fewMoved(own)) {
+    if (auto moved = fewMoved(*own)) {
       if (moved->empty())
         return std::nullopt;
       moves(true);
       return deformation::NewPose{deformer.get(), std::move(own), std::move(*moved)};
     }
-  if (!rough_ && own == deformer->pose())
+  if (!rough_ && *own == deformer->pose())
     return std::nullopt;
   moves(false);
-  if (own == deformer->restHandles()) {
+  if (*own == deformer->restHandles()) {
     deformer->reset();
     return std::nullopt;
   }
@@ -272,6 +272,11 @@ void BoundOrgans::requirePose(const Points& pose) const {
     throw DataError(phrase("The pose has %1 handles, the document %2", pose.rows(), handles));
   if (!(pose.array().abs() <= document::kFarthestMm).all())
     throw DataError("The pose has a position that is not a finite number, or too far away");
+}
+
+void BoundOrgans::setShownPose(const Points& pose) {
+  requirePose(pose);
+  shownPose = std::make_shared<const Points>(pose);
 }
 
 void BoundOrgans::poseAll(bool interactive) {

@@ -43,6 +43,11 @@ bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted)
 /// The status of every organ when nothing can be bound to this target; none when it is worth trying.
 std::optional<BindingStatus> statusWithoutBinding(const BindingTarget& target);
 
+/// Whether both are the same pose: most often they are shared.
+inline bool samePose(const Points& a, const Points& b) {
+  return &a == &b || (a.rows() == b.rows() && a == b);
+}
+
 /// What binding an organ ended with: one of the two.
 struct BindingResult {
   std::unique_ptr<deformation::Deformer> deformer;
@@ -94,10 +99,11 @@ public:
   /// pose already, or at rest at once. While a user drags, a few handles are moved by their columns only; the
   /// next pose that is not interactive is computed in full, so that what a drag leaves behind depends on
   /// where it ended and not on its way. The caller poses the organ before its points are read.
-  std::optional<deformation::NewPose> poseFor(const BindingTarget& now, const Points& pose, bool interactive);
+  std::optional<deformation::NewPose> poseFor(const BindingTarget& now,
+                                              const std::shared_ptr<const Points>& pose, bool interactive);
 
 private:
-  Points translated(const BindingTarget& now, const Points& pose) const;
+  std::shared_ptr<const Points> translated(const BindingTarget& now, const Points& pose) const;
   std::optional<std::vector<int>> fewMoved(const Points& pose) const;
   void moves(bool roughly);
 
@@ -108,7 +114,7 @@ private:
 struct BoundOrgans {
   std::map<document::OrganId, BoundOrgan> organs;
   std::shared_ptr<const BindingTarget> target; ///< What every organ is to be bound to; never null.
-  Points shownPose = Points(0, 3);
+  std::shared_ptr<const Points> shownPose = std::make_shared<const Points>(0, 3); ///< Never null.
   Threads threads = {};
 
   /// The same once more; only what never changes is shared.
@@ -117,6 +123,8 @@ struct BoundOrgans {
   const BoundOrgan& require(document::OrganId id) const;
   /// Throws `DataError` for a pose of another size or one that is not finite.
   void requirePose(const Points& pose) const;
+  /// Shows a pose of the caller's, which is copied. Throws as `requirePose`.
+  void setShownPose(const Points& pose);
   /// Poses all organs in `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
   void poseOne(BoundOrgan& organ);

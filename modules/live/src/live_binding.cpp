@@ -67,11 +67,11 @@ void LiveBinding::Impl::onChange(const document::Change& change) {
     shown = Shown::document;
   if (change.rig() || change.system())
     matchTarget();
-  const Points before = shownPose;
+  const std::shared_ptr<const Points> before = shownPose;
   matchPose();
   bindWaiting();
   poseAll(change.interactive);
-  tellShown(before.rows() != shownPose.rows() || before != shownPose);
+  tellShown(!samePose(*before, *shownPose));
 }
 
 /// Organs of the document come and go; one whose surface is another one counts as new.
@@ -104,9 +104,9 @@ void LiveBinding::Impl::matchTarget() {
 
 void LiveBinding::Impl::matchPose() {
   if (shown == Shown::document)
-    shownPose = document.pose();
+    shownPose = document.state().pose;
   else if (shown == Shown::rest)
-    shownPose = target->handles.positions;
+    shownPose = std::shared_ptr<const Points>(target, &target->handles.positions);
 }
 
 /// Binds every organ for which the target has not been tried: all at once when that takes no longer than a
@@ -271,13 +271,16 @@ void LiveBinding::showRest() {
 }
 
 void LiveBinding::showPose(const Points& pose) {
-  impl_->requirePose(pose);
+  impl_->setShownPose(pose);
   impl_->shown = Shown::given;
-  impl_->shownPose = pose;
   impl_->show();
 }
 
 const Points& LiveBinding::shownPose() const {
+  return *impl_->shownPose;
+}
+
+std::shared_ptr<const Points> LiveBinding::sharedPose() const {
   return impl_->shownPose;
 }
 

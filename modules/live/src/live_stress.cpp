@@ -84,8 +84,8 @@ struct LiveStress::Impl {
   StressStatus status;
   std::shared_ptr<Points> points = std::make_shared<Points>(0, 3);
   std::shared_ptr<deformation::StressMap> map = std::make_shared<deformation::StressMap>();
-  Points evaluated = Points(0, 3); ///< The pose that points and map are in; empty: none.
-  std::uint64_t revision = 0;      ///< Another number whenever points and map are others.
+  std::shared_ptr<const Points> evaluated; ///< The pose that points and map are in; null: none.
+  std::uint64_t revision = 0;              ///< Another number whenever points and map are others.
   deformation::StressStatistics statistics;
   std::shared_ptr<const CycleStress> cycle;
   bool findingCycle = false;
@@ -274,7 +274,7 @@ void LiveStress::Impl::boundArrived(JobResult<BoundWitnesses> result) {
 void LiveStress::Impl::takeBound(BoundWitnesses result) {
   bound = std::move(result);
   boundToTarget = true;
-  evaluated.resize(0, 3);
+  evaluated.reset();
   secondsEach =
       bound.seconds / (static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size()));
   status.closedForm = bound.gradients->closedForm();
@@ -305,7 +305,7 @@ void LiveStress::Impl::cycleArrived(JobResult<CycleStress> result) {
 void LiveStress::Impl::dropBinding() {
   bound = {};
   boundToTarget = false;
-  evaluated.resize(0, 3);
+  evaluated.reset();
   // New objects, because the old ones may still be referenced.
   points = std::make_shared<Points>(0, 3);
   map = std::make_shared<deformation::StressMap>();
@@ -329,15 +329,16 @@ void LiveStress::Impl::dropMesh() {
 void LiveStress::Impl::evaluate() {
   if (!organ || !boundToTarget || rigSeen != document.state().rig || systemSeen != document.state().system)
     return;
-  const Points& pose = live.shownPose();
-  if (pose.rows() != bound.gradients->handles() || (evaluated.rows() == pose.rows() && evaluated == pose))
+  const std::shared_ptr<const Points> shown = live.sharedPose();
+  const Points& pose = *shown;
+  if (pose.rows() != bound.gradients->handles() || (evaluated && samePose(*evaluated, pose)))
     return;
   bound.gradients->evaluate(pose, *map, options.threads);
   bound.positions->deform(pose, *points, options.threads);
   for (const int point : bound.positions->report().failures)
     points->row(point) = mesh->points.row(point);
   statistics = deformation::statisticsOf(*map, mesh->witnesses);
-  evaluated = pose;
+  evaluated = shown;
   ++revision;
   pending.moved = true;
 }

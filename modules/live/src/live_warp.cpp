@@ -50,7 +50,7 @@ struct LiveWarp::Impl {
   std::uint64_t jobsBegun = 0;
   std::optional<BindingTarget> target = {}; ///< Of `bound`, or of what is being bound.
   BoundMap bound = {};
-  Points pose = Points(0, 3); ///< That the map is in.
+  std::shared_ptr<const Points> pose = {}; ///< That the map is in; null: none.
   std::uint64_t revision = 0;
   std::string problem = {};
 
@@ -117,7 +117,7 @@ void LiveWarp::Impl::take(const JobResult<BoundMap>& result) {
     bound = *result.value;
   if (result.error)
     problem = result.error->what();
-  pose.resize(0, 3);
+  pose.reset();
   ++revision;
   follow(); // For changes in the meantime.
   changed.emit();
@@ -141,9 +141,9 @@ const InverseMap* LiveWarp::map() {
   p.follow();
   if (!p.wanted || !p.bound.map || !p.target || !p.target->system || !p.posed())
     return nullptr;
-  const Points& shown = p.live.shownPose();
-  if (p.pose.rows() != shown.rows() || p.pose != shown) {
-    p.bound.map->setPose(shown);
+  const std::shared_ptr<const Points> shown = p.live.sharedPose();
+  if (!p.pose || !samePose(*p.pose, *shown)) {
+    p.bound.map->setPose(*shown);
     p.pose = shown;
     ++p.revision;
     if (p.bound.map->wantsFinerGrid() && !p.binding && p.problem.empty())

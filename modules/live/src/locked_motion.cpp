@@ -22,7 +22,7 @@ bool contains(const std::vector<int>& list, int value) {
 } // namespace
 
 LockedMotion::LockedMotion(Setup setup)
-    : setup_(std::move(setup)), pose_(setup_.start), wanted_(setup_.start) {
+    : setup_(std::move(setup)), pose_(std::make_shared<const Points>(setup_.start)), wanted_(setup_.start) {
   if (setup_.mirror)
     for (const int partner : setup_.mirror->partners)
       if (partner >= 0 && !contains(setup_.selection, partner) && !contains(partners_, partner))
@@ -125,7 +125,7 @@ bool LockedMotion::bend(const Vec3& wanted) {
   }
   if (!(error <= deformation::VolumeLock::kRelativeTolerance) || !pose.allFinite())
     return false;
-  pose_ = std::move(pose);
+  take(std::move(pose));
   wantedBy_ = wanted;
   return true;
 }
@@ -138,7 +138,7 @@ bool LockedMotion::compensate(const Points& wanted) {
       obstacle_ = restored.reason;
     return false;
   }
-  pose_ = std::move(restored.pose);
+  take(std::move(restored.pose));
   wanted_ = wanted;
   return true;
 }
@@ -147,17 +147,17 @@ const Points& LockedMotion::translate(const Vec3& wanted) {
   const Vec3 by = inPlane(wanted);
   obstacle_.clear();
   if (translations_ == Way::free) {
-    pose_ = moved(by);
-    return pose_;
+    take(moved(by));
+    return *pose_;
   }
   if (translations_ == Way::compensated)
     return reach(moved(by));
   const Vec3 from = wantedBy_;
   for (const double part : kParts)
     if (bend(from + part * (by - from)))
-      return pose_;
+      return *pose_;
   obstacle_ = "no motion near to this one keeps the volume";
-  return pose_;
+  return *pose_;
 }
 
 const Points& LockedMotion::rotate(const Vec3& center, const Vec3& axis, double angle) {
@@ -171,14 +171,14 @@ const Points& LockedMotion::scale(const Vec3& center, const Vec3& factors) {
 const Points& LockedMotion::reach(const Points& wanted) {
   obstacle_.clear();
   if (!setup_.lock) {
-    pose_ = wanted;
-    return pose_;
+    take(wanted);
+    return *pose_;
   }
   const Points from = wanted_;
   for (const double part : kParts)
     if (compensate(part == 1 ? wanted : Points(from + part * (wanted - from))))
       break;
-  return pose_;
+  return *pose_;
 }
 
 } // namespace viscera::live

@@ -9,13 +9,12 @@ PosedCopy::PosedCopy(PosedCopy&&) noexcept = default;
 PosedCopy::~PosedCopy() = default;
 
 void PosedCopy::showPose(const Points& pose) {
-  organs_->requirePose(pose);
-  organs_->shownPose = pose;
+  organs_->setShownPose(pose);
   organs_->poseAll(false);
 }
 
 const Points& PosedCopy::shownPose() const {
-  return organs_->shownPose;
+  return *organs_->shownPose;
 }
 
 std::shared_ptr<const Points> PosedCopy::sharedPoints(document::OrganId organ) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -201,7 +202,7 @@ vtkVisceraHandleSetRepresentation::~vtkVisceraHandleSetRepresentation() {
 
 // ---- handles
 
-void vtkVisceraHandleSetRepresentation::SetPositions(const Points& positions) {
+void vtkVisceraHandleSetRepresentation::SetPositions(Points positions) {
   auto& p = *Internals;
   if (positions.rows() != p.positions.rows()) {
     const auto count = std::size_t(positions.rows());
@@ -214,11 +215,11 @@ void vtkVisceraHandleSetRepresentation::SetPositions(const Points& positions) {
     p.active = -1;
     InteractionState = Outside;
     p.colors.resize(positions.rows(), 3);
-    p.positions = positions;
+    p.positions = std::move(positions);
     SetColor(kDefaultColor);
     return;
   }
-  p.positions = positions;
+  p.positions = std::move(positions);
   Modified();
 }
 

@@ -1,6 +1,7 @@
 #include "viscera/deformation/pose_together.h"
 
 #include <limits>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ TEST_F(PoseTogether, GivesTheBitsOfEachOrganByItself) {
     std::vector<NewPose> poses;
     for (std::size_t k = 0; k < alone.size(); ++k) {
       const Points pose = shaken(static_cast<unsigned>(k));
-      poses.push_back({&together[k], pose});
+      poses.push_back({&together[k], std::make_shared<const Points>(pose)});
       alone[k].setPose(pose);
     }
     poseTogether(poses, {threads});
@@ -93,7 +94,7 @@ TEST_F(PoseTogether, MovesSingleHandlesAsEachOrganByItself) {
       for (const int handle : moved)
         pose.row(handle) += Eigen::RowVector3d(1.5, -0.25 * handle, 2);
       for (std::size_t k = 0; k < alone.size(); ++k) {
-        poses.push_back({&together[k], pose, moved});
+        poses.push_back({&together[k], std::make_shared<const Points>(pose), moved});
         for (const int handle : moved)
           alone[k].moveHandle(handle, pose.row(handle).transpose());
       }
@@ -112,10 +113,27 @@ TEST_F(PoseTogether, RefusesABadPoseBeforeAnyOrganHasMoved) {
   std::vector<Deformer> organs = organs_;
   Points bad = shaken(1);
   bad(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(poseTogether({{&organs[0], shaken(1)}, {&organs[1], bad}}), DataError);
-  EXPECT_THROW(poseTogether({{&organs[0], shaken(1)}, {&organs[1], shaken(1).topRows(5)}}), DataError);
+  const auto good = std::make_shared<const Points>(shaken(1));
+  const auto notFinite = std::make_shared<const Points>(bad);
+  const auto tooShort = std::make_shared<const Points>(shaken(1).topRows(5));
+  EXPECT_THROW(poseTogether({{&organs[0], good}, {&organs[1], notFinite}}), DataError);
+  EXPECT_THROW(poseTogether({{&organs[0], good}, {&organs[1], tooShort}}), DataError);
   EXPECT_EQ(organs[0].points(), organs_[0].points());
   EXPECT_EQ(organs[0].pose(), organs_[0].pose());
+}
+
+TEST_F(PoseTogether, KeepsOnePoseForAllOrgans) {
+  std::vector<Deformer> organs = organs_;
+  const auto pose = std::make_shared<const Points>(shaken(1));
+  poseTogether({{&organs[0], pose}, {&organs[1], pose}});
+  EXPECT_EQ(&organs[0].pose(), pose.get());
+  EXPECT_EQ(&organs[1].pose(), pose.get());
+  auto next = std::make_shared<Points>(*pose);
+  next->row(3).array() += 1;
+  const std::shared_ptr<const Points> moved = next;
+  poseTogether({{&organs[0], moved, {3}}, {&organs[1], moved, {3}}});
+  EXPECT_EQ(&organs[0].pose(), moved.get());
+  EXPECT_EQ(&organs[1].pose(), moved.get());
 }
 
 TEST_F(PoseTogether, NothingToDoIsFine) {

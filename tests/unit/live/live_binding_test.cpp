@@ -129,6 +129,23 @@ TEST(LiveBinding, FollowsThePoseOfTheDocument) {
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points) << "back at rest, exactly";
 }
 
+TEST(LiveBinding, SharesThePoseOfTheDocumentWithItsOrgansAndItsReaders) {
+  Live l;
+  auto wanted = std::make_shared<Points>(l.document.pose());
+  wanted->row(3).array() += 4;
+  const std::shared_ptr<const Points> pose = wanted;
+  document::UndoStack::Step drag(l.undo, "Drag");
+  l.undo.perform(document::setPose(pose));
+  EXPECT_EQ(l.document.state().pose, pose) << "taken, not copied";
+  EXPECT_EQ(l.live.sharedPose(), pose);
+  EXPECT_EQ(&l.live.deformer(l.document.organs()[0]->id)->pose(), pose.get()) << "moved by its column";
+  drag.finish();
+  EXPECT_EQ(&l.live.deformer(l.document.organs()[0]->id)->pose(), pose.get()) << "posed in full";
+  const Points kept = *pose;
+  l.undo.undo();
+  EXPECT_EQ(*pose, kept) << "a pose that was shown does not change";
+}
+
 TEST(LiveBinding, SaysOfOrgansThatMoveTogetherWhichNewsIsTheLast) {
   Live l;
   l.undo.perform(document::addOrgans(

@@ -33,8 +33,9 @@ public:
   /// Back to rest; exactly the rest points (no rounding from the coordinates).
   void reset();
 
-  const Points& pose() const { return pose_; }
-  const Points& restHandles() const { return restHandles_; }
+  /// The reference is valid until the surface gets another pose.
+  const Points& pose() const { return *pose_; }
+  const Points& restHandles() const { return *restHandles_; }
   const Points& points() const { return points_; }
   const geometry::TriangleMesh& rest() const { return *rest_; }
   const coordinates::Binding& binding() const { return *binding_; }
@@ -57,16 +58,16 @@ private:
   friend std::vector<double> volumesTogether(const std::vector<Deformer*>& deformers, Threads threads);
 
   void requirePose(const Points& pose) const;
-  PiecesOfWork poseInPieces(const Points& pose);
-  PiecesOfWork moveInPieces(const Points& pose, const std::vector<int>& moved);
+  PiecesOfWork poseInPieces(std::shared_ptr<const Points> pose);
+  PiecesOfWork moveInPieces(std::shared_ptr<const Points> pose, const std::vector<int>& moved);
   void changed();
 
   std::shared_ptr<const geometry::TriangleMesh> rest_;
   std::shared_ptr<const coordinates::Binding> binding_;
   geometry::VertexTriangles around_;
-  Points restHandles_;
+  std::shared_ptr<const Points> restHandles_;
   Threads threads_;
-  Points pose_;
+  std::shared_ptr<const Points> pose_; ///< Shared with all organs, and with the document, in this pose.
   Points points_;
   geometry::Normals normals_;
   Points pointGradient_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "viscera/core/parallel.h"
@@ -12,9 +13,10 @@ namespace viscera::deformation {
 /// A pose that an organ is to take.
 struct NewPose {
   Deformer* deformer = nullptr;
-  Points pose;                 ///< `n x 3`, mm.
-  std::vector<int> moved = {}; ///< The handles that are elsewhere, to be moved by their columns one after the
-                               ///< other, as by `Deformer::moveHandle`; empty: as by `Deformer::setPose`.
+  std::shared_ptr<const Points> pose; ///< `n x 3`, mm; not null. The deformer keeps it, without a copy.
+  std::vector<int> moved = {};        ///< The handles that are elsewhere, to be moved by their columns one
+                                      ///< after the other, as by `Deformer::moveHandle`; empty: as by
+                                      ///< `Deformer::setPose`.
 };
 
 /// Gives each organ, none of them twice, its pose in one parallel loop over pairs of an organ and a range of

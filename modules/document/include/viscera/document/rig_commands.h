@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/core/arrays.h"
@@ -77,9 +79,12 @@ Command editHandles(std::vector<HandleId> handles, HandleEdit change);
 /// `UsageError` for a handle that is not there.
 Command moveHandles(std::vector<HandleId> handles, Points positions);
 
-/// Sets the whole pose (`n x 3` mm, in the order of the rig), locked handles included. Throws `DataError` for
-/// another size.
-Command setPose(Points pose, std::string name = "Set pose");
+/// Sets the whole pose (`n x 3` mm, in the order of the rig; not null), locked handles included. The document
+/// shares it: nothing is copied. Throws `DataError` for another size.
+Command setPose(std::shared_ptr<const Points> pose, std::string name = "Set pose");
+inline Command setPose(Points pose, std::string name = "Set pose") {
+  return setPose(std::make_shared<const Points>(std::move(pose)), std::move(name));
+}
 
 /// Resets the pose to the rest pose exactly, locked handles included.
 Command resetPose();

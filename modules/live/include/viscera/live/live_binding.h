@@ -84,6 +84,9 @@ public:
   void showPose(const Points& pose) override;
   /// The displayed positions of the handles, `n x 3`, in the order of the rig.
   const Points& shownPose() const override;
+  /// The same, with what keeps it. The document's own pose is shared with it, not copied; a pose does not
+  /// change after it was shown.
+  std::shared_ptr<const Points> sharedPose() const;
 
   /// The members below throw `UsageError` for an organ that the document does not have.
   ///

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/core/arrays.h"
@@ -64,7 +65,9 @@ public:
   const Points& reach(const Points& wanted);
 
   /// The last pose that kept the volumes, `n x 3`; at first the start.
-  const Points& pose() const { return pose_; }
+  const Points& pose() const { return *pose_; }
+  /// The same, for a document that takes it without a copy: it does not change.
+  std::shared_ptr<const Points> sharedPose() const { return pose_; }
   const Points& start() const { return setup_.start; }
   const std::vector<int>& selection() const { return setup_.selection; }
   /// The unit normal of the plane in which the lock lets the selection be translated, the way in which the
@@ -82,6 +85,7 @@ private:
   double leastInfluence(std::size_t surface) const;
   Vec3 inPlane(const Vec3& vector) const;
   Vec3 correction(const Vec3& gradient) const;
+  void take(Points pose) { pose_ = std::make_shared<const Points>(std::move(pose)); }
   bool bend(const Vec3& wanted);
   bool compensate(const Points& wanted);
   double relativeError(const std::vector<double>& volumes) const;
@@ -91,7 +95,7 @@ private:
   std::size_t bending_ = 0;   ///< The one surface that the motion is bent for.
   Way translations_ = Way::free;
   Vec3 gradient_ = Vec3::Zero(); ///< Of its volume, for the motion as a whole, at the start.
-  Points pose_;
+  std::shared_ptr<const Points> pose_;
   Points wanted_;                ///< The last target that was reached, before other handles compensated.
   Vec3 wantedBy_ = Vec3::Zero(); ///< The same for a translation that was bent.
   std::string obstacle_;

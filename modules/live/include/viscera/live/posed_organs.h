@@ -30,7 +30,8 @@ public:
   /// Poses all organs: `n x 3` mm, in the order of the rig. Throws `DataError` for a pose of another size or
   /// one that is not finite.
   virtual void showPose(const Points& pose) = 0;
-  /// The displayed positions of the handles, `n x 3` mm, in the order of the rig.
+  /// The displayed positions of the handles, `n x 3` mm, in the order of the rig. The reference is valid
+  /// until another pose is shown.
   virtual const Points& shownPose() const = 0;
 
   /// The organ's vertices, `n x 3` mm: they follow the pose in place as long as the organ stays bound, and

@@ -32,7 +32,7 @@ public:
   ///@{
   /// The handles, `n x 3` mm, n >= 0. Another count than before also resets colours, selection, locks and
   /// visibility.
-  void SetPositions(const viscera::Points& positions);
+  void SetPositions(viscera::Points positions);
   const viscera::Points& GetPositions() const;
   /// One handle; asserts that it exists.
   void SetPosition(int handle, const viscera::Vec3& position);
