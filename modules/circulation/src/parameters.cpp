@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/core/edit_distance.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
@@ -137,22 +138,6 @@ const std::vector<Entry>& entries() {
 }
 
 #undef VISCERA_AT
-
-/// Letters that have to be changed, added or removed to make `b` of `a`.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
-    }
-  }
-  return row.back();
-}
 
 const Entry& entry(const std::string& name) {
   const auto& table = entries();

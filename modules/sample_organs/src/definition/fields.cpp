@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/core/edit_distance.h"
 #include "viscera/core/error.h"
 
 namespace viscera::sample_organs {
@@ -12,22 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostTypos = 2;
-
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
 
 std::string field(const std::string& key) {
   return "\"" + key + "\"";
