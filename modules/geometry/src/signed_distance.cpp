@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -25,19 +25,6 @@ double angleAt(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 } // namespace
-
-struct SignedDistance::Branch {
-  Vec3 low, high;
-  int begin = 0, end = 0; ///< In `order_`, of a leaf.
-  int right = 0;          ///< Second child; the first follows its parent. 0 for a leaf.
-
-  double distance2(const Vec3& p) const { return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm(); }
-};
-
-struct SignedDistance::Hit {
-  int triangle = -1;
-  Vec3 point = Vec3::Zero();
-};
 
 SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {
   const Eigen::Index count = mesh_->triangles.rows();
@@ -68,72 +55,48 @@ SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_
     for (int k = 0; k < 3; ++k)
       edgeNormals_.push_back(
           edges.at(std::minmax(mesh_->triangles(t, (k + 1) % 3), mesh_->triangles(t, (k + 2) % 3))));
-  order_.resize(static_cast<std::size_t>(count));
-  std::iota(order_.begin(), order_.end(), 0);
-  grow(0, static_cast<int>(count), middles);
+  grow(middles);
 }
 
-SignedDistance::~SignedDistance() = default;
-
-int SignedDistance::grow(int begin, int end, const Points& middles) {
-  const auto index = static_cast<int>(branches_.size());
-  Branch branch;
-  branch.low.setConstant(std::numeric_limits<double>::infinity());
-  branch.high = -branch.low;
-  for (int i = begin; i < end; ++i)
-    for (const Vec3& p : cornersOf(mesh_->points, mesh_->triangles, order_[static_cast<std::size_t>(i)])) {
-      branch.low = branch.low.cwiseMin(p);
-      branch.high = branch.high.cwiseMax(p);
-    }
-  branch.begin = begin;
-  branch.end = end;
-  branches_.push_back(branch);
-  if (end - begin <= kLeafSize)
-    return index;
-  // Halves of as many triangles, cut across the longest side of the box.
-  Eigen::Index axis = 0;
-  (branch.high - branch.low).maxCoeff(&axis);
-  const int middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int a, int b) {
-    return std::pair(middles(a, axis), a) < std::pair(middles(b, axis), b);
-  });
-  grow(begin, middle, middles);
-  const int right = grow(middle, end, middles);
-  branches_[static_cast<std::size_t>(index)].right = right;
-  return index;
+/// Halves of as many triangles, cut across the longest side of the box.
+void SignedDistance::grow(const Points& middles) {
+  const auto boxOf = [this](std::span<const int> triangles, Vec3& sides) {
+    Bounds box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+               Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const int triangle : triangles)
+      for (const Vec3& p : cornersOf(mesh_->points, mesh_->triangles, triangle)) {
+        box.low = box.low.cwiseMin(p);
+        box.high = box.high.cwiseMax(p);
+      }
+    sides = box.high - box.low;
+    return box;
+  };
+  boxes_ = MedianTree<Bounds>(static_cast<int>(middles.rows()), kLeafSize, boxOf,
+                              [&middles](int a, int b, Eigen::Index axis) {
+                                return std::pair(middles(a, axis), a) < std::pair(middles(b, axis), b);
+                              });
 }
 
 SignedDistance::Hit SignedDistance::find(const Vec3& point) const {
   Hit best;
   double best2 = std::numeric_limits<double>::infinity();
-  std::array<std::pair<int, double>, 128> stack; // Deeper than any median split of 2^31 triangles.
-  std::size_t top = 0;
-  stack[top++] = {0, branches_[0].distance2(point)};
-  while (top > 0) {
-    const auto [index, distance2] = stack[--top];
-    if (distance2 >= best2)
-      continue;
-    const Branch& branch = branches_[static_cast<std::size_t>(index)];
-    if (branch.right == 0) {
-      for (int i = branch.begin; i < branch.end; ++i) {
-        const int triangle = order_[static_cast<std::size_t>(i)];
-        const auto [a, b, c] = cornersOf(mesh_->points, mesh_->triangles, triangle);
-        const Vec3 near = closestPointOfTriangle(point, a, b, c);
-        const double d2 = (near - point).squaredNorm();
-        if (d2 < best2) {
-          best2 = d2;
-          best = {triangle, near};
+  boxes_.searchNearestFirst(
+      [&point](const Bounds& box) {
+        return (box.low - point).cwiseMax(point - box.high).cwiseMax(0).squaredNorm();
+      },
+      [&best2](const Bounds&, double distance2) { return distance2 >= best2; },
+      [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          const int triangle = boxes_.order()[static_cast<std::size_t>(i)];
+          const auto [a, b, c] = cornersOf(mesh_->points, mesh_->triangles, triangle);
+          const Vec3 near = closestPointOfTriangle(point, a, b, c);
+          const double d2 = (near - point).squaredNorm();
+          if (d2 < best2) {
+            best2 = d2;
+            best = {triangle, near};
+          }
         }
-      }
-      continue;
-    }
-    // The nearer child is taken from the stack first: what it finds rules out more of the other.
-    const double left2 = branches_[static_cast<std::size_t>(index + 1)].distance2(point);
-    const double right2 = branches_[static_cast<std::size_t>(branch.right)].distance2(point);
-    const bool leftFirst = left2 <= right2;
-    stack[top++] = leftFirst ? std::pair(branch.right, right2) : std::pair(index + 1, left2);
-    stack[top++] = leftFirst ? std::pair(index + 1, left2) : std::pair(branch.right, right2);
-  }
+      });
   return best;
 }
 

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <numeric>
+#include <span>
 #include <vector>
+
+#include "viscera/geometry/median_tree.h"
 
 namespace viscera::geometry {
 namespace {
 
-constexpr std::int32_t kLeafTriangles = 4;
-/// A node is seen as one dipole from this many of its radii away; the error falls with the square.
+constexpr int kLeafTriangles = 4;
+/// A branch is seen as one dipole from this many of its radii away; the error falls with the square.
 constexpr double kFar = 2.5;
-/// Halving 2^31 triangles down to one takes fewer levels, and each level leaves one node on the stack.
-constexpr int kDeepest = 64;
 
 struct TriangleCorners {
   Vec3 a, b, c;
@@ -35,65 +34,58 @@ double solidAnglePart(const TriangleCorners& triangle, const Vec3& p) {
 } // namespace
 
 struct WindingNumber::Tree {
-  struct Node {
+  /// A branch's triangles, seen as one dipole.
+  struct Dipole {
     Vec3 center = Vec3::Zero(); ///< Weighted by area.
     Vec3 normal = Vec3::Zero(); ///< Sum of the area normals.
     double radius = 0;
-    std::int32_t begin = 0, end = 0; ///< Its triangles.
-    std::int32_t second = -1;        ///< The second child; the first follows its parent. -1: a leaf.
   };
-  std::vector<TriangleCorners> triangles;
-  std::vector<Node> nodes;
+  std::vector<TriangleCorners> triangles; ///< In the order of the leaves.
+  MedianTree<Dipole> dipoles;
 
   explicit Tree(const TriangleMesh& mesh) {
-    triangles.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
+    std::vector<TriangleCorners> given;
+    given.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
     for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
       const auto [a, b, c] = cornersOf(mesh.points, mesh.triangles, t);
-      triangles.push_back({a, b, c});
+      given.push_back({a, b, c});
     }
-    if (!triangles.empty())
-      build(0, static_cast<std::int32_t>(triangles.size()));
+    const auto along = [&given](int t, Eigen::Index axis) {
+      const TriangleCorners& triangle = given[static_cast<std::size_t>(t)];
+      return triangle.a[axis] + triangle.b[axis] + triangle.c[axis];
+    };
+    dipoles = MedianTree<Dipole>(
+        static_cast<int>(given.size()), kLeafTriangles,
+        [&given](std::span<const int> items, Vec3& sides) { return dipoleOf(given, items, sides); },
+        [&along](int a, int b, Eigen::Index axis) { return along(a, axis) < along(b, axis); });
+    triangles.reserve(given.size());
+    for (const int t : dipoles.order())
+      triangles.push_back(given[static_cast<std::size_t>(t)]);
   }
 
-  std::int32_t build(std::int32_t begin, std::int32_t end) {
-    const auto index = static_cast<std::int32_t>(nodes.size());
-    nodes.emplace_back();
-    const Bounds box = summarise(nodes.back(), begin, end);
-    if (end - begin <= kLeafTriangles)
-      return index;
-    Eigen::Index axis = 0;
-    (box.high - box.low).maxCoeff(&axis);
-    const std::int32_t middle = begin + (end - begin) / 2;
-    std::nth_element(triangles.begin() + begin, triangles.begin() + middle, triangles.begin() + end,
-                     [axis](const TriangleCorners& x, const TriangleCorners& y) {
-                       return x.a[axis] + x.b[axis] + x.c[axis] < y.a[axis] + y.b[axis] + y.c[axis];
-                     });
-    build(begin, middle);
-    const std::int32_t second = build(middle, end);
-    nodes[static_cast<std::size_t>(index)].second = second;
-    return index;
-  }
-
-  /// Fills the sums of a node; returns the box of its triangles' centres.
-  Bounds summarise(Node& node, std::int32_t begin, std::int32_t end) const {
-    node.begin = begin;
-    node.end = end;
+  /// The sums of some triangles; `sides` are those of the box of their centres.
+  static Dipole dipoleOf(const std::vector<TriangleCorners>& triangles, std::span<const int> items,
+                         Vec3& sides) {
+    Dipole dipole;
     double area = 0;
-    Bounds box{triangles[std::size_t(begin)].center(), triangles[std::size_t(begin)].center()};
-    for (std::int32_t t = begin; t < end; ++t) {
+    const Vec3 first = triangles[static_cast<std::size_t>(items.front())].center();
+    Bounds box{first, first};
+    for (const int t : items) {
       const TriangleCorners& triangle = triangles[static_cast<std::size_t>(t)];
       const Vec3 normal = triangle.areaNormal(), center = triangle.center();
-      node.normal += normal;
-      node.center += normal.norm() * center;
+      dipole.normal += normal;
+      dipole.center += normal.norm() * center;
       area += normal.norm();
       box = {box.low.cwiseMin(center), box.high.cwiseMax(center)};
     }
-    node.center = area > 0 ? Vec3(node.center / area) : box.center();
-    for (std::int32_t t = begin; t < end; ++t)
-      for (const Vec3& corner :
-           {triangles[std::size_t(t)].a, triangles[std::size_t(t)].b, triangles[std::size_t(t)].c})
-        node.radius = std::max(node.radius, (corner - node.center).norm());
-    return box;
+    dipole.center = area > 0 ? Vec3(dipole.center / area) : box.center();
+    for (const int t : items) {
+      const TriangleCorners& triangle = triangles[static_cast<std::size_t>(t)];
+      for (const Vec3& corner : {triangle.a, triangle.b, triangle.c})
+        dipole.radius = std::max(dipole.radius, (corner - dipole.center).norm());
+    }
+    sides = box.high - box.low;
+    return dipole;
   }
 };
 
@@ -103,27 +95,22 @@ WindingNumber::WindingNumber(WindingNumber&&) noexcept = default;
 WindingNumber& WindingNumber::operator=(WindingNumber&&) noexcept = default;
 
 double WindingNumber::operator()(const Vec3& point) const {
-  if (tree_->nodes.empty())
-    return 0;
   double sum = 0;
-  std::int32_t waiting[kDeepest] = {0};
-  for (int count = 1; count > 0;) {
-    const std::int32_t index = waiting[--count];
-    const Tree::Node& node = tree_->nodes[static_cast<std::size_t>(index)];
-    const Vec3 offset = node.center - point;
-    const double squared = offset.squaredNorm();
-    // w = 1 / (4 pi) int n . (x - p) / |x - p|^3 dA; from far away A . (c - p) / (4 pi |c - p|^3), with A the
-    // sum of the triangles' area vectors and c their centroid.
-    if (squared > kFar * kFar * node.radius * node.radius) {
-      sum += offset.dot(node.normal) / (4 * std::numbers::pi * squared * std::sqrt(squared));
-    } else if (node.second < 0) {
-      for (std::int32_t t = node.begin; t < node.end; ++t)
-        sum += solidAnglePart(tree_->triangles[static_cast<std::size_t>(t)], point);
-    } else {
-      waiting[count++] = node.second;
-      waiting[count++] = index + 1;
-    }
-  }
+  tree_->dipoles.walk(
+      [&](const Tree::Dipole& dipole) {
+        const Vec3 offset = dipole.center - point;
+        const double squared = offset.squaredNorm();
+        if (!(squared > kFar * kFar * dipole.radius * dipole.radius))
+          return true;
+        // w = 1 / (4 pi) int n . (x - p) / |x - p|^3 dA; from far away A . (c - p) / (4 pi |c - p|^3), with A
+        // the sum of the triangles' area vectors and c their centroid.
+        sum += offset.dot(dipole.normal) / (4 * std::numbers::pi * squared * std::sqrt(squared));
+        return false;
+      },
+      [&](int begin, int end) {
+        for (int t = begin; t < end; ++t)
+          sum += solidAnglePart(tree_->triangles[static_cast<std::size_t>(t)], point);
+      });
   return sum;
 }
 

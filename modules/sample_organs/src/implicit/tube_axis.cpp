@@ -1,7 +1,6 @@
 #include "implicit/tube_axis.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace viscera::sample_organs {
@@ -11,7 +10,6 @@ constexpr double kTiny = 1e-9;     // mm; keeps quotients finite where two point
 constexpr double kParallel = 1e-3; // below this a direction is too near the tangent to be a normal
 
 constexpr int kLeafSize = 6;
-constexpr int kDeepest = 64;       // 2^64 segments
 constexpr double kSteepest = 0.9;  // radius per mm of axis; a ball that swallows its neighbour has no cone
 constexpr double kShortest = 1e-9; // mm
 
@@ -110,6 +108,7 @@ std::vector<AxisSample> sampleAxis(const std::vector<AxisPoint>& points, double 
 }
 
 SegmentTree::SegmentTree(const std::vector<AxisSample>& samples) {
+  std::vector<RoundCone> cones;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const AxisSample &from = samples[i], &to = samples[i + 1];
     RoundCone cone;
@@ -123,41 +122,36 @@ SegmentTree::SegmentTree(const std::vector<AxisSample>& samples) {
     // x = along + away k / sqrt(1 - k^2): the foot is shifted towards the wide end.
     const double slope = std::clamp(cone.rise / cone.length, -kSteepest, kSteepest);
     cone.shift = slope / std::sqrt(1 - slope * slope);
-    cones_.push_back(cone);
+    cones.push_back(cone);
   }
-  grow(0, static_cast<int>(cones_.size()));
+  const auto summarise = [&cones](std::span<const int> items, Vec3& sides) {
+    const Reach reach = reachOf(cones, items);
+    sides = reach.box.sizes();
+    return reach;
+  };
+  // Along space, not along the tube: the loops of a bowel lie side by side.
+  const auto before = [&cones](int a, int b, Eigen::Index axis) {
+    return std::pair(cones[static_cast<std::size_t>(a)].start[axis], a) <
+           std::pair(cones[static_cast<std::size_t>(b)].start[axis], b);
+  };
+  reaches_ = geometry::MedianTree<Reach>(static_cast<int>(cones.size()), kLeafSize, summarise, before);
+  for (const int segment : reaches_.order())
+    cones_.push_back(cones[static_cast<std::size_t>(segment)]);
 }
 
-int SegmentTree::grow(int begin, int end) {
-  const int index = static_cast<int>(branches_.size());
-  Branch branch;
-  branch.begin = begin;
-  branch.end = end;
+SegmentTree::Reach SegmentTree::reachOf(const std::vector<RoundCone>& cones, std::span<const int> items) {
+  Reach reach;
+  for (const int segment : items) {
+    const RoundCone& cone = cones[static_cast<std::size_t>(segment)];
+    reach.box.extend(cone.start);
+    reach.box.extend(Vec3(cone.start + cone.length * cone.direction));
+    reach.radius = std::max({reach.radius, cone.radius, cone.radius + cone.rise});
+  }
+  return reach;
+}
+
+void SegmentTree::searchLeaf(int begin, int end, const Vec3& point, NearestOnAxis& best) const {
   for (int i = begin; i < end; ++i) {
-    const RoundCone& cone = cones_[static_cast<std::size_t>(i)];
-    branch.box.extend(cone.start);
-    branch.box.extend(Vec3(cone.start + cone.length * cone.direction));
-    branch.radius = std::max({branch.radius, cone.radius, cone.radius + cone.rise});
-  }
-  branches_.push_back(branch);
-  if (end - begin > kLeafSize) {
-    const int middle = begin + (end - begin) / 2;
-    int axis = 0;
-    branch.box.sizes().maxCoeff(&axis);
-    // Along space, not along the tube: the loops of a bowel lie side by side.
-    std::nth_element(cones_.begin() + begin, cones_.begin() + middle, cones_.begin() + end,
-                     [axis](const RoundCone& a, const RoundCone& b) {
-                       return std::pair(a.start[axis], a.segment) < std::pair(b.start[axis], b.segment);
-                     });
-    grow(begin, middle);
-    const int right = grow(middle, end);
-    branches_[static_cast<std::size_t>(index)].right = right;
-  }
-  return index;
-}
-
-void SegmentTree::searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxis& best) const {
-  for (int i = leaf.begin; i < leaf.end; ++i) {
     const RoundCone& cone = cones_[static_cast<std::size_t>(i)];
     const Vec3 offset = point - cone.start;
     const double along = offset.dot(cone.direction);
@@ -171,32 +165,12 @@ void SegmentTree::searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxi
 }
 
 NearestOnAxis SegmentTree::nearest(const Vec3& point, double limit) const {
-  struct Visit {
-    int branch;
-    double axisDistance2; ///< From the box of the axis, squared.
-  };
-  const auto visitTo = [&](int branch) {
-    return Visit{branch, distance2(branches_[static_cast<std::size_t>(branch)].box, point)};
-  };
-  std::array<Visit, kDeepest> open;
-  std::size_t count = 0;
-  open[count++] = visitTo(0);
   NearestOnAxis best{-1, 0, limit};
-  while (count > 0) {
-    const Visit visit = open[--count];
-    const Branch& branch = branches_[static_cast<std::size_t>(visit.branch)];
-    if (isFarther(branch, visit.axisDistance2, best.distance))
-      continue;
-    if (branch.right == 0) {
-      searchLeaf(branch, point, best);
-      continue;
-    }
-    Visit near = visitTo(visit.branch + 1), far = visitTo(branch.right);
-    if (far.axisDistance2 < near.axisDistance2)
-      std::swap(near, far);
-    open[count++] = far;
-    open[count++] = near;
-  }
+  reaches_.searchNearestFirst([&point](const Reach& reach) { return distance2(reach.box, point); },
+                              [&best](const Reach& reach, double axisDistance2) {
+                                return isFarther(reach, axisDistance2, best.distance);
+                              },
+                              [&](int begin, int end) { searchLeaf(begin, end, point, best); });
   return best;
 }
 

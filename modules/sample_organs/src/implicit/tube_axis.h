@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
+
+#include "viscera/geometry/median_tree.h"
 
 #include "implicit/implicit_node.h"
 
@@ -57,23 +60,21 @@ private:
     double rise;   ///< Change of the radius from start to end.
     double shift;  ///< Foot of the nearest point moves along the axis by this much per mm away from the axis.
   };
-  struct Branch {
+  struct Reach {
     Extent box;        ///< Of the axis.
     double radius = 0; ///< Largest within.
-    int begin = 0, end = 0;
-    int right = 0; ///< Index of the second child; the first follows its parent. 0 for a leaf.
   };
 
-  int grow(int begin, int end);
+  static Reach reachOf(const std::vector<RoundCone>& cones, std::span<const int> items);
   /// Whether nothing in the branch can be nearer than `distance` mm to the point.
-  static bool isFarther(const Branch& branch, double axisDistance2, double distance) {
+  static bool isFarther(const Reach& branch, double axisDistance2, double distance) {
     const double reach = distance + branch.radius;
     return reach <= 0 || axisDistance2 >= reach * reach;
   }
-  void searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxis& best) const;
+  void searchLeaf(int begin, int end, const Vec3& point, NearestOnAxis& best) const;
 
   std::vector<RoundCone> cones_; ///< In the order of the leaves.
-  std::vector<Branch> branches_;
+  geometry::MedianTree<Reach> reaches_;
 };
 
 } // namespace viscera::sample_organs

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/geometry/median_tree.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::geometry {
@@ -16,8 +17,6 @@ public:
   /// Takes a valid mesh with triangles (`requireValid`), closed and outward, else the sign is meaningless.
   /// Shares ownership of it. O(m log m). Throws `DataError` for a mesh without triangles.
   explicit SignedDistance(std::shared_ptr<const TriangleMesh> mesh);
-  ~SignedDistance();
-
   /// Signed distance of `point` in mm. About O(log m).
   double operator()(const Vec3& point) const;
 
@@ -25,16 +24,17 @@ public:
   Vec3 nearest(const Vec3& point) const;
 
 private:
-  struct Branch;
-  struct Hit;
+  struct Hit {
+    int triangle = -1;
+    Vec3 point = Vec3::Zero();
+  };
 
-  int grow(int begin, int end, const Points& middles);
+  void grow(const Points& middles);
   Hit find(const Vec3& point) const;
   Vec3 pseudonormal(const Hit& hit) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;
-  std::vector<Branch> branches_;
-  std::vector<int> order_;        ///< Triangles as the leaves have them.
+  MedianTree<Bounds> boxes_;      ///< Of the triangles.
   Points vertexNormals_;          ///< `n x 3`, weighted by angles, not unit.
   std::vector<Vec3> edgeNormals_; ///< Three a triangle: opposite to its corners, not unit.
   Points faceNormals_;            ///< `m x 3`, unit or zero.
