@@ -38,7 +38,7 @@ std::optional<Qt::CursorShape> HandleGrip::hover(int direction, const std::optio
   const int row = pixel ? panes_.presenter().handleAt(direction, *pixel, panes_.reach(direction)) : -1;
   if (!widget->IsDragging() && row != picture_.view().handles()->GetActiveHandle()) {
     widget->SetHovered(row);
-    panes_.refresh();
+    panes_.markOutdated();
   }
   return row >= 0 ? std::optional(Qt::PointingHandCursor) : std::nullopt;
 }

@@ -44,27 +44,32 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
     arrange();
-    refresh();
+    markOutdated();
   }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (!event.more)
-      refresh();
+      markOutdated();
   }));
   subscriptions_.push_back(workspace.warp().onChange([this] { followWarp(); }));
-  subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { markOutdated(); }));
   connect(&model, &ViewModel::changed, this, [this] {
     workspace_.warp().setWanted(model_.state().scan.warped);
     arrange();
-    refresh();
+    markOutdated();
   });
+  for (SliceWidget* widget : widgets_)
+    widget->setContents([this] { bringUpToDate(); });
   arrange();
 }
 
-SlicePanes::~SlicePanes() = default;
+SlicePanes::~SlicePanes() {
+  for (SliceWidget* widget : widgets_)
+    widget->setContents(nullptr);
+}
 
 void SlicePanes::connectWidget(int direction) {
   SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
-  connect(widget, &SliceWidget::resized, this, &SlicePanes::refresh);
+  connect(widget, &SliceWidget::resized, this, &SlicePanes::markOutdated);
   connect(widget, &SliceWidget::crossWanted, this,
           [this, direction](const Eigen::Vector2d& pixel) { moveCross(direction, pixel); });
   connect(widget, &SliceWidget::windowDragged, this, &SlicePanes::dragWindow);
@@ -120,13 +125,13 @@ double SlicePanes::reach(int direction) const {
 
 void SlicePanes::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
-  refresh();
+  markOutdated();
 }
 
 void SlicePanes::setTheme(const Theme& theme) {
   for (SliceWidget* widget : widgets_)
     widget->setTheme(theme);
-  refresh(); // Texts are placed by their size.
+  markOutdated(); // Texts are placed by their size.
 }
 
 /// Without anything to slice the 3D view is alone; the chosen layout returns with the next organ or scan.
@@ -153,10 +158,18 @@ std::vector<presentation::SlicePane> SlicePanes::panes() const {
   return panes;
 }
 
-void SlicePanes::refresh() {
+void SlicePanes::markOutdated() {
+  outdated_ = true;
+  for (SliceWidget* widget : widgets_)
+    if (widget->isVisible())
+      widget->scheduleRender();
+}
+
+void SlicePanes::bringUpToDate() {
   const auto shown = panes();
-  if (shown.empty())
+  if (!outdated_ || shown.empty())
     return;
+  outdated_ = false;
   workspace_.guarded([&] {
     std::optional<presentation::Warping> warping;
     if (model_.state().scan.warped)
@@ -172,12 +185,13 @@ void SlicePanes::refresh() {
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });
+  Q_EMIT changed();
 }
 
 void SlicePanes::followWarp() {
   if (const std::string& problem = workspace_.warp().problem(); !problem.empty())
     workspace_.note(tr("The scan cannot be warped: %1").arg(messageInWords(problem)));
-  refresh();
+  markOutdated();
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
@@ -241,6 +255,8 @@ void SlicePanes::isolate(int direction) {
 
 void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel) {
   cursor_[static_cast<std::size_t>(direction)] = pixel;
+  if (outdated_)
+    return; // It is read again with the slices.
   SliceWidget& shown = widget(direction);
   if (!pixel)
     return shown.setReading({});

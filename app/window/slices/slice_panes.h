@@ -20,8 +20,9 @@ namespace viscera::app {
 
 class Picture;
 
-/// Manages the three slices beside the 3D view: updates their pictures after every change of the document, of
-/// its organs and of the view's state, and handles the mouse on them by changing that state.
+/// Manages the three slices beside the 3D view, and handles the mouse on them by changing the view's state.
+/// As with `Picture`, every change of the document, of its organs and of that state only marks the slices as
+/// out of date; they are brought up to date once, before the next frame or when something reads them.
 class SlicePanes final : public QObject {
   Q_OBJECT
 
@@ -34,7 +35,11 @@ public:
 
   void setTheme(const Theme& theme);
   SliceWidget& widget(int direction) { return *widgets_[static_cast<std::size_t>(direction)]; }
-  const presentation::SlicePresenter& presenter() const { return presenter_; }
+  /// The presenter, up to date.
+  const presentation::SlicePresenter& presenter() {
+    bringUpToDate();
+    return presenter_;
+  }
 
   /// Adds a tool, which has to live longer, that gets the left button before the slices do; tools are asked
   /// in the order in which they were added.
@@ -44,12 +49,18 @@ public:
   /// Sets the measurement under way, which the slices draw.
   void setMeasuring(presentation::PendingMeasurement measuring);
 
-  /// Updates the visible slices and schedules their rendering.
-  void refresh();
+  /// Marks the slices as out of date and schedules the rendering of those that are visible.
+  void markOutdated();
   /// Moves a slice by so many of the scan's voxels, towards head, front and right.
   void scroll(int direction, double steps);
 
+Q_SIGNALS:
+  /// The visible slices were brought up to date after changes: once for each frame, before it is rendered,
+  /// unless something has read them in between.
+  void changed();
+
 private:
+  void bringUpToDate();
   void connectWidget(int direction);
   void connectGrips(int direction);
   void hover(int direction, const std::optional<Eigen::Vector2d>& pixel);
@@ -69,6 +80,7 @@ private:
   ViewArea& area_;
   std::array<SliceWidget*, 3> widgets_{};
   presentation::SlicePresenter presenter_;
+  bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
   std::vector<SliceGrip*> grips_;
   SliceGrip* holding_ = nullptr; ///< The tool that handles the present drag.

@@ -105,6 +105,8 @@ void SliceWidget::scheduleRender() {
 }
 
 void SliceWidget::render() {
+  if (contents_)
+    contents_();
   renderScheduled_ = false;
   if (isVisible())
     renderWindow()->Render();

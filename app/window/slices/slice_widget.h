@@ -16,7 +16,7 @@ namespace viscera::app {
 
 /// A widget that shows one slice of a scan. It reports mouse gestures as signals, in pixels of the slice's
 /// picture, and changes nothing itself. Renders at most once for all changes within one pass of the event
-/// loop.
+/// loop, and brings what it shows up to date before that.
 class SliceWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -27,6 +27,9 @@ public:
   /// Takes the picture that is shown from the next frame on.
   void setPicture(const scene::SlicePicture& picture);
   void setTheme(const Theme& theme);
+  /// Sets a function that brings the picture up to date with the document, called before each frame; null:
+  /// none.
+  void setContents(std::function<void()> bringUpToDate) { contents_ = std::move(bringUpToDate); }
   /// Sets the text at the lower edge: value, place and organ under the cursor.
   void setReading(const QString& text);
   QString reading() const;
@@ -84,6 +87,7 @@ private:
   void placeReading();
 
   std::unique_ptr<scene::SliceView> view_;
+  std::function<void()> contents_;
   std::optional<Eigen::Vector2d> cross_;
   QLabel* reading_;
   std::function<bool(const Eigen::Vector2d&, Qt::KeyboardModifiers)> grips_;

@@ -50,10 +50,8 @@ void StressExport::addTo(Actions& actions) {
   };
   actions.enableWhile({std::begin(kMapActions), std::end(kMapActions)}, ready);
   actions.enableWhile({"stress.exportCurve"}, [this, ready] { return ready() && model_.cycle(); });
-  actions.enableWhile({"stress.exportProbes"},
-                      [this, ready] { return ready() && !model_.marks().probes.empty(); });
-  actions.enableWhile({"stress.exportProfiles"},
-                      [this, ready] { return ready() && !model_.marks().profiles.empty(); });
+  actions.enableWhile({"stress.exportProbes"}, [this, ready] { return ready() && model_.hasProbes(); });
+  actions.enableWhile({"stress.exportProfiles"}, [this, ready] { return ready() && model_.hasProfiles(); });
   connect(&model_, &StressModel::statusChanged, &actions, &Actions::sync);
   connect(&model_, &StressModel::updated, &actions, &Actions::sync);
   connect(&model_, &StressModel::activeChanged, &actions, &Actions::sync);

@@ -48,13 +48,10 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   throttle_.setSingleShot(true);
   throttle_.setInterval(kStressUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &StressModel::updated);
-  frame_.setSingleShot(true);
-  connect(&frame_, &QTimer::timeout, this, &StressModel::numbersChanged);
   connect(&playback, &Playback::advanced, this, [this] {
     if (!active())
       return;
     Q_EMIT instantChanged();
-    frameSoon();
     if (!throttle_.isActive())
       throttle_.start();
   });
@@ -63,7 +60,7 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   connect(&picture, &Picture::changed, this, &StressModel::shownChanged);
   connect(&picture, &Picture::changed, this, [this] {
     if (active())
-      frameSoon();
+      Q_EMIT numbersChanged();
   });
   subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { follow(); }));
@@ -79,14 +76,6 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   const std::string kept = settings.value(kSetting).toString().toStdString();
   view.change([&](presentation::ViewState& state) { state.stress = presentation::stressLookFromJson(kept); });
   onView();
-}
-
-/// A picture is brought up to date several times a frame; the first time counts. Where a frame takes longer
-/// than the timer of the frames waits, that timer is due before one that begins anew, and would put it off
-/// for ever.
-void StressModel::frameSoon() {
-  if (!frame_.isActive())
-    frame_.start();
 }
 
 void StressModel::follow() {
@@ -215,6 +204,20 @@ void StressModel::goToMaximum() {
     // point.
     look.normal = perpendicularTo(from.normalized(), look.normal);
     look.offset = 0;
+  });
+}
+
+bool StressModel::hasProbes() const {
+  const auto& probes = workspace_.document().stressMarks().probes;
+  return std::any_of(probes.begin(), probes.end(),
+                     [this](const document::StressProbe& probe) { return probe.organ == live_.organ(); });
+}
+
+bool StressModel::hasProfiles() const {
+  const document::StressMarks& marks = workspace_.document().stressMarks();
+  return std::any_of(marks.lines.begin(), marks.lines.end(), [&](const document::StressLine& line) {
+    const document::StressProbe* from = marks.probe(line.from);
+    return from && marks.probe(line.to) && from->organ == live_.organ();
   });
 }
 

@@ -77,6 +77,10 @@ public:
   void pinProbe();
   /// The values of the displayed map at the pinned probes and along the lines of the current organ.
   const live::ReadMarks& marks() const { return picture_.presenter().readMarks(); }
+  /// Whether the document has pinned probes, or lines between them, in the current organ: what the actions
+  /// ask at every change, when the values are not read yet.
+  bool hasProbes() const;
+  bool hasProfiles() const;
 
   /// A caution about the limits of the map for the displayed sequence; empty for none.
   const QString& caution() const { return caution_; }
@@ -96,21 +100,21 @@ Q_SIGNALS:
   void statusChanged();
   /// The mesh of witness points has changed.
   void sampled();
-  /// Points, numbers or legend have changed; emitted with every frame.
+  /// Points, numbers or legend have changed; emitted with every frame, before it is rendered.
   void shownChanged();
   void probeChanged();
   /// Probes, lines or the organs that they lie in have changed.
   void marksChanged();
   /// The sequence has moved to another instant, and its frame is drawn next; for cursors.
   void instantChanged();
-  /// The numbers of the frame that is drawn have changed; emitted once a frame, for texts.
+  /// The numbers of the frame that is drawn next have changed; emitted with every frame while the map is on,
+  /// for texts.
   void numbersChanged();
   /// The same, at most ten times a second, for slower displays.
   void updated();
 
 private:
   void follow();
-  void frameSoon();
   void onView();
   void onStress(const live::StressEvent& event);
 
@@ -127,7 +131,6 @@ private:
   bool knownActive_ = false;
   QString caution_;
   QTimer throttle_;
-  QTimer frame_; ///< Ends when the frame with the new values is drawn.
   std::vector<Subscription> subscriptions_;
 };
 

@@ -11,13 +11,15 @@
 
 namespace viscera::app {
 
-HandleController::HandleController(Workspace& workspace, PoseEditor& poses, Picture& picture, QObject* parent)
-    : QObject(parent), workspace_(workspace), poses_(poses), picture_(picture), view_(picture.view()) {
+HandleController::HandleController(Workspace& workspace, PoseEditor& poses, const ViewModel& model,
+                                   Picture& picture, QObject* parent)
+    : QObject(parent), workspace_(workspace), poses_(poses), model_(model), picture_(picture),
+      view_(picture.view()) {
   listenToHandles();
   listenToGizmo();
   connect(&poses, &PoseEditor::gestureChanged, this, &HandleController::showConstraint);
   // For example after a change of the mode: cancels the drag.
-  connect(&picture, &Picture::changed, this, [this] {
+  connect(&model, &ViewModel::changed, this, [this] {
     if (dragging() && !(shown() == grabbed_))
       cancelDrag();
   });
@@ -35,7 +37,7 @@ void HandleController::listenToHandles() {
   const auto listen = [this](unsigned long event, std::function<void(const scene::HandleEvent&)> listener) {
     handleObservers_.push_back(scene::observe(view_.handleWidget(), event, std::move(listener)));
   };
-  listen(Widget::HandleHoveredEvent, [this](const auto&) { picture_.refresh(); });
+  listen(Widget::HandleHoveredEvent, [this](const auto&) { picture_.markOutdated(); });
   listen(Widget::HandleGrabbedEvent, [this](const auto& event) { onGrabbed(event); });
   listen(Widget::HandleMovedEvent, [this](const auto& event) { onMoved(event); });
   listen(Widget::HandleReleasedEvent, [this](const auto&) { onReleased(); });
@@ -48,23 +50,24 @@ void HandleController::listenToGizmo() {
   const auto listen = [this](unsigned long event, std::function<void(const scene::GizmoEvent&)> listener) {
     gizmoObservers_.push_back(scene::observe(view_.gizmoWidget(), event, std::move(listener)));
   };
-  listen(Widget::HoveredEvent, [this](const auto&) { picture_.refresh(); });
+  listen(Widget::HoveredEvent, [this](const auto&) { picture_.markOutdated(); });
   listen(Widget::GrabbedEvent, [this](const auto& event) { onGizmoGrabbed(event); });
   listen(Widget::MovedEvent, [this](const auto& event) { onGizmoMoved(event); });
   listen(Widget::ReleasedEvent, [this](const auto&) {
     poses_.finish();
-    picture_.refresh();
+    picture_.markOutdated();
   });
   listen(Widget::CancelledEvent, [this](const auto&) {
     poses_.cancel();
-    picture_.refresh();
+    picture_.markOutdated();
   });
 }
 
 bool HandleController::underMouse() const {
-  const bool onGizmo = view_.gizmo()->GetVisibility() != 0 &&
-                       view_.gizmo()->GetActivePart() != vtkVisceraGizmoRepresentation::Nothing;
-  return dragging() || onGizmo || view_.handles()->GetActiveHandle() >= 0;
+  const scene::OrganView& view = picture_.view();
+  const bool onGizmo = view.gizmo()->GetVisibility() != 0 &&
+                       view.gizmo()->GetActivePart() != vtkVisceraGizmoRepresentation::Nothing;
+  return dragging() || onGizmo || view.handles()->GetActiveHandle() >= 0;
 }
 
 bool HandleController::dragging() const {
@@ -72,12 +75,11 @@ bool HandleController::dragging() const {
 }
 
 bool HandleController::cancelDrag() {
-  if (view_.handleWidget()->IsDragging())
-    view_.handleWidget()->CancelDrag();
-  else if (view_.gizmoWidget()->IsDragging())
-    view_.gizmoWidget()->CancelDrag();
-  else
+  if (!dragging())
     return false;
+  const scene::OrganView& view = picture_.view();
+  view.handleWidget()->CancelDrag();
+  view.gizmoWidget()->CancelDrag();
   return true;
 }
 
@@ -128,7 +130,7 @@ void HandleController::onMoved(const scene::HandleEvent& event) {
   poses_.translate(event.delta());
   // Draws the actual positions of the handles, which may differ from the cursor's, and of others that moved
   // along.
-  picture_.refresh();
+  picture_.markOutdated();
 }
 
 void HandleController::moveAtRest(const std::vector<int>& rows) {
@@ -152,7 +154,7 @@ void HandleController::onReleased() {
     workspace_.guarded([&] { step->finish(); });
   else
     poses_.finish();
-  picture_.refresh();
+  picture_.markOutdated();
 }
 
 void HandleController::onCancelled() {
@@ -161,7 +163,7 @@ void HandleController::onCancelled() {
     workspace_.guarded([&] { step->cancel(); });
   else
     poses_.cancel();
-  picture_.refresh();
+  picture_.markOutdated();
 }
 
 void HandleController::onGizmoGrabbed(const scene::GizmoEvent& event) {
@@ -181,7 +183,7 @@ void HandleController::onGizmoMoved(const scene::GizmoEvent& event) {
     poses_.rotate(event.center, event.axis, event.angle);
   else
     poses_.scale(event.center, event.factors);
-  picture_.refresh();
+  picture_.markOutdated();
 }
 
 /// The plane in which the held handle may go while the volume is locked, and the way in which it would grow.
@@ -193,7 +195,7 @@ void HandleController::showConstraint() {
     view_.constraint().show(motion->pose().row(held).transpose(), normal);
   else
     view_.constraint().hide();
-  picture_.refresh();
+  picture_.markOutdated();
 }
 
 } // namespace viscera::app

@@ -20,7 +20,8 @@ class HandleController final : public QObject {
 
 public:
   /// All have to live longer.
-  HandleController(Workspace& workspace, PoseEditor& poses, Picture& picture, QObject* parent = nullptr);
+  HandleController(Workspace& workspace, PoseEditor& poses, const ViewModel& model, Picture& picture,
+                   QObject* parent = nullptr);
   ~HandleController() override;
 
   /// Whether the mouse is on a handle or the gizmo, or drags one. A click there is not a click on the organ.
@@ -30,7 +31,7 @@ public:
   bool cancelDrag();
 
 private:
-  presentation::Shown shown() const { return picture_.state().shown; }
+  const presentation::Shown& shown() const { return model_.state().shown; }
   void listenToHandles();
   void listenToGizmo();
   void onGrabbed(const scene::HandleEvent& event);
@@ -46,8 +47,9 @@ private:
 
   Workspace& workspace_;
   PoseEditor& poses_;
+  const ViewModel& model_;
   Picture& picture_;
-  scene::OrganView& view_;
+  scene::OrganView& view_; ///< In which the mouse may have put handles where `picture_` will not leave them.
   presentation::Shown grabbed_;                   ///< What the view showed when the drag began.
   std::optional<document::UndoStack::Step> step_; ///< Undo step of a drag at rest.
   bool dragFailed_ = false;                       ///< An error of this drag was reported.

@@ -48,21 +48,31 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   view.view().handleWidget()->SetRenderOnChange(false);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (isDrawn(change))
-      refresh();
+      markOutdated();
   }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (!event.more)
-      refresh();
+      markOutdated();
   }));
-  subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
-  subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
-  subscriptions_.push_back(workspace.warp().onChange([this] { refresh(); }));
+  subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { markOutdated(); }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { markOutdated(); }));
+  subscriptions_.push_back(workspace.warp().onChange([this] { markOutdated(); }));
   connect(&model, &ViewModel::changed, this, [this] {
     if (differsFromDocument())
-      refresh();
+      markOutdated();
   });
-  connect(&view, &ViewWidget::themeChanged, this, &Picture::refresh);
-  refresh();
+  connect(&view, &ViewWidget::themeChanged, this, &Picture::markOutdated);
+  view.setContents([this] { bringUpToDate(); });
+  view.scheduleRender();
+}
+
+Picture::~Picture() {
+  widget_.setContents(nullptr);
+}
+
+const presentation::Presenter& Picture::presenter() const {
+  bringUpToDate();
+  return presenter_;
 }
 
 /// Whether the view's state requires another picture than the last one. Changes of the slices beside the view
@@ -91,28 +101,28 @@ presentation::ViewState Picture::state() const {
 
 void Picture::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
-  refresh();
+  markOutdated();
 }
 
 void Picture::setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone) {
   transient_ = std::move(transient);
   transientAlone_ = alone && !transient_.empty();
-  refresh();
+  markOutdated();
 }
 
 void Picture::setMeasured(std::vector<presentation::TransientSurface> surfaces) {
   measured_ = std::move(surfaces);
-  refresh();
+  markOutdated();
 }
 
 void Picture::setOfSameOrgans(bool same) {
   if (std::exchange(ofSameOrgans_, same) != same)
-    refresh();
+    markOutdated();
 }
 
 void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts) {
   namedParts_ = std::move(parts);
-  refresh();
+  markOutdated();
 }
 
 void Picture::setPointedOrgan(document::OrganId organ) {
@@ -122,12 +132,12 @@ void Picture::setPointedOrgan(document::OrganId organ) {
   // Where no handle is seen, nothing is another picture.
   const presentation::ViewState& view = model_.state();
   if (view.shown.handles || view.handles)
-    refresh();
+    markOutdated();
 }
 
 void Picture::setValves(Valves valves) {
   valves_ = std::move(valves);
-  refresh();
+  markOutdated();
 }
 
 void Picture::setStressRange(std::optional<scene::ValueRange> range, bool legend) {
@@ -135,12 +145,12 @@ void Picture::setStressRange(std::optional<scene::ValueRange> range, bool legend
     return;
   stressRange_ = range;
   stressLegend_ = legend;
-  refresh();
+  markOutdated();
 }
 
 void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   map_ = std::move(map);
-  refresh();
+  markOutdated();
 }
 
 bool Picture::hasMoreThanMovies() const {
@@ -148,7 +158,19 @@ bool Picture::hasMoreThanMovies() const {
   return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
-void Picture::refresh() {
+void Picture::markOutdated() {
+  outdated_ = true;
+  widget_.scheduleRender();
+}
+
+/// An observer of `changed` may set something that the picture shows, such as the range of a map that another
+/// picture shares.
+void Picture::bringUpToDate() const {
+  while (std::exchange(outdated_, false))
+    update();
+}
+
+void Picture::update() const {
   workspace_.guarded([this] {
     presentation::ViewState view = state();
     document::DocumentState shown = workspace_.state();
@@ -166,7 +188,6 @@ void Picture::refresh() {
          valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_, pointedOrgan_});
   });
   drawn_ = model_.state();
-  widget_.scheduleRender();
   Q_EMIT changed();
 }
 

@@ -13,9 +13,11 @@
 
 namespace viscera::app {
 
-/// A view of the window together with the presenter that draws the document in it. It redraws whenever the
-/// document, its organs, the selection, the stress or the view's state have changed. The objects that handle
-/// the mouse get a reference to it; drawing does not need them.
+/// A view of the window together with the presenter that draws the document in it. Every change of the
+/// document, its organs, the selection, the stress or the view's state only marks the picture as out of date.
+/// It is brought up to date once for all of them: before the next frame, or when something reads it. A reader
+/// therefore never meets an outdated presenter or view, and an event of the mouse costs one update. The
+/// objects that handle the mouse get a reference to the picture; drawing does not need them.
 class Picture final : public QObject {
   Q_OBJECT
 
@@ -27,11 +29,14 @@ public:
   Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role = Role::working,
           QObject* parent = nullptr);
 
-  const presentation::Presenter& presenter() const { return presenter_; }
-  scene::OrganView& view() const { return presenter_.view(); }
-  document::OrganId organOf(const scene::OrganActor* actor) const { return presenter_.organOf(actor); }
+  ~Picture() override;
+
+  /// The presenter and its view, up to date.
+  const presentation::Presenter& presenter() const;
+  scene::OrganView& view() const { return presenter().view(); }
+  document::OrganId organOf(const scene::OrganActor* actor) const { return presenter().organOf(actor); }
   std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const {
-    return presenter_.actorOf(organ);
+    return presenter().actorOf(organ);
   }
   /// The view's state as it is drawn, with the selection.
   presentation::ViewState state() const;
@@ -52,7 +57,8 @@ public:
   void setStressRange(std::optional<scene::ValueRange> range, bool legend = true);
   std::optional<scene::ValueRange> stressRange() const { return stressRange_; }
   bool stressLegend() const { return stressLegend_; }
-  /// A function that returns the valves of the beating heart, called whenever the picture is drawn.
+  /// A function that returns the valves of the beating heart, called whenever the picture is brought up to
+  /// date.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
   /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, warped
@@ -64,21 +70,25 @@ public:
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
 public Q_SLOTS:
-  /// Updates the picture and schedules its rendering.
-  void refresh();
+  /// Marks the picture as out of date and schedules its rendering.
+  void markOutdated();
 
 Q_SIGNALS:
-  /// The picture was updated after a change.
-  void changed();
+  /// The picture was brought up to date after changes: once for each frame, before it is rendered, unless
+  /// something has read the picture in between. The presenter and its view may be read.
+  void changed() const;
 
 private:
+  void bringUpToDate() const;
+  void update() const;
   bool differsFromDocument() const;
 
   Workspace& workspace_;
   ViewModel& model_;
   ViewWidget& widget_;
   Role role_;
-  presentation::Presenter presenter_;
+  mutable presentation::Presenter presenter_; ///< Follows the document when it is read.
+  mutable bool outdated_ = true;
   presentation::PendingMeasurement measuring_;
   std::vector<presentation::TransientSurface> transient_;
   std::vector<presentation::TransientSurface> measured_;
@@ -90,7 +100,7 @@ private:
   Valves valves_;
   std::optional<scene::ValueRange> stressRange_;
   bool stressLegend_ = true;
-  std::optional<presentation::ViewState> drawn_; ///< The view's state in the last picture.
+  mutable std::optional<presentation::ViewState> drawn_; ///< The view's state in the last picture.
   std::vector<Subscription> subscriptions_;
 };
 

@@ -23,6 +23,8 @@ namespace {
 
 /// Logical pixels around the cursor in which a surface is looked for.
 constexpr double kNearDistances[] = {0, 6, 12};
+/// The priority of an observer that comes before those of the view.
+constexpr float kBeforeOthers = 1;
 /// ms without a new frame, until the quick one is replaced by a smooth one.
 constexpr int kPause = 120;
 
@@ -56,6 +58,11 @@ ViewWidget::ViewWidget(QWidget* parent)
   renderWanted_->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewWidget*>(self)->onRenderWanted(); });
   interactor()->AddObserver(vtkCommand::RenderEvent, renderWanted_);
+  // Also where a picture of the window is saved.
+  frameBegins_->SetClientData(this);
+  frameBegins_->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewWidget*>(self)->bringUpToDate(); });
+  window->AddObserver(vtkCommand::StartEvent, frameBegins_, kBeforeOthers);
   smoothFrame_.setSingleShot(true);
   connect(&smoothFrame_, &QTimer::timeout, this, [this] {
     if (isVisible() && !view_->moving()) // Code that ends a motion schedules the next frame.
@@ -65,8 +72,36 @@ ViewWidget::ViewWidget(QWidget* parent)
 
 ViewWidget::~ViewWidget() {
   interactor()->RemoveObserver(renderWanted_);
+  renderWindow()->RemoveObserver(frameBegins_);
   view_->setInteractor(nullptr);
   view_->setWindow(nullptr);
+}
+
+scene::OrganView& ViewWidget::view() {
+  bringUpToDate();
+  return *view_;
+}
+
+void ViewWidget::bringUpToDate() {
+  if (contents_)
+    contents_();
+}
+
+/// VTK's widgets pick what is under the mouse.
+bool ViewWidget::event(QEvent* event) {
+  switch (event->type()) {
+  case QEvent::MouseButtonPress:
+  case QEvent::MouseButtonRelease:
+  case QEvent::MouseButtonDblClick:
+  case QEvent::MouseMove:
+  case QEvent::Wheel:
+  case QEvent::KeyPress:
+    bringUpToDate();
+    break;
+  default:
+    break;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
 }
 
 void ViewWidget::setTheme(const Theme& theme) {
@@ -75,14 +110,14 @@ void ViewWidget::setTheme(const Theme& theme) {
   Q_EMIT themeChanged();
 }
 
-std::optional<scene::SurfacePick> ViewWidget::pickNear(const QPointF& place) const {
+std::optional<scene::SurfacePick> ViewWidget::pickNear(const QPointF& place) {
   const double ratio = devicePixelRatioF();
   constexpr int kDirections = 8;
   for (const double distance : kNearDistances) {
     for (int i = 0; i < (distance > 0 ? kDirections : 1); ++i) {
       const double angle = 2 * M_PI * i / kDirections;
       const QPointF there = place + distance * QPointF(std::cos(angle), std::sin(angle));
-      if (auto pick = view_->pick(ratio * there.x(), ratio * (height() - 1 - there.y())))
+      if (auto pick = view().pick(ratio * there.x(), ratio * (height() - 1 - there.y())))
         return pick;
     }
   }
@@ -99,6 +134,7 @@ void ViewWidget::scheduleRender() {
 void ViewWidget::renderPending() {
   if (!renderScheduled_)
     return;
+  bringUpToDate();
   renderScheduled_ = false;
   if (isVisible())
     draw(view_->isSlow());

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <vtkCallbackCommand.h>
@@ -18,9 +19,10 @@
 namespace viscera::app {
 
 /// The widget that shows the 3D view. Renders at most once for all changes within one pass of the event loop,
-/// and distinguishes clicks from drags. If a full, smooth frame takes long (`scene::OrganView::isSlow`), a
-/// change is first drawn as a quick frame, and the smooth frame follows when nothing has changed for a
-/// moment. A click on a side of the orientation cube moves the camera to that side.
+/// brings what it shows up to date before that (`setContents`), and distinguishes clicks from drags. If a
+/// full, smooth frame takes long (`scene::OrganView::isSlow`), a change is first drawn as a quick frame, and
+/// the smooth frame follows when nothing has changed for a moment. A click on a side of the orientation cube
+/// moves the camera to that side.
 class ViewWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -28,11 +30,16 @@ public:
   explicit ViewWidget(QWidget* parent = nullptr);
   ~ViewWidget() override;
 
-  scene::OrganView& view() { return *view_; }
+  /// The view, up to date.
+  scene::OrganView& view();
+  /// Sets a function that brings the view up to date with the document; null: none. It is called before each
+  /// frame, before each event of mouse or keyboard, and by `view`: neither a reader of the view nor the mouse
+  /// meets anything that is out of date.
+  void setContents(std::function<void()> bringUpToDate) { contents_ = std::move(bringUpToDate); }
   void setTheme(const Theme& theme);
 
   /// The surface under a place in the widget, or the nearest one within a few pixels.
-  std::optional<scene::SurfacePick> pickNear(const QPointF& place) const;
+  std::optional<scene::SurfacePick> pickNear(const QPointF& place);
 
   /// Adds a function that is called at a double click. If it returns true, as while the user sets points or
   /// answers a quiz, the double click counts as two clicks. It has to be callable as long as the view is
@@ -47,9 +54,9 @@ public:
   bool atRest() const { return !renderScheduled_ && !smoothFrame_.isActive(); }
 
 public Q_SLOTS:
-  /// Renders soon, once.
+  /// Brings the view up to date and renders it soon, once.
   void scheduleRender();
-  /// Renders now, if anything is waiting to be rendered.
+  /// Does so now, if anything is waiting to be rendered. A view that is hidden is only brought up to date.
   void renderPending();
 
 Q_SIGNALS:
@@ -65,6 +72,7 @@ Q_SIGNALS:
   void themeChanged();
 
 protected:
+  bool event(QEvent* event) override;
   void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -75,6 +83,7 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  void bringUpToDate();
   void onRenderWanted();
   std::optional<scene::StandardView> orientationSideAt(const QPointF& place) const;
   /// Highlights the side of the orientation cube under the mouse, if any.
@@ -85,6 +94,7 @@ private:
   void draw(bool quick);
 
   std::unique_ptr<scene::OrganView> view_;
+  std::function<void()> contents_;
   std::vector<std::function<bool()>> clickTakers_;
   QPointF pressed_;
   Qt::MouseButton pressing_ = Qt::NoButton;        ///< The pressed button, until it is released or the mouse
@@ -95,6 +105,7 @@ private:
   QTimer smoothFrame_; ///< Runs from a quick frame to the full one.
   double frameSeconds_ = 0;
   vtkNew<vtkCallbackCommand> renderWanted_;
+  vtkNew<vtkCallbackCommand> frameBegins_;
 };
 
 } // namespace viscera::app
