@@ -233,13 +233,15 @@ TEST_F(StressOverACycle, NumbersAreThoseOfThePictureWhileTheOrganChanges) {
   enter();
   ASSERT_EQ(model().live().organ(), other);
   ASSERT_TRUE(find<QLabel>("stressMax")->isVisible());
-  bool without = false;
+  bool withoutMesh = false, oldNumbers = false;
   const Subscription told = window().workspace().onChange([&](const document::Change&) {
-    without = !model().live().mesh() && model().shown().ready();
+    withoutMesh = !model().live().mesh();
+    oldNumbers = model().shown().ready();
     Q_EMIT window().playback().stateChanged();
   });
   window().workspace().undo().undo();
-  EXPECT_TRUE(without);
+  EXPECT_TRUE(withoutMesh) << "the organ that is back has none yet";
+  EXPECT_FALSE(oldNumbers) << "of the organ that was drawn before";
   EXPECT_EQ(model().live().organ(), first);
   EXPECT_EQ(label("stressMax"), QStringLiteral("-"));
   ASSERT_TRUE(waitUntil([this] { return model().shown().ready(); }));
