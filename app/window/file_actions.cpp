@@ -297,21 +297,11 @@ void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
   const bool replaces = !opened.organs.empty() && replacesPresent();
   const std::size_t firstNew = replaces ? 0 : present.size();
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
-  const bool done = workspace_.guarded([&] {
-    document::UndoStack& undo = workspace_.undo();
-    document::UndoStack::Step step(undo, name.toStdString());
-    if (replaces) {
-      if (!present.empty())
-        undo.perform(document::removeAllOrgans());
-      if (!opened.rig)
-        undo.perform(document::replaceRig({}));
-    }
-    undo.perform(opened.command());
-    if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
-      undo.perform(placer_.commandOrBox(*workspace_.document().organs()[firstNew]));
-    step.finish();
-  });
-  if (!done)
+  const auto place = [this](const document::Organ& organ, const document::OrganList& organs) {
+    return placer_.commandOrBox(organ, organs);
+  };
+  workspace_.undo().seal();
+  if (!workspace_.perform(document::openCommand(name.toStdString(), opened, replaces, place)))
     return;
   settings_.addRecentFiles(files);
   rememberFolder(files.front());

@@ -44,11 +44,10 @@ void HandlePlacer::place() {
   Q_EMIT placementChanged();
 }
 
-Points HandlePlacer::around(const document::Organ& organ) const {
+Points HandlePlacer::around(const document::Organ& organ, const document::OrganList& organs) const {
   Points handles = deformation::placeHandles(*organ.mesh, placement_);
   if (!placement_.enclosing)
     return handles;
-  const document::OrganList& organs = workspace_.document().organs();
   Points ends(2 * static_cast<Eigen::Index>(organs.size()) + 2, 3);
   auto addEnds = [&, row = Eigen::Index{0}](const document::Organ& one) mutable {
     const Bounds box = boundsOf(one.mesh->points);
@@ -63,8 +62,13 @@ Points HandlePlacer::around(const document::Organ& organ) const {
 }
 
 document::Command HandlePlacer::command(const document::Organ& organ) const {
+  return command(organ, workspace_.document().organs());
+}
+
+document::Command HandlePlacer::command(const document::Organ& organ,
+                                        const document::OrganList& organs) const {
   document::NewRig rig;
-  rig.handles = document::newHandles(around(organ));
+  rig.handles = document::newHandles(around(organ, organs));
   const int corners = placement_.enclosing ? kCorners : 0;
   document::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
   document::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
@@ -76,9 +80,10 @@ document::Command HandlePlacer::command(const document::Organ& organ) const {
   return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
 }
 
-document::Command HandlePlacer::commandOrBox(const document::Organ& organ) const {
+document::Command HandlePlacer::commandOrBox(const document::Organ& organ,
+                                             const document::OrganList& organs) const {
   try {
-    return command(organ);
+    return command(organ, organs);
   } catch (const DataError&) {
     document::NewRig rig;
     rig.handles =

@@ -30,15 +30,16 @@ public:
   /// The command that places around an organ with the present choice, the enclosing ones around all organs of
   /// the document: every one of them can be bound. May throw `DataError`.
   document::Command command(const document::Organ& organ) const;
-  /// The same for an organ that was just added: where its surface has no room for as many handles, the
-  /// corners of a box around it, so that no organ is refused for its handles.
-  document::Command commandOrBox(const document::Organ& organ) const;
+  /// The same for an organ that is being added to `organs`: where its surface has no room for as many
+  /// handles, the corners of a box around it, so that no organ is refused for its handles.
+  document::Command commandOrBox(const document::Organ& organ, const document::OrganList& organs) const;
 
 Q_SIGNALS:
   void placementChanged();
 
 private:
-  Points around(const document::Organ& organ) const;
+  document::Command command(const document::Organ& organ, const document::OrganList& organs) const;
+  Points around(const document::Organ& organ, const document::OrganList& organs) const;
 
   deformation::Placement placement_;
   Workspace& workspace_;

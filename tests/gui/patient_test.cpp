@@ -190,6 +190,18 @@ TEST_F(PatientTest, ALabelMapOffersTheScanBesideItAndTheScanItsOrgans) {
   EXPECT_EQ(document().organs().front()->name, "phantom");
 }
 
+TEST_F(PatientTest, ALabelMapAndItsScanAreOneChangeEach) {
+  int changes = 0;
+  const Subscription subscription =
+      window().workspace().onChange([&changes](const document::Change&) { ++changes; });
+  window().files().open({labelFile(), scanFile()});
+  ASSERT_TRUE(waitUntil([this] { return document().state().scan && !document().organs().empty(); }))
+      << message().toStdString();
+  settle();
+  EXPECT_EQ(changes, 2);
+  EXPECT_EQ(window().workspace().undo().names().size(), 2u) << "a step each";
+}
+
 TEST_F(PatientTest, AScanOpensBesideAFileThatIsNotThereWhichIsNamedWithTheOffer) {
   const QString scan = scanFile(), missing = labelFile() + QStringLiteral("/liver");
   window().files().open({scan, missing});

@@ -209,11 +209,15 @@ std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
       arrives(
           {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), all});
     };
+  std::vector<Organ> organs =
+      organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
   std::vector<NewOrgan> batch;
-  for (Organ& organ : organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file)) {
-    const bool cavity = joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
-                                              [&](const auto& one) { return one.chamber == organ.name; });
-    batch.push_back({std::move(organ), cavity ? 0 : -1});
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    // By the label and not by the name: a file may call another organ "LV".
+    const bool cavity =
+        joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
+                              [&](const auto& one) { return one.segment == options.segments[i]; });
+    batch.push_back({std::move(organs[i]), cavity ? 0 : -1});
   }
   return batch;
 }
@@ -329,6 +333,22 @@ Command OpenedFiles::command() const {
   if (rig)
     commands.push_back(replaceRig(*rig));
   return combined(name, std::move(commands));
+}
+
+Command openCommand(std::string name, OpenedFiles files, bool replacing, PlaceHandles place) {
+  return {std::move(name), [files = std::move(files), replacing,
+                            place = std::move(place)](DocumentState state, IdSource& ids) {
+            const bool organs = !files.organs.empty();
+            if (replacing && organs)
+              state = removeAllOrgans().apply(state, ids);
+            if (replacing && organs && !files.rig)
+              state = replaceRig({}).apply(state, ids);
+            const std::size_t firstNew = state.organs->size();
+            state = files.command().apply(state, ids);
+            if (organs && state.rig->handles.empty())
+              state = place(*(*state.organs)[firstNew], *state.organs).apply(state, ids);
+            return state;
+          }};
 }
 
 NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {

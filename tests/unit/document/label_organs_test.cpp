@@ -10,9 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "beating_labels.h"
+#include "clouds.h"
 #include "label_files.h"
+#include "session_scene.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
+#include "viscera/document/undo_stack.h"
 
 namespace viscera::document {
 namespace {
@@ -98,6 +101,95 @@ TEST(LabelOrgans, OfAHeartAreOneOrganWithItsChambersAsCavities) {
       << "muscle and chambers";
   EXPECT_EQ(readLabelOrgans(file, {"myocardium"}, progress).at(0).name, "myocardium") << "as it is asked for";
   EXPECT_EQ(readLabelOrgans(file, {"heart"}, progress).at(0).name, "Heart");
+}
+
+/// A heart with two chambers and, apart from it, a label that its file calls "LV".
+std::filesystem::path heartFile(const TemporaryFolder& folder) {
+  LabelImage image = viscera::tests::beatingLabels(0, Vec3(3, 3, 3));
+  image.fill({1, 1, 1}, {5, 5, 20}, 4);
+  return folder.put(
+      "heart.seg.nrrd",
+      viscera::tests::nrrdFile(image, "right-anterior-superior",
+                               std::string(viscera::tests::kHeartKeys) +
+                                   "Segment3_ID:=S4\nSegment3_Name:=LV\nSegment3_LabelValue:=4\n"));
+}
+
+TEST(LabelOrgans, AreChambersByTheirLabelsAndNotByTheirNames) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const OpenedFiles opened = openFiles({heartFile(folder)}, progress);
+  ASSERT_EQ(opened.organs.size(), 4U);
+  EXPECT_EQ(opened.organs[1].organ.name, "LV");
+  EXPECT_EQ(opened.organs[1].parentInBatch, 0);
+  EXPECT_EQ(opened.organs[3].organ.name, "LV");
+  EXPECT_EQ(opened.organs[3].parentInBatch, -1) << "only its name is that of a chamber";
+}
+
+TEST(LabelOrgans, OfTwoHeartsStayWithTheirOwnWhateverTheyAreCalled) {
+  const TemporaryFolder folder;
+  Progress progress;
+  Document document;
+  UndoStack undo(document);
+  undo.perform(openFiles({heartFile(folder)}, progress).command());
+  undo.perform(renameOrgan(document.organs()[1]->id, "Cavity"));
+  undo.perform(renameOrgan(document.organs()[0]->id, "Patient A"));
+  undo.perform(openFiles({heartFile(folder)}, progress).command());
+  const OrganList& organs = document.organs();
+  ASSERT_EQ(organs.size(), 8U);
+  for (const std::size_t heart : {0U, 4U}) {
+    EXPECT_FALSE(organs[heart]->parent);
+    for (const std::size_t chamber : {heart + 1, heart + 2})
+      EXPECT_EQ(organs[chamber]->parent, organs[heart]->id) << organs[chamber]->name;
+    EXPECT_FALSE(organs[heart + 3]->parent) << organs[heart + 3]->name;
+  }
+  undo.perform(removeOrgans({organs[4]->id}));
+  EXPECT_EQ(document.organs().size(), 5U) << "the second heart went with its own chambers";
+}
+
+/// What `openCommand` tells of one opening.
+struct Told {
+  int changes = 0;
+  std::vector<std::string> steps;
+  std::size_t handles = 0;
+};
+
+Told open(Document& document, UndoStack& undo, const std::filesystem::path& file, bool replacing) {
+  Progress progress;
+  Told told;
+  const Subscription subscription = document.onChange([&told](const Change&) { ++told.changes; });
+  const auto place = [](const Organ& organ, const OrganList& organs) {
+    EXPECT_EQ(organ.id, organs.front()->id) << "the first new one of all";
+    NewRig rig;
+    rig.handles = newHandles(viscera::tests::onSphere(12, 200));
+    return replaceRig(std::move(rig));
+  };
+  undo.perform(openCommand("Open it", openFiles({file}, progress), replacing, place));
+  told.steps = undo.names();
+  told.handles = document.rig().handles.size();
+  return told;
+}
+
+TEST(OpenCommand, IsOneStepAndOneChangeForASurfaceAFileOfLabelsAndAHeart) {
+  const TemporaryFolder folder;
+  const auto ball = viscera::tests::ballFile(folder, "ball.stl");
+  for (const auto& [file, organs] :
+       {std::pair(ball, 1U), {segmentation(folder), 2U}, {heartFile(folder), 4U}}) {
+    Document document;
+    UndoStack undo(document);
+    const Told first = open(document, undo, file, true);
+    EXPECT_EQ(first.changes, 1) << file;
+    EXPECT_EQ(first.steps, std::vector<std::string>{"Open it"});
+    EXPECT_EQ(first.handles, 12U);
+    const Told again = open(document, undo, file, true);
+    EXPECT_EQ(again.changes, 1) << "in place of others";
+    EXPECT_EQ(document.organs().size(), organs);
+    const Told beside = open(document, undo, file, false);
+    EXPECT_EQ(beside.changes, 1) << "beside others, whose handles stay";
+    EXPECT_EQ(document.organs().size(), 2 * organs);
+    EXPECT_EQ(beside.steps.size(), 3U);
+    undo.goTo(0);
+    EXPECT_TRUE(document.organs().empty());
+  }
 }
 
 TEST(LabelOrgans, AreOpenedLikeOtherFiles) {

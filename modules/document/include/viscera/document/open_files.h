@@ -45,6 +45,15 @@ struct OpenedFiles {
   Command command() const;
 };
 
+/// The handles for an organ that is new in a document: `organs` are all that it then has.
+using PlaceHandles = std::function<Command(const Organ& organ, const OrganList& organs)>;
+
+/// One command, and so one change, that brings the contents of files into a document. With `replacing` all
+/// organs make room for those of the files, and the handles for theirs; without organs in the files nothing
+/// makes room. Where the document is left without handles, `place` gives the first new organ some, when it
+/// is applied.
+Command openCommand(std::string name, OpenedFiles files, bool replacing, PlaceHandles place);
+
 /// An organ that is already read, of a file of which others are still being read.
 struct ArrivingOrgan {
   std::string name;
