@@ -183,7 +183,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
   installed.addTextsOf(systems.registry);
-  MainWindow window(settings, std::move(systems.registry), motion::Transport::steadyClock());
+  MainWindow window(settings, std::move(systems.registry), motion::Player::steadyClock());
   application.setGuard(
       [&window](const std::function<void()>& work) { return window.workspace().guarded(work); });
   if (!options.theme.empty())

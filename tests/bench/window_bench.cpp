@@ -45,7 +45,7 @@ void firstPicture(benchmark::State& state) {
       qputenv("XDG_CACHE_HOME", empty.path().toLocal8Bit());
     const auto start = Clock::now();
     app::Settings settings{QString()};
-    app::MainWindow window(settings, plugin::builtInRegistry(), motion::Transport::steadyClock());
+    app::MainWindow window(settings, plugin::builtInRegistry(), motion::Player::steadyClock());
     window.resize(1440, 900);
     window.setMode("play");
     window.samples().load(QStringLiteral("heart"), true);

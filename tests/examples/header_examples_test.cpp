@@ -148,6 +148,16 @@ Points cubeCorners() {
       "Volumes", "cycle", [copy](Progress& p) { return measureCycle(copy->runner(), p); }, take);
 }
 
+[[maybe_unused]] void playSequence(const document::Document& document, live::LiveBinding& live,
+                                   std::shared_ptr<const sequences::Sequence> sequence,
+                                   document::OrganId organ) {
+  using namespace motion;
+  Player player(document.state(), live);
+  player.setSequence(sequence, organ);
+  player.play();
+  player.advance(); // With every frame.
+}
+
 [[maybe_unused]] motion::CycleCurves curvesOf(const document::DocumentState& state, live::LiveBinding& live,
                                               const std::shared_ptr<const sequences::Sequence>& sequence,
                                               Progress& progress) {

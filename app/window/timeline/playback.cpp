@@ -21,18 +21,28 @@ bool anyLocked(const document::OrganList& organs) {
 
 } // namespace
 
-Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent)
-    : QObject(parent), workspace_(workspace), transport_(std::move(transport)),
-      player_(*transport_, workspace.state(), workspace.live(), &workspace.jobs()) {
+Playback::Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent)
+    : QObject(parent), workspace_(workspace),
+      player_(workspace.state(), workspace.live(), std::move(clock), &workspace.jobs()) {
+  watch();
+}
+
+Playback::Playback(Workspace& workspace, Playback& first, QObject* parent)
+    : QObject(parent), workspace_(workspace),
+      player_(first.player_, workspace.state(), workspace.live(), &workspace.jobs()) {
+  watch();
+}
+
+void Playback::watch() {
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMilliseconds);
   connect(&frames_, &QTimer::timeout, this, &Playback::advance);
-  subscriptions_.push_back(transport_->onShown([this] { onShown(); }));
-  subscriptions_.push_back(transport_->onState([this] { onState(); }));
-  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+  subscriptions_.push_back(player_.onShown([this] { onShown(); }));
+  subscriptions_.push_back(player_.onState([this] { onState(); }));
+  subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     // Locked volumes are those of the own pose, so that an instant is another one when that is reset.
     const bool otherVolumes = change.pose() && showing() && anyLocked(workspace_.document().organs());
-    if (change.organs() || otherVolumes || (change.rig() && transport_->started())) {
+    if (change.organs() || otherVolumes || (change.rig() && player_.started())) {
       showPending_ = true;
       workspace_.afterChange([this] { showChanges(); });
     }
@@ -40,17 +50,11 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
       retractOffer();
   }));
   // Locked volumes are kept by the new coordinates, and not at all while an organ is still being bound.
-  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
+  subscriptions_.push_back(workspace_.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status && showing() && !workspace_.live().busy())
       showLater();
   }));
 }
-
-Playback::Playback(Workspace& workspace, motion::Transport::Clock clock, QObject* parent)
-    : Playback(workspace, std::make_shared<motion::Transport>(std::move(clock)), parent) {}
-
-Playback::Playback(Workspace& workspace, Playback& first, QObject* parent)
-    : Playback(workspace, first.transport_, parent) {}
 
 void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                            std::string recipe) {
@@ -85,7 +89,7 @@ void Playback::exchange(const sequences::Sequence* known,
     present_ = *found;
     player_.exchangeSequence(present_.sequence);
   }
-  changeTransport([this] { transport_->match(); });
+  changePlayer([this] { player_.match(); });
 }
 
 void Playback::forget(const sequences::Sequence* sequence) {
@@ -144,10 +148,10 @@ void Playback::showChanges() {
     return;
   takeMatchingMotion();
   showPending_ = false;
-  workspace_.guarded([this] { transport_->match(); });
+  workspace_.guarded([this] { player_.match(); });
 }
 
-bool Playback::changeTransport(const std::function<void()>& what) {
+bool Playback::changePlayer(const std::function<void()>& what) {
   showChanges();
   return workspace_.guarded(what);
 }
@@ -161,9 +165,9 @@ bool Playback::start() {
     offerOwnHandles();
     return false;
   }
-  if (transport_->pose() != motion::WantedPose::sequence)
+  if (player_.pose() != motion::WantedPose::sequence)
     Q_EMIT playModeWanted();
-  return transport_->pose() == motion::WantedPose::sequence;
+  return player_.pose() == motion::WantedPose::sequence;
 }
 
 void Playback::offerOwnHandles() {
@@ -188,17 +192,17 @@ void Playback::retractOffer() {
 }
 
 void Playback::play() {
-  if (!transport_->playing() && start())
-    changeTransport([this] { transport_->play(); });
+  if (!player_.running() && start())
+    changePlayer([this] { player_.play(); });
 }
 
 void Playback::setRate(double perMinute) {
-  if (!changeTransport([&] { player_.setRatePerMinute(perMinute); }))
+  if (!changePlayer([&] { player_.setRatePerMinute(perMinute); }))
     Q_EMIT stateChanged(); // Resets the control to the actual rate.
 }
 
 void Playback::setSpeed(double speed) {
-  if (!changeTransport([&] { transport_->setSpeed(speed); }))
+  if (!changePlayer([&] { player_.setSpeed(speed); }))
     Q_EMIT stateChanged();
 }
 
@@ -210,24 +214,24 @@ std::optional<sequences::ValveInstants> Playback::valves() const {
 
 void Playback::seek(double fraction) {
   if (start())
-    changeTransport([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });
+    changePlayer([&] { player_.seek(std::clamp(fraction, 0.0, 1.0)); });
 }
 
 void Playback::setPlace(double fraction) {
-  changeTransport([&] { transport_->setPlace(std::clamp(fraction, 0.0, 1.0)); });
+  changePlayer([&] { player_.setPlace(std::clamp(fraction, 0.0, 1.0)); });
 }
 
 void Playback::step(int frames) {
   pause();
   if (start())
-    changeTransport([&] { transport_->step(frames * kStepSeconds); });
+    changePlayer([&] { player_.step(frames * kStepSeconds); });
 }
 
 void Playback::stepFinely(int steps) {
   const double finest = sequence() ? sequence()->finestStepSeconds() : 0;
   pause();
   if (start())
-    changeTransport([&] { transport_->step(steps * (finest > 0 ? finest : kStepSeconds)); });
+    changePlayer([&] { player_.step(steps * (finest > 0 ? finest : kStepSeconds)); });
 }
 
 void Playback::onShown() {
@@ -242,7 +246,7 @@ void Playback::onShown() {
 
 /// The first view's timer makes the frames of all.
 void Playback::onState() {
-  if (transport_->playing() && transport_->isFirst(player_))
+  if (player_.running() && player_.leads())
     frames_.start();
   else
     frames_.stop();

@@ -16,8 +16,8 @@ namespace viscera::app {
 /// The speeds of playback: real time and slow motion.
 inline constexpr double kPlaybackSpeeds[] = {1, 0.5, 0.25, 0.1};
 
-/// Plays the motions of a document's organs in a view: a transport's player with the frame timer, the signals
-/// and the messages of a window. It remembers the motions of several organs, so that undo restores an organ
+/// Plays the motions of a document's organs in a view: a player with the frame timer, the signals and the
+/// messages of a window. It remembers the motions of several organs, so that undo restores an organ
 /// with its motion. When a change of the document affects a motion, the view is updated after all observers
 /// were notified, not within the document's notification.
 class Playback final : public QObject {
@@ -32,9 +32,9 @@ public:
     std::string recipe;
   };
 
-  /// Creates a transport of its own. `clock` returns seconds; tests and pictures pass a clock of their own.
-  Playback(Workspace& workspace, motion::Transport::Clock clock, QObject* parent = nullptr);
-  /// For another view, under the transport of `first`.
+  /// For the first view. `clock` returns seconds; tests and pictures pass a clock of their own.
+  Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent = nullptr);
+  /// For another view, in the time of `first`.
   Playback(Workspace& workspace, Playback& first, QObject* parent = nullptr);
 
   /// Adds a sequence for an organ and makes it the present one; `motions` lists it while that organ is in the
@@ -68,29 +68,29 @@ public:
   bool showing() const { return player_.showing(); }
 
   /// The pose that the mode wants to show.
-  motion::WantedPose wantedPose() const { return transport_->pose(); }
+  motion::WantedPose wantedPose() const { return player_.pose(); }
   /// Sets the pose to show; pauses the sequence unless its own pose is to be shown.
   void setPose(motion::WantedPose pose) {
-    changeTransport([&] { transport_->setPose(pose); });
+    changePlayer([&] { player_.setPose(pose); });
   }
   /// Prescribes the volume of an organ while the present sequence moves it; none: no volume is prescribed.
   /// Returns false and shows a message if the volume cannot be reached.
   bool prescribe(const std::optional<motion::PrescribedVolume>& volume) {
-    return changeTransport([&] { player_.prescribe(volume); });
+    return changePlayer([&] { player_.prescribe(volume); });
   }
 
 public Q_SLOTS:
   /// Poses the organs of all views at the time of the clock; the frame timer calls it while playing.
   void advance() {
-    changeTransport([this] { transport_->advance(); });
+    changePlayer([this] { player_.advance(); });
   }
   void play();
   void pause() {
-    changeTransport([this] { transport_->pause(); });
+    changePlayer([this] { player_.pause(); });
   }
-  void toggle() { transport_->playing() ? pause() : play(); }
+  void toggle() { player_.running() ? pause() : play(); }
   void setLooping(bool looping) {
-    changeTransport([&] { transport_->setLoop(looping); });
+    changePlayer([&] { player_.setLoop(looping); });
   }
   void setRate(double perMinute);
   void setSpeed(double speed);
@@ -105,7 +105,7 @@ public Q_SLOTS:
   void toStart() { seek(0); }
   /// Stops, and shows the document's pose.
   void stop() {
-    changeTransport([this] { transport_->stop(); });
+    changePlayer([this] { player_.stop(); });
   }
 
 Q_SIGNALS:
@@ -117,15 +117,15 @@ Q_SIGNALS:
   void playModeWanted();
 
 private:
-  Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent);
+  void watch();
   void remember(const Motion& motion);
   void take(const Motion& motion);
   void takeMatchingMotion();
   void showLater();
   void showChanges();
-  /// Calls `what`, which changes the transport, after pending changes of the document; an error is shown as a
+  /// Calls `what`, which changes the player, after pending changes of the document; an error is shown as a
   /// message.
-  bool changeTransport(const std::function<void()>& what);
+  bool changePlayer(const std::function<void()>& what);
   bool start();
   void offerOwnHandles();
   void retractOffer();
@@ -133,7 +133,6 @@ private:
   void onState();
 
   Workspace& workspace_;
-  std::shared_ptr<motion::Transport> transport_;
   motion::Player player_;
   std::vector<Motion> known_; ///< Includes motions of removed organs, which undo may restore.
   Motion present_;

@@ -39,8 +39,8 @@ WindowSoak::WindowSoak() {
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
   for (const char* kind : {"files/pictures", "record/folder"})
     settings_->setValue(kind, folder_.path());
-  window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(),
-                                              motion::Transport::steadyClock());
+  window_ =
+      std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), motion::Player::steadyClock());
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->sessions().startAutosave(folder_.filePath(QStringLiteral("recovery")).toStdString());
   window_->resize(1280, 800);

@@ -1,4 +1,4 @@
-#include "viscera/motion/transport.h"
+#include "viscera/motion/player.h"
 
 #include <atomic>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/motion/player.h"
 
 namespace viscera::motion {
 namespace {
@@ -48,16 +47,15 @@ private:
 /// A bound ball that swings, under a clock that the test turns.
 struct Stage : tests::BoundSession {
   double now = 1000;
-  Transport transport{[this] { return now; }};
-  Player player{transport, document.state(), live};
+  Player player{document.state(), live, [this] { return now; }};
 
   Stage() {
     player.setSequence(std::make_shared<Swing>(), organ());
-    transport.match();
+    player.match();
   }
   void pass(double seconds) {
     now += seconds;
-    transport.advance();
+    player.advance();
   }
   Points swung(double fraction) const {
     Points pose;
@@ -70,9 +68,9 @@ struct Stage : tests::BoundSession {
 struct Second : tests::BoundSession {
   Player player;
 
-  explicit Second(Stage& first) : player(first.transport, document.state(), live) {
+  explicit Second(Stage& first) : player(first.player, document.state(), live) {
     player.setSequence(std::make_shared<Swing>(), organ());
-    first.transport.match();
+    first.player.match();
   }
   bool showsWhatItSays() const {
     Points pose;
@@ -83,69 +81,69 @@ struct Second : tests::BoundSession {
 
 constexpr double kRounding = 1e-9;
 
-TEST(Transport, StandsStillUntilItPlays) {
+TEST(Player, StandsStillUntilItPlays) {
   Stage s;
   s.pass(5);
   EXPECT_EQ(s.player.fraction(), 0);
   EXPECT_EQ(s.player.ratePerMinute(), 60);
-  s.transport.play();
+  s.player.play();
   s.pass(0.25);
   EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
-  s.transport.pause();
+  s.player.pause();
   s.pass(5);
   EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
-  s.transport.play();
+  s.player.play();
   s.pass(0.25);
   EXPECT_NEAR(s.player.fraction(), 0.5, kRounding) << "the time of the pause was played";
 }
 
-TEST(Transport, PausesAtTheInstantThatIsShown) {
+TEST(Player, PausesAtTheInstantThatIsShown) {
   Stage s;
-  s.transport.play();
+  s.player.play();
   s.pass(0.125);
   s.now += 0.5;
-  s.transport.pause();
+  s.player.pause();
   EXPECT_NEAR(s.player.fraction(), 0.125, kRounding);
   EXPECT_LT((s.live.shownPose() - s.swung(0.125)).norm(), kRounding);
 }
 
-TEST(Transport, KeepsAPrescribedVolumeWhileASequenceTakesThePlaceOfItsLike) {
+TEST(Player, KeepsAPrescribedVolumeWhileASequenceTakesThePlaceOfItsLike) {
   Stage s;
   const double rest = s.document.organ(s.organ())->restVolumeMm3 / kMm3PerMl;
   s.player.prescribe(PrescribedVolume{s.organ(), sequences::Curve::periodic({{0, 1.01 * rest}}, 1)});
   s.player.exchangeSequence(std::make_shared<Swing>());
   ASSERT_TRUE(s.player.runner().prescribed());
-  s.transport.seek(0.3);
+  s.player.seek(0.3);
   EXPECT_NEAR(s.live.volume(s.organ()).nowMl, 1.01 * rest, 1e-6 * rest);
   s.player.setSequence(std::make_shared<Swing>(), s.organ());
   EXPECT_FALSE(s.player.runner().prescribed()) << "another one begins without";
 }
 
-TEST(Transport, ShowsTheSamePoseEveryCycle) {
+TEST(Player, ShowsTheSamePoseEveryCycle) {
   Stage s;
-  s.transport.play();
+  s.player.play();
   s.pass(0.375);
   const Points first = s.live.shownPose();
   for (int cycle = 0; cycle < 7; ++cycle) {
     s.pass(1);
     EXPECT_LT((s.live.shownPose() - first).norm(), kRounding);
   }
-  EXPECT_NEAR(s.transport.playedSeconds(), 7.375, kRounding);
+  EXPECT_NEAR(s.player.playedSeconds(), 7.375, kRounding);
 }
 
-TEST(Transport, ShowsBitwiseTheSamePoseForTheSamePlace) {
+TEST(Player, ShowsBitwiseTheSamePoseForTheSamePlace) {
   Stage a, b;
-  a.transport.play();
+  a.player.play();
   a.pass(17.3);
-  a.transport.seek(0.3);
-  b.transport.seek(0.3);
+  a.player.seek(0.3);
+  b.player.seek(0.3);
   EXPECT_EQ(a.live.shownPose(), b.live.shownPose());
   EXPECT_EQ(a.live.points(a.organ()), b.live.points(b.organ()));
 }
 
-TEST(Transport, GoesOnFromTheSamePlaceAtAnotherRateAndShowsIt) {
+TEST(Player, GoesOnFromTheSamePlaceAtAnotherRateAndShowsIt) {
   Stage s;
-  s.transport.play();
+  s.player.play();
   s.pass(0.5);
   s.now += 0.25;
   s.player.setRatePerMinute(120);
@@ -156,135 +154,135 @@ TEST(Transport, GoesOnFromTheSamePlaceAtAnotherRateAndShowsIt) {
   EXPECT_NEAR(s.player.secondsInCycle(), 0.475, kRounding);
 }
 
-TEST(Transport, PassesSlowlyInSlowMotionWithTheSequencesOwnTime) {
+TEST(Player, PassesSlowlyInSlowMotionWithTheSequencesOwnTime) {
   Stage s;
-  s.transport.setSpeed(0.25);
-  s.transport.play();
+  s.player.setSpeed(0.25);
+  s.player.play();
   s.pass(1);
   EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
-  EXPECT_NEAR(s.transport.playedSeconds(), 0.25, kRounding);
+  EXPECT_NEAR(s.player.playedSeconds(), 0.25, kRounding);
 }
 
-TEST(Transport, StopsAtTheEndWithoutLoopAndBeginsAgain) {
+TEST(Player, StopsAtTheEndWithoutLoopAndBeginsAgain) {
   Stage s;
-  s.transport.setLoop(false);
-  s.transport.play();
+  s.player.setLoop(false);
+  s.player.play();
   s.pass(3.7);
   EXPECT_EQ(s.player.fraction(), 1);
-  EXPECT_FALSE(s.transport.playing());
-  EXPECT_NEAR(s.transport.playedSeconds(), 1, kRounding);
-  EXPECT_FALSE(s.transport.advance());
-  s.transport.play();
+  EXPECT_FALSE(s.player.running());
+  EXPECT_NEAR(s.player.playedSeconds(), 1, kRounding);
+  EXPECT_FALSE(s.player.advance());
+  s.player.play();
   EXPECT_EQ(s.player.fraction(), 0);
-  EXPECT_TRUE(s.transport.playing());
+  EXPECT_TRUE(s.player.running());
 }
 
-TEST(Transport, NamesThePhase) {
+TEST(Player, NamesThePhase) {
   Stage s;
   EXPECT_EQ(s.player.phase(), "up");
-  s.transport.seek(0.25);
+  s.player.seek(0.25);
   EXPECT_EQ(s.player.phase(), "down");
 }
 
-TEST(Transport, RefusesRatesSpeedsAndPlacesOutOfRange) {
+TEST(Player, RefusesRatesSpeedsAndPlacesOutOfRange) {
   Stage s;
   EXPECT_THROW(s.player.setRatePerMinute(29), UsageError);
   EXPECT_THROW(s.player.setRatePerMinute(std::nan("")), UsageError);
-  EXPECT_THROW(s.transport.setSpeed(0), UsageError);
-  EXPECT_THROW(s.transport.seek(1.1), UsageError);
+  EXPECT_THROW(s.player.setSpeed(0), UsageError);
+  EXPECT_THROW(s.player.seek(1.1), UsageError);
   s.player.setSequence(nullptr, {});
   EXPECT_THROW(s.player.setRatePerMinute(60), UsageError);
-  s.transport.play();
-  EXPECT_FALSE(s.transport.playing());
+  s.player.play();
+  EXPECT_FALSE(s.player.running());
 }
 
-TEST(Transport, ShowsThePoseThatIsWantedAndComesBackToItsInstant) {
+TEST(Player, ShowsThePoseThatIsWantedAndComesBackToItsInstant) {
   Stage s;
   s.undo.perform(document::moveHandles({s.handle(9)}, tests::row(45, 3, -1)));
-  s.transport.play();
+  s.player.play();
   s.pass(0.25);
-  s.transport.setPose(WantedPose::document);
-  EXPECT_FALSE(s.transport.playing());
+  s.player.setPose(WantedPose::document);
+  EXPECT_FALSE(s.player.running());
   EXPECT_EQ(s.live.shownPose(), s.document.pose());
-  s.transport.setPose(WantedPose::rest);
+  s.player.setPose(WantedPose::rest);
   EXPECT_EQ(s.live.shownPose(), s.document.rig().restPositions());
-  s.transport.play();
-  EXPECT_FALSE(s.transport.playing()) << "nobody would see it";
-  s.transport.setPose(WantedPose::sequence);
+  s.player.play();
+  EXPECT_FALSE(s.player.running()) << "nobody would see it";
+  s.player.setPose(WantedPose::sequence);
   EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
-  s.transport.stop();
+  s.player.stop();
   EXPECT_EQ(s.live.shownPose(), s.document.pose());
 }
 
-TEST(Transport, ShowsAPlaceThatWasSetWhileAnotherPoseWasWantedOnceTheSequencesIs) {
+TEST(Player, ShowsAPlaceThatWasSetWhileAnotherPoseWasWantedOnceTheSequencesIs) {
   Stage s;
-  s.transport.setPose(WantedPose::document);
-  s.transport.seek(0.25);
+  s.player.setPose(WantedPose::document);
+  s.player.seek(0.25);
   EXPECT_EQ(s.player.fraction(), 0) << "nobody would see it";
-  s.transport.setPlace(0.25);
+  s.player.setPlace(0.25);
   EXPECT_EQ(s.player.fraction(), 0.25);
-  EXPECT_FALSE(s.transport.showing());
+  EXPECT_FALSE(s.player.showing());
   EXPECT_EQ(s.live.shownPose(), s.document.pose());
-  s.transport.setPose(WantedPose::sequence);
+  s.player.setPose(WantedPose::sequence);
   EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
-  EXPECT_THROW(s.transport.setPlace(1.5), UsageError);
+  EXPECT_THROW(s.player.setPlace(1.5), UsageError);
 }
 
-TEST(Transport, StopsAtTheBeginningWhenTheHandlesAreNoLongerTheSequences) {
+TEST(Player, StopsAtTheBeginningWhenTheHandlesAreNoLongerTheSequences) {
   for (const bool playing : {true, false}) {
     Stage s;
-    s.transport.play();
+    s.player.play();
     s.pass(0.3);
     if (!playing)
-      s.transport.pause();
+      s.player.pause();
     s.undo.perform(document::removeHandles({s.handle(8)}));
-    s.transport.match();
-    EXPECT_FALSE(s.transport.playing());
-    EXPECT_FALSE(s.transport.started());
+    s.player.match();
+    EXPECT_FALSE(s.player.running());
+    EXPECT_FALSE(s.player.started());
     EXPECT_EQ(s.player.fraction(), 0);
     EXPECT_EQ(s.live.shownPose(), s.document.pose());
     s.undo.undo();
-    s.transport.match();
+    s.player.match();
     EXPECT_FALSE(s.player.showing());
     EXPECT_EQ(s.live.shownPose(), s.document.pose());
-    s.transport.play();
+    s.player.play();
     s.pass(0.25);
     EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
   }
 }
 
-TEST(Transport, AnEditThatLeavesTheHandlesWhereTheyAreDoesNotEndTheMotion) {
+TEST(Player, AnEditThatLeavesTheHandlesWhereTheyAreDoesNotEndTheMotion) {
   Stage s;
-  s.transport.seek(0.25);
+  s.player.seek(0.25);
   document::HandleEdit locked;
   locked.locked = true;
   s.undo.perform(document::editHandles({s.handle(8)}, locked));
-  s.transport.match();
+  s.player.match();
   EXPECT_TRUE(s.player.showing());
   EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
 }
 
-TEST(Transport, AllViewsAreAtTheSameSecondsAndShowWhatTheySay) {
+TEST(Player, AllViewsAreAtTheSameSecondsAndShowWhatTheySay) {
   Stage s;
-  s.transport.seek(0.7);
+  s.player.seek(0.7);
   Second other(s);
   EXPECT_NEAR(other.player.secondsInCycle(), 0.7, kRounding) << "it joins where the first one is";
   EXPECT_TRUE(other.showsWhatItSays());
   other.player.setRatePerMinute(100);
   EXPECT_NEAR(other.player.secondsInCycle(), 0.1, kRounding) << "in its second cycle";
   EXPECT_TRUE(other.showsWhatItSays());
-  s.transport.step(0.25);
+  s.player.step(0.25);
   EXPECT_NEAR(s.player.secondsInCycle(), 0.95, kRounding);
   EXPECT_NEAR(other.player.secondsInCycle(), 0.35, kRounding);
   EXPECT_TRUE(other.showsWhatItSays());
-  s.transport.play();
+  s.player.play();
   s.pass(0.5);
   s.now += 0.3;
-  s.transport.pause();
+  s.player.pause();
   EXPECT_NEAR(s.player.secondsInCycle(), 0.45, kRounding);
   EXPECT_TRUE(other.showsWhatItSays());
   other.undo.perform(document::removeHandles({other.handle(0)}));
-  s.transport.seek(0.5);
+  s.player.seek(0.5);
   EXPECT_FALSE(other.player.showing());
   EXPECT_TRUE(s.player.showing()) << "one that cannot be moved holds up nobody";
 }
@@ -340,14 +338,14 @@ TEST(Player, UnderALockNoFrameMakesTheVolumeFormAndAllKeepTheVolumeExactly) {
   s.undo.perform(document::setSystem({"counting", {}}));
   s.undo.perform(document::setVolumeLocked(s.organ(), true));
   double now = 1000;
-  Transport transport([&now] { return now; });
-  Player player(transport, s.document.state(), s.live, &s.jobs);
+  Player player(
+      s.document.state(), s.live, [&now] { return now; }, &s.jobs);
   player.setSequence(std::make_shared<Breathe>(), s.organ());
-  transport.setPose(WantedPose::sequence);
+  player.setPose(WantedPose::sequence);
   const auto kept = [&] {
     return std::abs(s.live.volume(s.organ()).relativeChange()) <= kAllowedVolumeError;
   };
-  transport.seek(0.25);
+  player.seek(0.25);
   ASSERT_TRUE(player.runner().obstacle().empty()) << player.runner().obstacle();
   const Points early = s.live.shownPose();
   EXPECT_GT(counts->pullBacks, 0) << "the surface itself was passed over";
@@ -356,16 +354,16 @@ TEST(Player, UnderALockNoFrameMakesTheVolumeFormAndAllKeepTheVolumeExactly) {
   s.box.runUntil([&] { return s.jobs.idle(); });
   EXPECT_EQ(counts->influences, 10) << "a column for each handle";
   const int pullBacks = counts->pullBacks;
-  transport.play();
+  player.play();
   for (int frame = 0; frame < 20; ++frame) {
     now += 0.05;
-    transport.advance();
+    player.advance();
     EXPECT_TRUE(kept()) << "frame " << frame;
   }
   EXPECT_EQ(counts->pullBacks, pullBacks) << "the form is there";
   EXPECT_EQ(madeHere, 0);
-  transport.pause();
-  transport.seek(0.25);
+  player.pause();
+  player.seek(0.25);
   EXPECT_LT((s.live.shownPose() - early).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_TRUE(s.jobs.idle()) << "what is ready is not made again";
 }
