@@ -25,8 +25,7 @@
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
-#include "viscera/sequences/heart_valves.h"
-#include "viscera/sequences/keyframes.h"
+#include "viscera/sequences/beating_heart.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -142,12 +141,11 @@ void addWalls(const Walls& walls, nlohmann::ordered_json& json, Listing& listing
 /// Measures at the keys of a key sequence: there the volumes are what was recorded.
 void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, double rate,
                  motion::VolumeRecord& record) {
-  const auto* keyframes = dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get());
-  if (keyframes == nullptr)
-    return;
-  const double stretch = 60 / rate / keyframes->track().periodSeconds;
-  for (const sequences::Keyframe& key : keyframes->track().keys)
-    record.add(stretch * key.seconds, runner.show(stretch * key.seconds));
+  const double stretch = played.sequence->standardRatePerMinute() / rate;
+  for (const double key : played.sequence->keys()) {
+    const double seconds = stretch * key;
+    record.add(seconds, runner.show(seconds));
+  }
 }
 
 /// The surface whose ejection fraction is the heart's: the left ventricle, else the first cavity, else the
@@ -160,7 +158,7 @@ int ventricleOf(const PlayedSequence& played) {
   for (const char* name : {"lv", "LV", "heart_ventricle_left", "left ventricle"})
     if (const int found = played.find(name); found >= 0)
       return found;
-  if (dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get()) == nullptr)
+  if (played.sequence->keys().empty())
     return -1;
   if (played.surfaces.size() == 1)
     return 0;

@@ -20,11 +20,6 @@ constexpr int kControlRestMilliseconds = 200;
 /// Instants at which the heart must be able to beat similarly where it beats on.
 constexpr Eigen::Index kTriedOfSimilar = 8;
 
-/// Whether a circulation moves the heart, be it the present one.
-bool followsOne(const Playback::Motion& motion) {
-  return dynamic_cast<const sequences::CourseHeartbeat*>(motion.sequence.get()) != nullptr;
-}
-
 sequences::HeartCourse courseOf(const CirculationModel::Shown& shown) {
   return motion::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices,
                              circulation::leftMuscleOf(shown.name));
@@ -166,13 +161,13 @@ CirculationModel::ShownBeat CirculationModel::shownBeat() const {
   const auto motion = heartMotion();
   if (!motion || motion->sequence != followed_.sequence)
     return {};
-  return {std::dynamic_pointer_cast<const sequences::CourseHeartbeat>(motion->sequence),
-          playback_.player().fraction(), playback_.player().playing()};
+  return {followed_.sequence, playback_.player().fraction(), playback_.player().playing()};
 }
 
 /// For a worker. The heart must be able to take the shape in which it will be drawn first; where it beats on,
 /// others as well: it would stand still while the time goes on.
-std::shared_ptr<const sequences::Sequence> CirculationModel::ShownBeat::similar(const Shown& shown) const {
+std::shared_ptr<const sequences::CourseHeartbeat>
+CirculationModel::ShownBeat::similar(const Shown& shown) const {
   if (!beat)
     return nullptr;
   try {
@@ -193,14 +188,28 @@ std::shared_ptr<const sequences::Sequence> CirculationModel::ShownBeat::similar(
   }
 }
 
-bool CirculationModel::showSimilar(const std::shared_ptr<const sequences::Sequence>& beat) {
+bool CirculationModel::showSimilar(const std::shared_ptr<const sequences::CourseHeartbeat>& beat) {
   const auto motion = heartMotion();
   if (!beat || !motion || !followed_.sequence || motion->sequence != followed_.sequence)
     return false;
-  followed_.sequence = beat;
   beatBy_ = solved_;
-  playback_.exchange(motion->sequence.get(), beat);
+  give(*motion, beat);
   return true;
+}
+
+/// Whether a circulation moves the heart, be it the present one.
+bool CirculationModel::followsOne(const Playback::Motion& motion) const {
+  const auto follower = followers_.find(motion.organ);
+  return follower != followers_.end() && follower->second.given == motion.sequence;
+}
+
+void CirculationModel::give(const Playback::Motion& motion,
+                            std::shared_ptr<const sequences::CourseHeartbeat> beat) {
+  if (!followsOne(motion))
+    followers_[motion.organ].textbook = motion.sequence;
+  followers_[motion.organ].given = beat;
+  followed_.sequence = std::move(beat);
+  playback_.exchange(motion.sequence.get(), followed_.sequence);
 }
 
 std::optional<Playback::Motion> CirculationModel::heartMotion() const {
@@ -255,11 +264,8 @@ void CirculationModel::take(JobResult<Followed> result, const Following& asked) 
     followed_.resolution = result.value->resolution;
     const bool late = asked.by != solved_ && asked.before != beatBy_; // A beat of a newer choice is shown.
     if (result.value->sequence && !late) {
-      if (!followsOne(*motion))
-        textbook_[asked.organ] = motion->sequence;
-      followed_.sequence = result.value->sequence;
       followedBy_ = beatBy_ = asked.by;
-      playback_.exchange(motion->sequence.get(), followed_.sequence);
+      give(*motion, result.value->sequence);
     }
     if (result.value->keptBeat) {
       keptBeat_ = result.value->keptBeat;
@@ -278,7 +284,7 @@ void CirculationModel::restoreTextbookBeat() {
     return;
   followed_.sequence = nullptr;
   followedBy_ = beatBy_ = nullptr;
-  playback_.exchange(motion->sequence.get(), textbook_.at(motion->organ));
+  playback_.exchange(motion->sequence.get(), followers_.at(motion->organ).textbook);
 }
 
 } // namespace viscera::app

@@ -69,14 +69,14 @@ private:
     SolvedPointer present, kept; ///< Null: as before.
     /// The heart's beat under the present circulation, derived from the beat before; null where there was
     /// none.
-    std::shared_ptr<const sequences::Sequence> similarBeat;
+    std::shared_ptr<const sequences::CourseHeartbeat> similarBeat;
   };
   /// The heart that follows, and its beat.
   struct Followed {
     sample_organs::Resolution resolution{};
     std::shared_ptr<const motion::CirculatingHeart> heart;
-    std::shared_ptr<const sequences::Sequence> sequence; ///< Of what is present; null: as before.
-    std::shared_ptr<const sequences::Sequence> keptBeat; ///< Of what was kept; null: as before.
+    std::shared_ptr<const sequences::CourseHeartbeat> sequence; ///< Of what is present; null: as before.
+    std::shared_ptr<const sequences::CourseHeartbeat> keptBeat; ///< Of what was kept; null: as before.
   };
 
   /// The present beat of the heart and the circulation it belongs to, from which the next beat is derived.
@@ -85,7 +85,7 @@ private:
     double fraction = 0;
     bool playing = false; ///< Other instants follow soon.
 
-    std::shared_ptr<const sequences::Sequence> similar(const Shown& shown) const;
+    std::shared_ptr<const sequences::CourseHeartbeat> similar(const Shown& shown) const;
   };
 
   static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
@@ -96,7 +96,9 @@ private:
   bool solve();
   void take(const JobResult<Solutions>& result);
   ShownBeat shownBeat() const;
-  bool showSimilar(const std::shared_ptr<const sequences::Sequence>& beat);
+  bool showSimilar(const std::shared_ptr<const sequences::CourseHeartbeat>& beat);
+  bool followsOne(const Playback::Motion& motion) const;
+  void give(const Playback::Motion& motion, std::shared_ptr<const sequences::CourseHeartbeat> beat);
   void follow();
   /// What was to be followed, and with what the heart beat when that began.
   struct Following {
@@ -122,8 +124,12 @@ private:
   SolvedPointer beatBy_;     ///< The same of its sequence, which may be one that is similar.
   std::shared_ptr<const sequences::Sequence> keptBeat_;
   SolvedPointer keptBeatBy_;
-  /// For each heart, the beat that it had before it followed a circulation.
-  std::map<document::OrganId, std::shared_ptr<const sequences::Sequence>> textbook_;
+  /// A heart that follows a circulation.
+  struct Follower {
+    std::shared_ptr<const sequences::Sequence> textbook; ///< The beat that it had before.
+    std::shared_ptr<const sequences::Sequence> given;    ///< The beat that it was given last.
+  };
+  std::map<document::OrganId, Follower> followers_;
   bool solving_ = false;
   bool following_ = false;
   QTimer rests_;       ///< Runs while a derived beat is shown; when it ends, the exact beat is computed.

@@ -10,7 +10,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
-#include "viscera/sequences/heart_valves.h"
+#include "viscera/sequences/beating_heart.h"
 #include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"

@@ -9,7 +9,7 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/presentation/presenter.h"
-#include "viscera/sequences/heart_valves.h"
+#include "viscera/sequences/beating_heart.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 

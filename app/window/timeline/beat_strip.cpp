@@ -44,15 +44,14 @@ BeatStrip::BeatStrip(QWidget* parent) : QWidget(parent) {
                 "each valve while it is open. The lamp is lit while the valve is open."));
 }
 
-void BeatStrip::setHeart(const sequences::Heartbeat* heart, double ratePerMinute) {
+void BeatStrip::setBeat(const std::optional<sequences::CardiacBeat>& beat) {
   tracing_.clear();
   sounds_.clear();
   valves_.clear();
-  if (heart) {
-    const sequences::CardiacBeat beat = heart->cycle().beat(ratePerMinute);
-    const sequences::VentricleClock &left = beat.left(), &right = beat.right();
-    const double cycle = beat.times().cycle;
-    tracing_ = tracingOf(beat);
+  if (beat) {
+    const sequences::VentricleClock &left = beat->left(), &right = beat->right();
+    const double cycle = beat->times().cycle;
+    tracing_ = tracingOf(*beat);
     sounds_ = {{tr("S1"), left.inletShuts / cycle}, {tr("S2"), left.outletShuts / cycle}};
     valves_ = {{tr("Mitral valve"), left.inletOpens / cycle, left.inletShuts / cycle},
                {tr("Aortic valve"), left.outletOpens / cycle, left.outletShuts / cycle},

@@ -3,9 +3,10 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
-#include "viscera/sequences/heartbeat.h"
+#include "viscera/sequences/cardiac_cycle.h"
 
 namespace viscera::app {
 
@@ -18,9 +19,9 @@ class BeatStrip final : public QWidget {
 public:
   explicit BeatStrip(QWidget* parent = nullptr);
 
-  /// Sets the heart's beat and its rate; null: nothing is drawn.
-  void setHeart(const sequences::Heartbeat* heart, double ratePerMinute);
-  bool hasHeart() const { return !valves_.empty(); }
+  /// Sets the beat; empty: nothing is drawn.
+  void setBeat(const std::optional<sequences::CardiacBeat>& beat);
+  bool hasBeat() const { return !valves_.empty(); }
   /// `fraction` of the cycle in [0, 1].
   void setFraction(double fraction);
   /// The names of the valves that are open at the present instant.

@@ -5,6 +5,7 @@
 
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/sequences/beating_heart.h"
 #include "window/language.h"
 
 namespace viscera::app {

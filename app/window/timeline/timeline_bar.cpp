@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/sequences/course_heartbeat.h"
+#include "viscera/sequences/beating_heart.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -34,7 +34,9 @@ void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePer
   box.setValue(shown);
   box.setEnabled(box.minimum() < box.maximum());
   const QString unit = TimelineBar::tr("/ min");
-  if (dynamic_cast<const sequences::CourseHeartbeat*>(&sequence))
+  const sequences::BeatingHeart* heart = sequence.heart();
+  const bool ofCirculation = heart && !heart->textbookBeat(ratePerMinute);
+  if (ofCirculation)
     box.setToolTip(TimelineBar::tr("%1: %2 %3. The heart rate of the circulation sets it.")
                        .arg(inWords(sequence.name()))
                        .arg(shown)
@@ -179,7 +181,8 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   phase_->setMinimumWidth(widest + 4);
   leaveOut();
   scrubber_->setPhases(phases, player.periodSeconds());
-  signs_->setHeart(dynamic_cast<const sequences::Heartbeat*>(&sequence), player.ratePerMinute());
+  const sequences::BeatingHeart* heart = sequence.heart();
+  signs_->setBeat(heart ? heart->textbookBeat(player.ratePerMinute()) : std::nullopt);
   syncSigns();
   syncInstant();
 }
@@ -195,7 +198,7 @@ void TimelineBar::clearSequence() {
   rateSlider_->setToolTip(line);
   scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
   play_->setIcon(icon("play"));
-  signs_->setHeart(nullptr, 0);
+  signs_->setBeat(std::nullopt);
   syncSigns();
   scrubber_->setFraction(0);
   phase_->clear();
@@ -256,7 +259,7 @@ void TimelineBar::setSignsShown(bool shown) {
 /// keep theirs (`WindowLayout`).
 void TimelineBar::syncSigns() {
   layout()->setEnabled(false);
-  signs_->setVisible(signsShown_ && signs_->hasHeart());
+  signs_->setVisible(signsShown_ && signs_->hasBeat());
   layout()->setEnabled(true);
 }
 

@@ -7,7 +7,6 @@
 
 #include "viscera/core/background.h"
 #include "viscera/presentation/presenter.h"
-#include "viscera/sequences/heartbeat.h"
 #include "window/language.h"
 #include "window/track/measured_motion.h"
 
@@ -311,7 +310,7 @@ bool VolumeMonitor::beats(std::size_t line) const {
   // sequence.
   const bool measured =
       measured_ && measured_->surfaceOf(lines_[line].organ) && sequence == sides_[0].playback->sequence();
-  return measured || sequences::isHeartbeat(*sequence);
+  return measured || sequence->heart() != nullptr;
 }
 
 std::vector<motion::NormalRange> VolumeMonitor::normals(std::size_t line, const norms::Person& person) const {

@@ -125,9 +125,9 @@ std::optional<sequences::ValveInstants> heartValves(const std::string& recipe,
   if (!sampleHeartOf(recipe))
     return std::nullopt;
   if (!choice.drives)
-    return ratePerMinute > 0
-               ? std::optional(sequences::textbookValves(fraction * 60 / ratePerMinute, ratePerMinute))
-               : std::nullopt;
+    return ratePerMinute > 0 ? std::optional(sequences::textbookValves(CardiacCycle().beat(ratePerMinute),
+                                                                       fraction * 60 / ratePerMinute))
+                             : std::nullopt;
   const circulation::PeriodicState found = circulation::findPeriodicState(choice.parameters, progress);
   if (!found.converged)
     return std::nullopt;

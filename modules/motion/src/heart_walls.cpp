@@ -5,19 +5,15 @@
 #include <string>
 
 #include "viscera/core/error.h"
-#include "viscera/sequences/course_heartbeat.h"
-#include "viscera/sequences/heartbeat.h"
+#include "viscera/sequences/beating_heart.h"
 
 namespace viscera::motion {
 namespace {
 
-/// The frame of a heart whose cavities are known; null for any other sequence.
-const sequences::HeartFrame* frameOf(const sequences::Sequence* sequence) {
-  if (const auto* beat = dynamic_cast<const sequences::CavityHeartbeat*>(sequence))
-    return &beat->motion().rig().anatomy.frame;
-  if (const auto* course = dynamic_cast<const sequences::CourseHeartbeat*>(sequence))
-    return &course->motion().rig().anatomy.frame;
-  return nullptr;
+/// The frame of a heart whose cavities are known; empty for any other sequence.
+std::optional<sequences::HeartFrame> frameOf(const sequences::Sequence* sequence) {
+  const sequences::BeatingHeart* heart = sequence ? sequence->heart() : nullptr;
+  return heart ? heart->frame() : std::nullopt;
 }
 
 const document::Organ* organCalled(const document::DocumentState& state, const std::string& wanted) {
@@ -34,7 +30,7 @@ const document::Organ* organCalled(const document::DocumentState& state, const s
 } // namespace
 
 HeartWalls::HeartWalls(const MotionRunner& runner) : runner_(runner) {
-  const sequences::HeartFrame* frame = frameOf(runner.sequence().get());
+  const std::optional<sequences::HeartFrame> frame = frameOf(runner.sequence().get());
   const document::Organ* left = organCalled(runner.state(), "lv");
   const document::Organ* right = organCalled(runner.state(), "rv");
   if (!frame || !left || !right)

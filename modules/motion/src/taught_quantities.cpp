@@ -12,8 +12,8 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/sequence_setup.h"
-#include "viscera/sequences/heartbeat.h"
-#include "viscera/sequences/peristalsis.h"
+#include "viscera/sequences/beating_heart.h"
+#include "viscera/sequences/gastric_waves.h"
 #include "viscera/sequences/wall_motion.h"
 
 namespace viscera::motion {
@@ -119,7 +119,6 @@ private:
 
   /// On the surfaces, by vertices that are followed through the beat.
   void addWalls(const Played& beat) {
-    const auto& heart = dynamic_cast<const sequences::CavityHeartbeat&>(beat.sequence());
     const MovedVolume left = beat.surface("lv"), right = beat.surface("rv"), outer = beat.surface("outer");
     const auto pointsOf = [](const MovedVolume& surface, const Points& pose) {
       return surface.surfaceAt(pose).points;
@@ -127,7 +126,8 @@ private:
     const Points& rest = beat.sequence().restHandles();
     const Points leftRest = pointsOf(left, rest), rightRest = pointsOf(right, rest),
                  outerRest = pointsOf(outer, rest);
-    const sequences::WallGauge gauge(heart.motion().rig().anatomy.frame, {leftRest, rightRest, outerRest});
+    const sequences::WallGauge gauge(beat.sequence().heart()->frame().value(),
+                                     {leftRest, rightRest, outerRest});
     std::vector<sequences::WallPlaces> places;
     for (int i = 0; i < kWallInstants; ++i) {
       progress_.throwIfCancelled();
@@ -169,11 +169,10 @@ private:
 
   void addStomach() {
     const Played stomach(library_, "peristalsis", progress_, threads_);
-    const auto& peristalsis = dynamic_cast<const sequences::Peristalsis&>(stomach.sequence());
-    const sequences::GastricWaves& waves = peristalsis.waves();
     double deepest = 0;
-    for (double age = 0; age < waves.transitSeconds(); age += 1)
-      deepest = std::max(deepest, waves.depth(age));
+    for (double seconds = 0; seconds < 60 / stomach.rate(); seconds += 1)
+      for (const sequences::TravellingMark& wave : stomach.sequence().travelling(seconds, stomach.rate()))
+        deepest = std::max(deepest, wave.strength);
     add("stomach.rate", stomach.where(), stomach.rate());
     add("stomach.speed", stomach.where(), sequences::GastricWaves::kSpeed,
         "that of the surface is measured by a test");

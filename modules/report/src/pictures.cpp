@@ -7,7 +7,7 @@
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
 #include "viscera/scene/theme.h"
-#include "viscera/sequences/heart_valves.h"
+#include "viscera/sequences/beating_heart.h"
 #include "words.h"
 
 namespace viscera::report {

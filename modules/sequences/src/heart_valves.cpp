@@ -8,10 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
-#include "viscera/sequences/course_heartbeat.h"
 #include "viscera/sequences/curve.h"
 #include "viscera/sequences/heart_frame.h"
-#include "viscera/sequences/heartbeat.h"
 
 namespace viscera::sequences {
 namespace {
@@ -44,7 +42,21 @@ double opening(double seconds, double opens, double shuts, double cycle) {
   return smoothStep(since / moving) * smoothStep((stays - since) / moving);
 }
 
-ValveInstants valvesOf(const CardiacBeat& beat, double seconds) {
+ValveRing ringAt(const HeartFrame& frame, const Vec3& center, const Vec3& downstream, const Vec3& along,
+                 double first, double second) {
+  const auto turned = [&frame](const Vec3& local) -> Vec3 { return frame.toWorld(local) - frame.origin(); };
+  ValveRing ring;
+  ring.center = frame.toWorld(center);
+  ring.downstream = turned(downstream).normalized();
+  const Vec3 direction = turned(along);
+  ring.first = first * (direction - direction.dot(ring.downstream) * ring.downstream).normalized();
+  ring.second = second * ring.downstream.cross(ring.first).normalized();
+  return ring;
+}
+
+} // namespace
+
+ValveInstants textbookValves(const CardiacBeat& beat, double seconds) {
   const CavityVolumes before = beat.at(seconds - kStepSeconds).volumes;
   const CavityVolumes after = beat.at(seconds + kStepSeconds).volumes;
   const double left = (after.leftMl - before.leftMl) / (2 * kStepSeconds);
@@ -66,32 +78,6 @@ ValveInstants valvesOf(const CardiacBeat& beat, double seconds) {
     valves[i] = {std::max(full * open[i], std::min(full, kMm3PerMl * flows / kFastestMmPerS)), flows};
   }
   return valves;
-}
-
-ValveRing ringAt(const HeartFrame& frame, const Vec3& center, const Vec3& downstream, const Vec3& along,
-                 double first, double second) {
-  const auto turned = [&frame](const Vec3& local) -> Vec3 { return frame.toWorld(local) - frame.origin(); };
-  ValveRing ring;
-  ring.center = frame.toWorld(center);
-  ring.downstream = turned(downstream).normalized();
-  const Vec3 direction = turned(along);
-  ring.first = first * (direction - direction.dot(ring.downstream) * ring.downstream).normalized();
-  ring.second = second * ring.downstream.cross(ring.first).normalized();
-  return ring;
-}
-
-} // namespace
-
-ValveInstants textbookValves(double seconds, double ratePerMinute) {
-  return valvesOf(CardiacCycle().beat(ratePerMinute), seconds);
-}
-
-std::optional<ValveInstants> valvesAt(const Sequence& sequence, double seconds, double ratePerMinute) {
-  if (const auto* course = dynamic_cast<const CourseHeartbeat*>(&sequence))
-    return course->heartCourse().valvesAt(seconds / course->heartCourse().period);
-  if (const auto* textbook = dynamic_cast<const Heartbeat*>(&sequence))
-    return valvesOf(textbook->cycle().beat(ratePerMinute), seconds);
-  return std::nullopt;
 }
 
 double ValveRing::areaMm2() const {

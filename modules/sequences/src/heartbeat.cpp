@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "viscera/sequences/course_heartbeat.h"
-#include "viscera/sequences/scaled_sequence.h"
-
 namespace viscera::sequences {
 namespace {
 
@@ -14,12 +11,6 @@ namespace {
 constexpr int kTriedOfABeat = 24;
 
 } // namespace
-
-bool isHeartbeat(const Sequence& sequence) {
-  if (const auto* scaled = dynamic_cast<const ScaledSequence*>(&sequence))
-    return isHeartbeat(scaled->standard());
-  return dynamic_cast<const Heartbeat*>(&sequence) || dynamic_cast<const CourseHeartbeat*>(&sequence);
-}
 
 std::string Heartbeat::rateRemark(double ratePerMinute) const {
   if (ratePerMinute >= kLowestMeasuredBpm && ratePerMinute <= kHighestMeasuredBpm)

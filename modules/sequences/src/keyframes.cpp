@@ -168,4 +168,11 @@ std::vector<Phase> KeyframedSequence::phases(double) const {
   return phases;
 }
 
+std::vector<double> KeyframedSequence::keys() const {
+  std::vector<double> seconds;
+  for (const Keyframe& key : track_.keys)
+    seconds.push_back(key.seconds);
+  return seconds;
+}
+
 } // namespace viscera::sequences

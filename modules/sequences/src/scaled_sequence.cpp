@@ -20,4 +20,25 @@ void ScaledSequence::poseAt(double seconds, double ratePerMinute, Points& pose) 
   pose *= scale_;
 }
 
+std::optional<CardiacBeat> ScaledSequence::textbookBeat(double ratePerMinute) const {
+  return standard_->heart()->textbookBeat(ratePerMinute);
+}
+
+std::optional<ValveInstants> ScaledSequence::valves(double seconds, double ratePerMinute) const {
+  std::optional<ValveInstants> valves = standard_->heart()->valves(seconds, ratePerMinute);
+  if (valves)
+    for (ValveInstant& valve : *valves) {
+      valve.areaMm2 *= scale_ * scale_;
+      valve.flowMlPerS *= scale_ * scale_ * scale_;
+    }
+  return valves;
+}
+
+std::optional<HeartFrame> ScaledSequence::frame() const {
+  const std::optional<HeartFrame> frame = standard_->heart()->frame();
+  if (!frame)
+    return std::nullopt;
+  return HeartFrame(scale_ * frame->origin(), frame->towardsRight(), frame->towardsApex());
+}
+
 } // namespace viscera::sequences

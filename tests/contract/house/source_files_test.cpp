@@ -2,6 +2,8 @@
 #include <map>
 #include <regex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +36,33 @@ TEST(SourceFiles, HeadersAreIncludedOnce) {
       const auto lines = linesOf(file);
       EXPECT_NE(std::find(lines.begin(), lines.end(), "#pragma once"), lines.end()) << shortName(file);
     }
+}
+
+/// What a caller needs of a sequence is in the interface (`Sequence::heart`, `keys`, `course`).
+TEST(SourceFiles, AskNoSequenceWhichOneItIs) {
+  std::map<std::string, std::string> baseOf; // By the class.
+  static const std::regex derives(R"(class (\w+)(?: final)? : public (?:\w+::)*(\w+))");
+  static const std::regex casts(R"(dynamic_(?:pointer_)?cast<(?:const )?(?:\w+::)*(\w+))");
+  std::vector<std::pair<std::string, std::string>> asked; // The class and the file.
+  for (const std::string folder : {"app", "modules"})
+    for (const std::filesystem::path& file : sourcesUnder(folder))
+      for (const std::string& line : linesOf(file)) {
+        std::smatch found;
+        if (std::regex_search(line, found, derives))
+          baseOf[found[1]] = found[2];
+        if (std::regex_search(line, found, casts))
+          asked.emplace_back(found[1], shortName(file));
+      }
+  const auto isSequence = [&baseOf](std::string type) {
+    for (; type != "Sequence"; type = baseOf.at(type))
+      if (!baseOf.contains(type))
+        return false;
+    return true;
+  };
+  ASSERT_TRUE(isSequence("OuterHeartbeat") && isSequence("KeyframedSequence") && !isSequence("SampleHeart"));
+  ASSERT_FALSE(asked.empty()) << "widgets may be cast";
+  for (const auto& [type, file] : asked)
+    EXPECT_FALSE(isSequence(type)) << file << " casts to " << type;
 }
 
 /// Several files may be compiled as one. There a file's own type would hide that of core in all files after

@@ -68,7 +68,7 @@ TEST(HeartValves, NarrowOnesOpenLessAndLeakingOnesKeepAGapThroughWhichBloodFlows
 
 TEST(HeartValves, OfTheTextbooksBeatMoveWithItsPhases) {
   const sequences::CardiacBeat beat = sequences::CardiacCycle().beat(75);
-  const auto at = [](double seconds) { return sequences::textbookValves(seconds, 75); };
+  const auto at = [&beat](double seconds) { return sequences::textbookValves(beat, seconds); };
   const auto between = [](double a, double b) { return (a + b) / 2; };
   const double ejection = between(beat.left().outletOpens, beat.left().outletShuts);
   EXPECT_NEAR(of(at(ejection), HeartValve::aortic).areaMm2, 400, 1e-9);
@@ -91,7 +91,8 @@ TEST(HeartValves, OfASessionAreThoseOfItsMotion) {
   const std::string heart = sampleRecipe("heartbeat", sample_organs::Resolution::low);
   document::CirculationChoice choice;
   Progress quiet;
-  EXPECT_EQ(heartValves(heart, choice, 0.4, 75, quiet), sequences::textbookValves(0.4 * 60 / 75, 75));
+  EXPECT_EQ(heartValves(heart, choice, 0.4, 75, quiet),
+            sequences::textbookValves(sequences::CardiacCycle().beat(75), 0.4 * 60 / 75));
   choice.drives = true;
   EXPECT_EQ(heartValves(heart, choice, 0.2, 72, quiet), courseOf(choice.parameters).valvesAt(0.2));
   EXPECT_EQ(heartValves(sampleRecipe("breathing", sample_organs::Resolution::low), choice, 0.2, 72, quiet),

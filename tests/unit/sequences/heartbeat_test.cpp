@@ -9,6 +9,7 @@
 
 #include "simple_heart.h"
 #include "viscera/core/error.h"
+#include "viscera/sequences/course_heartbeat.h"
 #include "viscera/sequences/keyframes.h"
 #include "viscera/sequences/scaled_sequence.h"
 
@@ -58,14 +59,59 @@ protected:
 };
 
 TEST_F(CavityHeartbeatTest, IsAHeartbeatAtEverySizeAndRecordedPosesOfItAreNone) {
-  EXPECT_TRUE(isHeartbeat(heartbeat_));
+  EXPECT_NE(heartbeat_.heart(), nullptr);
   const auto same = std::make_shared<CavityHeartbeat>(fitWith({}), cycle_);
-  EXPECT_TRUE(isHeartbeat(ScaledSequence(same, 1.2)));
+  EXPECT_NE(ScaledSequence(same, 1.2).heart(), nullptr);
   KeyframedSequence::Track track;
   track.restHandles = heartbeat_.restHandles();
   heartbeat_.poseAt(0.2, 75, pose_);
   track.keys = {{0, track.restHandles}, {0.5, pose_}};
-  EXPECT_FALSE(isHeartbeat(KeyframedSequence(track)));
+  const KeyframedSequence recorded(track);
+  EXPECT_EQ(recorded.heart(), nullptr);
+  EXPECT_EQ(valvesAt(recorded, 0.2, 75), std::nullopt);
+  EXPECT_TRUE(heartbeat_.keys().empty()) << "its poses are computed";
+}
+
+TEST_F(CavityHeartbeatTest, TellsItsBeatItsValvesAndWhereItsCavitiesAre) {
+  const BeatingHeart& heart = *heartbeat_.heart();
+  ASSERT_TRUE(heart.textbookBeat(75) && heart.frame());
+  EXPECT_EQ(heart.textbookBeat(75)->left().outletOpens, cycle_.beat(75).left().outletOpens);
+  EXPECT_EQ(heart.frame()->origin(), motion_.rig().anatomy.frame.origin());
+  EXPECT_EQ(valvesAt(heartbeat_, 0.3, 75), textbookValves(cycle_.beat(75), 0.3));
+}
+
+TEST_F(CavityHeartbeatTest, OfAnotherSizeHasTheSameBeatAndValvesAndAFrameOfThatSize) {
+  constexpr double kSize = 1.5, kAllowed = 1e-12;
+  const auto same = std::make_shared<CavityHeartbeat>(fitWith({}), cycle_);
+  const ScaledSequence scaled(same, kSize);
+  const BeatingHeart& heart = *scaled.heart();
+  EXPECT_EQ(heart.textbookBeat(90)->left().inletShuts, cycle_.beat(90).left().inletShuts);
+  const HeartFrame standard = *same->frame(), frame = *heart.frame();
+  const Vec3 place(3, -20, 41);
+  EXPECT_LT((frame.toLocal(kSize * place) - kSize * standard.toLocal(place)).norm(), 100 * kAllowed);
+  const ValveInstants valves = *heart.valves(0.3, 90), small = *same->valves(0.3, 90);
+  EXPECT_GT(small[1].areaMm2, 0) << "the aortic valve is open";
+  for (std::size_t i = 0; i < kHeartValves; ++i) {
+    EXPECT_NEAR(valves[i].areaMm2, kSize * kSize * small[i].areaMm2, kAllowed * valves[i].areaMm2);
+    EXPECT_NEAR(valves[i].flowMlPerS, kSize * kSize * kSize * small[i].flowMlPerS,
+                kAllowed * std::abs(valves[i].flowMlPerS));
+  }
+}
+
+TEST_F(CavityHeartbeatTest, ByACirculationHasItsValvesAndNoEventsOfTheTextbook) {
+  HeartCourse course{"Course", 0.8, {}, {{"beat", 0, 1}}};
+  for (int i = 0; i < 8; ++i)
+    course.instants.push_back(heartInstant(cycle_, cycle_.at(0.1 * i, 75)));
+  Progress quiet;
+  const CourseHeartbeat without(fitWith({}), course, quiet);
+  ASSERT_NE(without.heart(), nullptr);
+  EXPECT_FALSE(without.heart()->textbookBeat(75));
+  EXPECT_FALSE(without.heart()->valves(0.2, 75)) << "the course does not tell them";
+  EXPECT_EQ(without.heart()->frame()->origin(), motion_.rig().anatomy.frame.origin());
+  for (int i = 0; i < 8; ++i)
+    course.valves.push_back(textbookValves(cycle_.beat(75), 0.1 * i));
+  const CourseHeartbeat with(without, course);
+  EXPECT_EQ(valvesAt(with, 0.2, 75), course.valvesAt(0.25));
 }
 
 TEST_F(CavityHeartbeatTest, CavitiesHoldWhatTheCycleSaysAtAnyTimeAndRate) {

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "viscera/core/error.h"
+#include "viscera/sequences/scaled_sequence.h"
 
 namespace viscera::sequences {
 namespace {
@@ -154,6 +156,17 @@ TEST(Keyframes, refusesKeysThatMakeNoSequenceAndNamesThem) {
       refused([](auto& t) { t.periodSeconds = std::numeric_limits<double>::infinity(); }).find("period"),
       std::string::npos);
   EXPECT_NE(refused([](auto& t) { t.restHandles(0, 0) = std::nan(""); }).find("rest"), std::string::npos);
+}
+
+TEST(Keyframes, tellTheirKeysInAnySizeAndAtEachThePoseIsThatOfTheKey) {
+  const auto sequence = std::make_shared<KeyframedSequence>(track());
+  EXPECT_EQ(sequence->keys(), (std::vector<double>{0.5, 1.5, 2, 3}));
+  EXPECT_EQ(ScaledSequence(sequence, 2).keys(), sequence->keys());
+  Points pose;
+  for (std::size_t i = 0; i < sequence->keys().size(); ++i) {
+    sequence->poseAt(sequence->keys()[i], sequence->standardRatePerMinute(), pose);
+    EXPECT_EQ(pose, sequence->track().keys[i].pose) << "key " << i + 1;
+  }
 }
 
 } // namespace

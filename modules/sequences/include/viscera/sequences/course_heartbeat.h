@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "viscera/core/progress.h"
+#include "viscera/sequences/beating_heart.h"
 #include "viscera/sequences/cavity_fit.h"
-#include "viscera/sequences/heart_valves.h"
-#include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
 
@@ -27,7 +26,7 @@ struct HeartCourse {
 
 /// The heartbeat of a course, in which the heart's cavities have the course's volumes at every instant. It
 /// has one rate, that of the course: another rate is another course. Immutable; thread-safe.
-class CourseHeartbeat final : public Sequence {
+class CourseHeartbeat final : public Sequence, public BeatingHeart {
 public:
   /// Throws `DataError` when the course has fewer than eight instants or no period, or when its volumes
   /// cannot be reached somewhere; `Cancelled`.
@@ -47,6 +46,13 @@ public:
   std::vector<Phase> phases(double /*ratePerMinute*/) const override { return course_.phases; }
 
   double finestStepSeconds() const override { return 0.01; }
+
+  const BeatingHeart* heart() const override { return this; }
+  std::optional<CardiacBeat> textbookBeat(double /*ratePerMinute*/) const override { return std::nullopt; }
+  std::optional<ValveInstants> valves(double seconds, double /*ratePerMinute*/) const override {
+    return course_.valvesAt(seconds / course_.period);
+  }
+  std::optional<HeartFrame> frame() const override { return motion().rig().anatomy.frame; }
 
   /// Costs one `CavityFit::pose` from a near solution.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;

@@ -30,6 +30,8 @@ public:
   Vec3 toWorld(const HeartPoint& point) const;
 
   const Vec3& origin() const { return origin_; }
+  /// The unit vector towards the right ventricle.
+  Vec3 towardsRight() const { return axes_.col(0); }
   /// The unit vector from base to apex.
   Vec3 towardsApex() const { return axes_.col(2); }
 

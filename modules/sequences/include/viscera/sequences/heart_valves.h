@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "viscera/core/arrays.h"
-#include "viscera/sequences/sequence.h"
+#include "viscera/sequences/cardiac_cycle.h"
 
 /// The valves of a beating heart: how far each is open, what flows through it, and where its ring is.
 namespace viscera::sequences {
@@ -24,14 +23,10 @@ struct ValveInstant {
 };
 using ValveInstants = std::array<ValveInstant, kHeartValves>;
 
-/// The valves of the textbook's beat at `seconds`, see `valvesAt`. O(1).
-ValveInstants textbookValves(double seconds, double ratePerMinute);
-
-/// The valves of a heartbeat at `seconds` when played at `ratePerMinute`; empty for other sequences, and for
-/// courses without valves. The textbook's beat: open between the times of its phases, 40 ms of each spent on
-/// the way, to normal areas (doi 10.1016/j.echo.2017.02.009); the flow is the change of the ventricles'
-/// volumes. O(1).
-std::optional<ValveInstants> valvesAt(const Sequence& sequence, double seconds, double ratePerMinute);
+/// The valves of the textbook's beat at `seconds` after its start: open between the times of its phases, 40
+/// ms of each spent on the way, to normal areas (doi 10.1016/j.echo.2017.02.009); the flow is the change of
+/// the ventricles' volumes. O(1).
+ValveInstants textbookValves(const CardiacBeat& beat, double seconds);
 
 /// The ring to which a valve's leaflets are attached, an ellipse.
 struct ValveRing {

@@ -1,19 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "viscera/sequences/beating_heart.h"
 #include "viscera/sequences/cavity_fit.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
 
-/// Whether the sequence is a heart's beat: the textbook's, one fitted to another heart, or a computed course.
-/// False for keyframes, whatever they show.
-bool isHeartbeat(const Sequence& sequence);
-
-/// The base of all sequences of a beating heart: cycle, phases and groups of handles.
-class Heartbeat : public Sequence {
+/// The base of the sequences in which a heart beats by the textbook's cycle: phases, valves and groups of
+/// handles.
+class Heartbeat : public Sequence, public BeatingHeart {
 public:
   std::string id() const override { return "heartbeat"; }
   std::string name() const override { return "Heartbeat"; }
@@ -26,6 +25,15 @@ public:
   std::vector<Phase> phases(double ratePerMinute) const override {
     return CardiacCycle::phases(ratePerMinute);
   }
+
+  const BeatingHeart* heart() const override { return this; }
+  std::optional<CardiacBeat> textbookBeat(double ratePerMinute) const override {
+    return cycle_.beat(ratePerMinute);
+  }
+  std::optional<ValveInstants> valves(double seconds, double ratePerMinute) const override {
+    return textbookValves(cycle_.beat(ratePerMinute), seconds);
+  }
+  std::optional<HeartFrame> frame() const override { return std::nullopt; }
 
   const CardiacCycle& cycle() const { return cycle_; }
   virtual const HeartMotion& motion() const = 0;
@@ -46,6 +54,7 @@ public:
 
   const Points& restHandles() const override { return fit_.restHandles(); }
   const HeartMotion& motion() const override { return fit_.motion(); }
+  std::optional<HeartFrame> frame() const override { return motion().rig().anatomy.frame; }
   /// Costs one `CavityFit::pose` from a near solution.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 

@@ -82,6 +82,7 @@ public:
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   /// "key 1", "key 2", ...: from each key to the next; "start" before the first.
   std::vector<Phase> phases(double ratePerMinute) const override;
+  std::vector<double> keys() const override;
 
   const Track& track() const { return track_; }
 

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "viscera/sequences/beating_heart.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
 
 /// A sequence that was made for an organ of standard size, played on one that is larger or smaller by a
 /// factor: all lengths are multiplied, about the origin. So one set of constants, in millimetres, is used for
-/// every size. Immutable; as thread-safe as the scaled sequence.
-class ScaledSequence final : public Sequence {
+/// every size. It has whatever the scaled sequence has. Immutable; as thread-safe as the scaled sequence.
+class ScaledSequence final : public Sequence, private BeatingHeart {
 public:
   /// `scale` is the organ's size as a multiple of the standard one's. Throws `DataError` unless it is
   /// positive and finite.
@@ -28,11 +30,21 @@ public:
   double finestStepSeconds() const override { return standard_->finestStepSeconds(); }
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   std::vector<Phase> phases(double ratePerMinute) const override { return standard_->phases(ratePerMinute); }
+  std::vector<NamedPlace> course() const override { return standard_->course(); }
+  std::vector<TravellingMark> travelling(double seconds, double ratePerMinute) const override {
+    return standard_->travelling(seconds, ratePerMinute);
+  }
+  std::vector<double> keys() const override { return standard_->keys(); }
+  const BeatingHeart* heart() const override { return standard_->heart() ? this : nullptr; }
 
   const Sequence& standard() const { return *standard_; }
   double scale() const { return scale_; }
 
 private:
+  std::optional<CardiacBeat> textbookBeat(double ratePerMinute) const override;
+  std::optional<ValveInstants> valves(double seconds, double ratePerMinute) const override;
+  std::optional<HeartFrame> frame() const override;
+
   std::shared_ptr<const Sequence> standard_;
   double scale_;
   Points rest_;

@@ -34,8 +34,11 @@ struct HandleGroup {
   std::vector<int> handles;     ///< Rows of the rest handles, ascending.
 };
 
-/// The interface of all sequences, which give a pose of the handles at every instant of a cycle. Immutable;
-/// may be called from several threads.
+class BeatingHeart;
+
+/// The interface of all sequences, which give a pose of the handles at every instant of a cycle. What only
+/// some of them have (a course of waves, recorded keys, a beating heart) is empty for the others, so that no
+/// caller asks which sequence it has. Immutable; may be called from several threads.
 ///
 ///     const double rate = sequence.standardRatePerMinute();
 ///     Points pose;
@@ -77,6 +80,13 @@ public:
   virtual std::vector<TravellingMark> travelling(double /*seconds*/, double /*ratePerMinute*/) const {
     return {};
   }
+
+  /// The instants at which its poses were recorded or measured, s at the standard rate, ascending; empty for
+  /// a sequence that computes its poses.
+  virtual std::vector<double> keys() const { return {}; }
+  /// The heart that beats (beating_heart.h), as long as the sequence lives; null for other organs, and for
+  /// recorded poses, whatever they show.
+  virtual const BeatingHeart* heart() const { return nullptr; }
 };
 
 } // namespace viscera::sequences
