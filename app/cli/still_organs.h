@@ -37,9 +37,6 @@ public:
   std::uint64_t revision(document::OrganId) const override { return 1; }
   /// Volumes are not measured.
   live::OrganVolume volume(document::OrganId) override { return {}; }
-  std::vector<live::OrganVolume> volumes(const std::vector<document::OrganId>& organs) override {
-    return std::vector<live::OrganVolume>(organs.size());
-  }
   Values influence(document::OrganId, document::HandleId) const override { return {}; }
   const deformation::Deformer* bound(document::OrganId) const override { return nullptr; }
 

@@ -74,14 +74,18 @@ protected:
     EXPECT_EQ(find<QLabel>("playPhase").text(), app::inWords(window().playback().player().phase()));
   }
 
-  /// One beat at 75 a minute, in frames that follow each other faster than pictures are drawn.
+  /// One beat at 75 a minute, in frames that follow each other faster than pictures are drawn. List, tiles,
+  /// chart and status bar read what was measured once.
   void expectNumbersOverABeat() {
     constexpr int kFrames = 24;
+    const live::LiveBinding& live = window().workspace().live();
     for (int frame = 0; frame < kFrames; ++frame) {
+      const std::uint64_t measured = live.measurings();
       now_ += 0.8 / kFrames;
       window().playback().advance();
       QCoreApplication::processEvents();
       expectNumbersOfTheFrame();
+      EXPECT_EQ(live.measurings(), measured + 1) << "frame " << frame;
       if (HasFailure())
         return;
     }

@@ -144,7 +144,8 @@ void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, dou
   const double stretch = played.sequence->standardRatePerMinute() / rate;
   for (const double key : played.sequence->keys()) {
     const double seconds = stretch * key;
-    record.add(seconds, runner.show(seconds));
+    runner.show(seconds);
+    record.add(seconds, runner.volumesMl());
   }
 }
 
@@ -410,7 +411,8 @@ private:
     for (int frame = 0; frame < frames; ++frame) {
       context.progress.throwIfCancelled();
       const double seconds = frame / framesPerSecond_;
-      std::vector<double> row = runner.show(seconds);
+      runner.show(seconds);
+      std::vector<double> row = runner.volumesMl();
       noteObstacle(runner, seconds, measured);
       if (played.hasWalls)
         measureWalls(played, row, *measured.walls);

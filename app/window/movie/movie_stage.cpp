@@ -60,7 +60,8 @@ void MovieStage::addCaption() {
 
 const std::vector<double>& MovieStage::show(double seconds) {
   seconds_ = seconds;
-  const std::vector<double> all = runner_.show(seconds);
+  runner_.show(seconds);
+  const std::vector<double> all = runner_.volumesMl();
   milliliters_.clear();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (const document::Organ& organ = *(*state_.organs)[i]; organ.look.tracked && organ.closed())

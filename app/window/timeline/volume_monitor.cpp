@@ -122,21 +122,12 @@ void VolumeMonitor::rebuild() {
 }
 
 void VolumeMonitor::refresh() {
-  for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
-    // A line may outlive its organ for a moment, because playback may be notified of a change before this
-    // observer.
-    std::vector<Line*> measured;
-    std::vector<document::OrganId> organs;
-    for (Line& line : lines_)
-      if (line.side == side && sides_[side].workspace->document().organ(line.organ)) {
-        measured.push_back(&line);
-        organs.push_back(line.organ);
-      }
-    if (organs.empty())
-      continue;
-    const std::vector<live::OrganVolume> now = sides_[side].workspace->live().volumes(organs);
-    for (std::size_t k = 0; k < measured.size(); ++k)
-      measured[k]->nowMl = now[k].nowMl;
+  // A line may outlive its organ for a moment, because playback may be notified of a change before this
+  // observer.
+  for (Line& line : lines_) {
+    Workspace& workspace = *sides_[line.side].workspace;
+    if (workspace.document().organ(line.organ))
+      line.nowMl = workspace.live().volume(line.organ).nowMl;
   }
 }
 

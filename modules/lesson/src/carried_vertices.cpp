@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -70,11 +72,11 @@ void CarriedVertices::poseAt(double fraction, double ratePerMinute, Points& pose
   if (!keepsVolumes_)
     return source_.sequence->poseAt(fraction * 60 / ratePerMinute, ratePerMinute, pose);
   runner_.setRatePerMinute(ratePerMinute);
-  runner_.show(fraction * 60 / ratePerMinute);
-  if (!runner_.obstacle().empty())
+  std::optional<Points> kept = runner_.poseAt(fraction * 60 / ratePerMinute);
+  if (!kept || !runner_.obstacle().empty())
     throw DataError(phrase("the volume cannot be kept throughout the cycle: %1", runner_.obstacle()), {},
                     "unlock it, or prescribe a volume nearer to that at rest");
-  pose = organs_.shownPose();
+  pose = std::move(*kept);
 }
 
 Points CarriedVertices::in(const Points& pose) {

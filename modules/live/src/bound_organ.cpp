@@ -292,16 +292,21 @@ void BoundOrgans::poseOne(BoundOrgan& organ) {
     deformation::poseTogether({std::move(*pose)}, threads);
 }
 
-std::vector<OrganVolume> BoundOrgans::volumes(const std::vector<document::OrganId>& wanted) const {
-  std::vector<deformation::Deformer*> moving;
-  for (const document::OrganId id : wanted)
-    if (const BoundOrgan& organ = require(id); organ.deformer && organ.organ->closed())
-      moving.push_back(organ.deformer.get());
-  deformation::volumesTogether(moving, threads);
-  std::vector<OrganVolume> volumes;
-  for (const document::OrganId id : wanted)
-    volumes.push_back(require(id).volume());
-  return volumes;
+OrganVolume BoundOrgans::volume(document::OrganId id) {
+  const BoundOrgan& organ = require(id);
+  if (!organ.volumeKnown())
+    measureMoved();
+  return organ.volume();
+}
+
+/// Whoever shows one volume of a pose shows the others as well: one loop measures all.
+void BoundOrgans::measureMoved() {
+  std::vector<deformation::Deformer*> moved;
+  for (const auto& [id, organ] : organs)
+    if (!organ.volumeKnown())
+      moved.push_back(organ.deformer.get());
+  deformation::volumesTogether(moved, threads);
+  ++measurings;
 }
 
 } // namespace viscera::live

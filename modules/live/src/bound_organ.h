@@ -82,7 +82,10 @@ public:
                     : std::shared_ptr<const Points>(organ->mesh, &organ->mesh->points);
   }
   const Points& points() const { return deformer ? deformer->points() : organ->mesh->points; }
+  /// Measures the surface when that was not done in its pose yet.
   OrganVolume volume() const;
+  /// Whether `volume` measures nothing.
+  bool volumeKnown() const { return !deformer || !organ->closed() || deformer->volumeKnown(); }
   Values influence(document::HandleId handle) const;
   /// As `LiveBinding::weightsAt`, for handles of the document.
   Values weightsAt(Eigen::Index vertex, const std::vector<document::Handle>& handles) const;
@@ -116,6 +119,7 @@ struct BoundOrgans {
   std::shared_ptr<const BindingTarget> target; ///< What every organ is to be bound to; never null.
   std::shared_ptr<const Points> shownPose = std::make_shared<const Points>(0, 3); ///< Never null.
   Threads threads = {};
+  std::uint64_t measurings = 0; ///< How often surfaces were measured.
 
   /// The same once more; only what never changes is shared.
   std::unique_ptr<BoundOrgans> copy() const;
@@ -128,8 +132,11 @@ struct BoundOrgans {
   /// Poses all organs in `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
   void poseOne(BoundOrgan& organ);
-  /// As `PosedOrgans::volumes`.
-  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& wanted) const;
+  /// As `PosedOrgans::volume`.
+  OrganVolume volume(document::OrganId id);
+
+private:
+  void measureMoved();
 };
 
 } // namespace viscera::live

@@ -305,11 +305,11 @@ BindingStatus LiveBinding::status(document::OrganId organ) const {
 }
 
 OrganVolume LiveBinding::volume(document::OrganId organ) {
-  return impl_->require(organ).volume();
+  return impl_->volume(organ);
 }
 
-std::vector<OrganVolume> LiveBinding::volumes(const std::vector<document::OrganId>& organs) {
-  return impl_->volumes(organs);
+std::uint64_t LiveBinding::measurings() const {
+  return impl_->measurings;
 }
 
 Values LiveBinding::influence(document::OrganId organ, document::HandleId handle) const {

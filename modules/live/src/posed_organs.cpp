@@ -26,11 +26,7 @@ std::uint64_t PosedCopy::revision(document::OrganId organ) const {
 }
 
 OrganVolume PosedCopy::volume(document::OrganId organ) {
-  return organs_->require(organ).volume();
-}
-
-std::vector<OrganVolume> PosedCopy::volumes(const std::vector<document::OrganId>& organs) {
-  return organs_->volumes(organs);
+  return organs_->volume(organ);
 }
 
 Values PosedCopy::influence(document::OrganId organ, document::HandleId handle) const {

@@ -35,7 +35,8 @@ CycleCurves measureCycle(MotionRunner& runner, Progress& progress) {
   for (std::size_t instant = 0; instant < curves.fractions.size(); ++instant) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(instant) / static_cast<double>(curves.fractions.size()));
-    const std::vector<double> volumes = runner.show(curves.fractions[instant] * runner.periodSeconds());
+    runner.show(curves.fractions[instant] * runner.periodSeconds());
+    const std::vector<double> volumes = runner.volumesMl();
     curves.milliliters.resize(volumes.size());
     for (std::size_t organ = 0; organ < volumes.size(); ++organ)
       curves.milliliters[organ].push_back(volumes[organ]);

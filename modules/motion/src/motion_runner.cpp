@@ -103,21 +103,20 @@ std::optional<Points> MotionRunner::poseAt(double seconds) {
   }
 }
 
-std::vector<double> MotionRunner::show(double seconds) {
+void MotionRunner::show(double seconds) {
   obstacle_.clear();
-  if (movable())
-    if (const std::optional<Points> pose = poseAt(seconds))
-      organs_.showPose(*pose);
-  return volumesMl();
+  if (!movable())
+    return;
+  if (const std::optional<Points> pose = poseAt(seconds))
+    organs_.showPose(*pose);
 }
 
 std::vector<double> MotionRunner::volumesMl() const {
-  std::vector<document::OrganId> all;
-  for (const auto& organ : *state_.organs)
-    all.push_back(organ->id);
   std::vector<double> milliliters;
-  for (const live::OrganVolume& volume : organs_.volumes(all))
+  for (const auto& organ : *state_.organs) {
+    const live::OrganVolume volume = organs_.volume(organ->id);
     milliliters.push_back(volume.closed ? volume.nowMl : 0);
+  }
   return milliliters;
 }
 

@@ -511,13 +511,15 @@ TEST(LiveBinding, PosesAndMeasuresAllOrgansAsEachByItselfWithAnyNumberOfThreads)
       alone.push_back(*live.deformer(all.back()));
     }
     const auto expectSame = [&](const char* when) {
-      const std::vector<OrganVolume> volumes = live.volumes(all);
+      const std::uint64_t before = live.measurings();
       for (std::size_t k = 0; k < all.size(); ++k) {
+        const OrganVolume volume = live.volume(all[k]);
         EXPECT_EQ(live.points(all[k]), alone[k].points()) << when << ", threads " << threads;
-        EXPECT_EQ(volumes[k].nowMl, alone[k].volumeMm3() / kMm3PerMl) << when;
-        EXPECT_EQ(volumes[k].restMl, live.volume(all[k]).restMl);
-        EXPECT_TRUE(volumes[k].closed);
+        EXPECT_EQ(volume.nowMl, alone[k].volumeMm3() / kMm3PerMl) << when;
+        EXPECT_EQ(volume.restMl, s.document.organs()[k]->restVolumeMm3 / kMm3PerMl);
+        EXPECT_TRUE(volume.closed);
       }
+      EXPECT_EQ(live.measurings(), before + 1) << "all organs together, " << when;
     };
     Points pose = s.document.pose();
     pose.row(9) += Eigen::RowVector3d(5, -3, 8);

@@ -341,7 +341,7 @@ TEST(VolumeKeeper, ADragWithoutALockComputesNoGradientOfTheVolume) {
     LockedMotion motion = keeper.begin({s.handle(9)}, deformation::MirrorPlane());
     for (int i = 1; i < 4; ++i) {
       s.undo.perform(document::setPose(motion.translate({1.0 * i, 0.5, 0})));
-      EXPECT_GT(s.live.volumes({s.organ()}).front().nowMl, 0);
+      EXPECT_GT(s.live.volume(s.organ()).nowMl, 0);
     }
     step.finish();
   }

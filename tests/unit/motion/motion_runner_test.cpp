@@ -60,6 +60,10 @@ protected:
     runner_.setSequence(moving_);
   }
   document::OrganId egg() const { return document_.organs().front()->id; }
+  double shownMl(double seconds) {
+    runner_.show(seconds);
+    return runner_.volumesMl().front();
+  }
   void prescribe(std::vector<sequences::Key> keys) {
     runner_.prescribe(PrescribedVolume{egg(), sequences::Curve::periodic(std::move(keys), 1)});
   }
@@ -78,18 +82,36 @@ protected:
 TEST_F(Runner, ShowsTheInstantAndMeasuresIt) {
   Points pose;
   moving_->poseAt(0.7, 30, pose);
-  const std::vector<double> milliliters = runner_.show(0.7);
+  runner_.show(0.7);
+  const std::vector<double> milliliters = runner_.volumesMl();
   EXPECT_EQ(live_.shownPose(), pose);
   ASSERT_EQ(milliliters.size(), 1u);
   EXPECT_EQ(milliliters[0], live_.volume(egg()).nowMl);
   EXPECT_LT(milliliters[0], 0.95 * restMl_);
 }
 
+TEST_F(Runner, MeasuresAFrameOnceAndOnlyForWhomItShowsVolumes) {
+  undo_.perform(document::addOrgans({{document::makeOrgan("Ball", tests::sphere(2)), -1}}));
+  const std::uint64_t before = live_.measurings();
+  for (int frame = 1; frame <= 10; ++frame)
+    runner_.show(0.1 * frame);
+  EXPECT_EQ(live_.measurings(), before) << "nobody asked for a volume";
+  for (std::uint64_t frame = 1; frame <= 10; ++frame) {
+    runner_.show(0.13 * static_cast<double>(frame));
+    for (int reader = 0; reader < 3; ++reader) { // A table, a list and a chart.
+      const std::vector<double> milliliters = runner_.volumesMl();
+      for (std::size_t i = 0; i < milliliters.size(); ++i)
+        EXPECT_EQ(milliliters[i], live_.volume(document_.organs()[i]->id).nowMl);
+    }
+    EXPECT_EQ(live_.measurings(), before + frame) << "one loop over both organs";
+  }
+}
+
 TEST_F(Runner, ALockedVolumeStaysInAMotionThatWouldLoseAThirdOfIt) {
-  EXPECT_LT(runner_.show(kPeriodSeconds / 2)[0], 0.8 * restMl_);
+  EXPECT_LT(shownMl(kPeriodSeconds / 2), 0.8 * restMl_);
   undo_.perform(document::setVolumeLocked(egg(), true));
   for (int i = 0; i < 200; ++i)
-    EXPECT_NEAR(runner_.show(i * 0.0137)[0] / restMl_, 1, 1e-9) << "instant " << i;
+    EXPECT_NEAR(shownMl(i * 0.0137) / restMl_, 1, 1e-9) << "instant " << i;
   EXPECT_TRUE(runner_.obstacle().empty());
 }
 
@@ -105,12 +127,13 @@ TEST_F(Runner, ACopyOfTheOrgansShowsTheSamePointsToTheBitWithItsLocksWhateverThe
   std::vector<Points> seen;
   std::vector<double> volumes;
   for (int i = 0; i < 12; ++i) {
-    volumes.push_back(runner_.show(i * 0.17)[0]);
+    volumes.push_back(shownMl(i * 0.17));
     seen.push_back(live_.points(organ));
   }
   undo_.perform(document::removeAllOrgans());
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    EXPECT_EQ(copied.show(static_cast<double>(i) * 0.17)[0], volumes[i]);
+    copied.show(static_cast<double>(i) * 0.17);
+    EXPECT_EQ(copied.volumesMl().front(), volumes[i]);
     EXPECT_EQ(*copy.sharedPoints(organ), seen[i]) << "instant " << i;
   }
 }
@@ -147,7 +170,7 @@ TEST_F(Runner, APrescribedVolumeIsMetAtEveryInstant) {
   for (int i = 0; i < 200; ++i) {
     const double seconds = i * 0.0137;
     const double wanted = curve.at(std::fmod(seconds / kPeriodSeconds, 1));
-    EXPECT_NEAR(runner_.show(seconds)[0] / wanted, 1, 1e-9) << "instant " << i;
+    EXPECT_NEAR(shownMl(seconds) / wanted, 1, 1e-9) << "instant " << i;
   }
   EXPECT_FALSE(document_.organs().front()->volumeLocked);
   EXPECT_TRUE(document::atRest(document_.state())) << "the document is as it was";
@@ -211,7 +234,7 @@ TEST_F(Runner, ACycleMeasuredAheadHasTheVolumesOfItsFramesToTheBit) {
   EXPECT_EQ(curves.fractions.back(), 1);
   ASSERT_EQ(curves.milliliters.size(), 1u);
   for (std::size_t i = 0; i < curves.fractions.size(); i += 7)
-    EXPECT_EQ(runner_.show(curves.fractions[i] * kPeriodSeconds)[0], curves.milliliters[0][i]) << i;
+    EXPECT_EQ(shownMl(curves.fractions[i] * kPeriodSeconds), curves.milliliters[0][i]) << i;
   const auto half = std::find(curves.fractions.begin(), curves.fractions.end(), 0.5);
   ASSERT_NE(half, curves.fractions.end());
   EXPECT_LT(curves.milliliters[0][static_cast<std::size_t>(half - curves.fractions.begin())], 0.7 * restMl_);
@@ -238,7 +261,7 @@ TEST_F(Runner, MeasuringACycleCanBeCancelledAndNeedsSomethingThatMoves) {
 TEST_F(Runner, HandlesOfAnotherRigAreLeftAlone) {
   undo_.perform(document::removeHandles({document_.rig().handles[3].id}));
   EXPECT_FALSE(runner_.movable());
-  EXPECT_NEAR(runner_.show(0.7)[0], restMl_, 1e-9);
+  EXPECT_NEAR(shownMl(0.7), restMl_, 1e-9);
   EXPECT_EQ(live_.shownPose(), document_.pose());
 }
 

@@ -46,6 +46,8 @@ public:
   const geometry::Normals& normals();
   /// Signed volume of the present points, mm^3; computed when first asked for after a change.
   double volumeMm3();
+  /// Whether `volumeMm3` costs nothing: it was asked for since the last change.
+  bool volumeKnown() const { return volumeValid_; }
   double restVolumeMm3() const { return restVolume_; }
   /// Derivative of the volume with respect to every handle, `n x 3`, mm^2, at the present pose.
   const Points& volumeGradient();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -98,9 +99,10 @@ public:
   /// The bound organ, or null when it is shown at rest because there is no binding.
   deformation::Deformer* deformer(document::OrganId organ);
   BindingStatus status(document::OrganId organ) const;
-  /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
   OrganVolume volume(document::OrganId organ) override;
-  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) override;
+  /// How often surfaces were measured so far: at most once for a pose, whoever shows volumes. For tests and
+  /// benchmarks.
+  std::uint64_t measurings() const;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   Values influence(document::OrganId organ, document::HandleId handle) const override;
   /// The influence of every handle of the document, in its order, on one vertex: 0 of a handle that the

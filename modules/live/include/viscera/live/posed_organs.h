@@ -39,10 +39,10 @@ public:
   virtual std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const = 0;
   /// A number that changes whenever the organ's vertices have other values or another place in memory.
   virtual std::uint64_t revision(document::OrganId organ) const = 0;
-  /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
+  /// Volume at rest and now. The first request after a move measures all organs that have moved, in one
+  /// parallel loop, O(triangles); every other request in the same pose costs nothing. So whoever shows a
+  /// volume asks here.
   virtual OrganVolume volume(document::OrganId organ) = 0;
-  /// The same of several organs, measured in one parallel loop.
-  virtual std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) = 0;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   virtual Values influence(document::OrganId organ, document::HandleId handle) const = 0;
   /// The organ bound to the present handles, for keeping volumes; null when it follows no handles. Throws
@@ -66,7 +66,6 @@ public:
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
   std::uint64_t revision(document::OrganId organ) const override;
   OrganVolume volume(document::OrganId organ) override;
-  std::vector<OrganVolume> volumes(const std::vector<document::OrganId>& organs) override;
   Values influence(document::OrganId organ, document::HandleId handle) const override;
   const deformation::Deformer* bound(document::OrganId organ) const override;
 

@@ -27,8 +27,8 @@ struct CycleCurves {
 };
 
 /// Poses the runner's organs at 96 evenly spaced instants of a cycle and where its phases begin, so that the
-/// corners of the curves are met, and measures them: the same numbers as `MotionRunner::show` returns there.
-/// Throws `UsageError` when the runner cannot move the handles, what `show` throws, and `Cancelled`.
+/// corners of the curves are met, and measures them: the same numbers as `MotionRunner::volumesMl` gives
+/// there. Throws `UsageError` when the runner cannot move the handles, what `show` throws, and `Cancelled`.
 /// O(instants) frames.
 CycleCurves measureCycle(MotionRunner& runner, Progress& progress);
 

@@ -23,9 +23,9 @@ struct PrescribedVolume {
   std::string file = {};        ///< The name of the file from which it was read, for texts.
 };
 
-/// Poses organs at an instant of a sequence and measures their volumes. The window, movies and `viscera play`
-/// use it for every frame. Locked volumes and a prescribed one are met exactly: the compensating handles move
-/// as little as possible (`VolumeKeeper`). For the thread of the organs; it does not change a document.
+/// Poses organs at an instant of a sequence. The window, movies and `viscera play` use it for every frame.
+/// Locked volumes and a prescribed one are met exactly: the compensating handles move as little as possible
+/// (`VolumeKeeper`). For the thread of the organs; it does not change a document.
 class MotionRunner {
 public:
   /// How many instants of a cycle `requireReachable` tries.
@@ -64,16 +64,16 @@ public:
   /// O(`kTriedInstants`) restorations.
   void requireReachable();
 
-  /// Poses the organs as they are `seconds` after the beginning, where `movable`, and returns `volumesMl`.
-  /// Where volumes cannot be kept, the last pose in which they could stays. Throws `DataError` as
-  /// `PosedOrgans::showPose`.
-  std::vector<double> show(double seconds);
+  /// Poses the organs as they are `seconds` after the beginning, where `movable`. Where volumes cannot be
+  /// kept, the last pose in which they could stays. Throws `DataError` as `PosedOrgans::showPose`.
+  void show(double seconds);
   /// The pose that `show` would give the handles there, `n x 3` mm; none where volumes cannot be kept. The
   /// sequence has to be `movable`.
   std::optional<Points> poseAt(double seconds);
   /// Why the volumes could not be kept in the pose asked for last; empty when they were.
   const std::string& obstacle() const { return obstacle_; }
-  /// The volume of each organ of the document, in its order, ml; 0 for an open surface.
+  /// The volume of each organ of the document in the pose that is shown, in the document's order, ml; 0 for
+  /// an open surface. Measured once for a pose, as `PosedOrgans::volume`.
   std::vector<double> volumesMl() const;
 
 private:
