@@ -21,6 +21,7 @@
 #include "build_paths.h"
 #include "session_fixture.h"
 #include "shapes.h"
+#include "viscera/anatomy/norms.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
@@ -37,7 +38,6 @@
 #include "viscera/motion/cycle_curves.h"
 #include "viscera/motion/motion_copy.h"
 #include "viscera/motion/player.h"
-#include "viscera/norms/norms.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/presenter.h"
@@ -303,7 +303,7 @@ TEST(HeaderExamples, LocalisedScc) {
 }
 
 TEST(HeaderExamples, Norms) {
-  using namespace norms;
+  using namespace anatomy;
   const Norm& volume = norm("lv.edv");
   const Range range = rangeOf(volume, {Sex::women, 1.8});
   const bool usual = range.holds(120);

@@ -18,6 +18,7 @@
 
 #include "build_paths.h"
 #include "play_fixture.h"
+#include "viscera/anatomy/norms.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
@@ -26,7 +27,6 @@
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_setup.h"
-#include "viscera/norms/norms.h"
 #include "viscera/plugin/registry.h"
 #include "viscera/sequences/keyframes.h"
 #include "window/language.h"
@@ -213,7 +213,7 @@ TEST_P(Translations, HaveTheSourcesOfNormalValues) {
   ASSERT_TRUE(
       translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
   std::set<std::string> sources;
-  for (const norms::Norm& norm : norms::table())
+  for (const anatomy::Norm& norm : anatomy::norms())
     sources.insert(norm.source);
   for (const auto& parameter : circulation::parameterInfos())
     if (parameter.normal)

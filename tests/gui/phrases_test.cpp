@@ -31,7 +31,7 @@ using app::messageInWords;
 /// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
 constexpr const char* kSpeaking[] = {
     "circulation",  "contour", "coordinates",   "core",       "deformation", "document", "geometry",
-    "lesson",       "live",    "localised_scc", "medical_io", "motion",      "norms",    "plugin",
+    "lesson",       "live",    "localised_scc", "medical_io", "motion",      "anatomy",  "plugin",
     "presentation", "report",  "sample_organs", "scene",      "sequences",   "slices",   "tracking"};
 
 /// Files of these modules that no window shows: measurements for the documentation and the command line,

@@ -276,7 +276,7 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("75\u2013147 ml")))
       << "women of 1.5 m2: " << chart->normalsText().toStdString();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("women, mean +- 2")));
-  EXPECT_EQ(window().viewModel().state().person, (norms::Person{norms::Sex::women, 1.5}));
+  EXPECT_EQ(window().viewModel().state().person, (anatomy::Person{anatomy::Sex::women, 1.5}));
   whose->setCurrentIndex(0);
   surface->setValue(surface->minimum());
   const auto tiles = window().findChildren<QAbstractButton*>(QStringLiteral("tileName"));

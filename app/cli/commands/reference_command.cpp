@@ -17,7 +17,7 @@ ordered_json bound(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json();
 }
 
-ordered_json jsonOf(const TaughtQuantity& row, const norms::Range& range) {
+ordered_json jsonOf(const TaughtQuantity& row, const anatomy::Range& range) {
   return {{"id", row.norm->id},
           {"where", row.where},
           {"here", row.here},
@@ -43,19 +43,19 @@ public:
         ->capture_default_str();
     options.add_option("--body-surface", surfaceM2_, "Ranges of a person of that body surface, m2")
         ->type_name("M2")
-        ->check(CLI::Range(norms::kSmallestBodySurfaceM2, norms::kLargestBodySurfaceM2));
+        ->check(CLI::Range(anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2));
     options.add_flag("--markdown", markdown_, "As a table in Markdown, as in docs/reference_values.md");
   }
 
   Outcome run(CommandContext& context) override {
-    const norms::Person person{norms::sexFromId(sex_), surfaceM2_};
+    const anatomy::Person person{anatomy::sexFromId(sex_), surfaceM2_};
     const std::vector<TaughtQuantity> rows =
         motion::taughtQuantities(context.samples, context.progress, context.threads);
     Outcome outcome;
     outcome.json = {{"sex", sex_}, {"bodySurfaceM2", surfaceM2_}, {"rows", ordered_json::array()}};
     Listing listing;
     for (const TaughtQuantity& row : rows) {
-      const norms::Range range = norms::rangeOf(*row.norm, person);
+      const anatomy::Range range = anatomy::rangeOf(*row.norm, person);
       outcome.json["rows"].push_back(jsonOf(row, range));
       listing.add(row.norm->subject + ", " + row.norm->quantity,
                   significant(row.here, 3) + " " + row.norm->unit + " (" + row.where + "); healthy adults " +

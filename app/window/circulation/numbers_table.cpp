@@ -113,7 +113,7 @@ NumbersTable::NumbersTable(QWidget* parent)
   setIndices(nullptr, nullptr);
 }
 
-void NumbersTable::setPerson(const norms::Person& person) {
+void NumbersTable::setPerson(const anatomy::Person& person) {
   person_ = person;
   for (int row = 0; row < rowCount(); ++row) {
     const auto normal = circulation::normalOf(readingOf(row), person);

@@ -23,14 +23,14 @@ public:
   /// Null: that circulation does not exist.
   void setIndices(const circulation::Indices* now, const circulation::Indices* before);
   /// Sets the person whose normal ranges are shown beside the numbers.
-  void setPerson(const norms::Person& person);
+  void setPerson(const anatomy::Person& person);
   void setTheme(const Theme& theme);
 
 private:
   void fill(int row, int column, const circulation::Indices* indices);
 
   Theme theme_;
-  norms::Person person_;
+  anatomy::Person person_;
 };
 
 } // namespace viscera::app

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStep = 0.05;
 /// One step below the smallest: not known.
-constexpr double kAnySize = norms::kSmallestBodySurfaceM2 - kStep;
+constexpr double kAnySize = anatomy::kSmallestBodySurfaceM2 - kStep;
 
 } // namespace
 
@@ -21,14 +21,14 @@ PersonBox::PersonBox(ViewModel& view, QWidget* parent)
     : QWidget(parent), view_(view), sex_(new QComboBox(this)), surface_(new QDoubleSpinBox(this)) {
   auto* row = makeLayout<QHBoxLayout>(this, 4);
   sex_->setObjectName(QStringLiteral("rangesOf"));
-  sex_->addItem(tr("Women and men"), static_cast<int>(norms::Sex::either));
-  sex_->addItem(tr("Women"), static_cast<int>(norms::Sex::women));
-  sex_->addItem(tr("Men"), static_cast<int>(norms::Sex::men));
+  sex_->addItem(tr("Women and men"), static_cast<int>(anatomy::Sex::either));
+  sex_->addItem(tr("Women"), static_cast<int>(anatomy::Sex::women));
+  sex_->addItem(tr("Men"), static_cast<int>(anatomy::Sex::men));
   sex_->setToolTip(tr("Whose normal ranges are shown"));
   surface_->setObjectName(QStringLiteral("rangesForBodySurface"));
   surface_->setDecimals(2);
   surface_->setSingleStep(kStep);
-  surface_->setRange(kAnySize, norms::kLargestBodySurfaceM2);
+  surface_->setRange(kAnySize, anatomy::kLargestBodySurfaceM2);
   surface_->setSuffix(tr(" m\u00b2"));
   surface_->setSpecialValueText(tr("any body surface area"));
   surface_->setToolTip(
@@ -42,15 +42,15 @@ PersonBox::PersonBox(ViewModel& view, QWidget* parent)
 }
 
 void PersonBox::choose() {
-  norms::Person person;
-  person.sex = static_cast<norms::Sex>(sex_->currentData().toInt());
+  anatomy::Person person;
+  person.sex = static_cast<anatomy::Sex>(sex_->currentData().toInt());
   if (surface_->value() > surface_->minimum())
     person.bodySurfaceM2 = surface_->value();
   view_.change([&](presentation::ViewState& state) { state.person = person; });
 }
 
 void PersonBox::sync() {
-  const norms::Person& person = view_.state().person;
+  const anatomy::Person& person = view_.state().person;
   const QSignalBlocker quietSex(sex_), quietSurface(surface_);
   sex_->setCurrentIndex(sex_->findData(static_cast<int>(person.sex)));
   surface_->setValue(person.bodySurfaceM2 > 0 ? person.bodySurfaceM2 : surface_->minimum());

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -304,7 +304,8 @@ bool VolumeMonitor::beats(std::size_t line) const {
   return measured || sequence->heart() != nullptr;
 }
 
-std::vector<motion::NormalRange> VolumeMonitor::normals(std::size_t line, const norms::Person& person) const {
+std::vector<motion::NormalRange> VolumeMonitor::normals(std::size_t line,
+                                                        const anatomy::Person& person) const {
   std::vector<motion::NormalRange> ranges = motion::normalRanges(lines_[line].label, person);
   if (!beats(line))
     std::erase_if(ranges, [](const motion::NormalRange& range) {

@@ -85,7 +85,7 @@ public:
   /// circulation or measured. Keys that were recorded by hand are none.
   bool beats(std::size_t line) const;
   /// The normal ranges of a line for that person; ranges for a beating heart only if `beats`.
-  std::vector<motion::NormalRange> normals(std::size_t line, const norms::Person& person) const;
+  std::vector<motion::NormalRange> normals(std::size_t line, const anatomy::Person& person) const;
   /// How the walls of the first view's heart move over the cycle; none for other organs, and while the cycle
   /// is being measured.
   std::optional<sequences::WallMotion> wall() const;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 #include "viscera/scene/volume_chart.h"
 #include "window/style/theme.h"
 #include "window/timeline/volume_monitor.h"
@@ -101,7 +101,7 @@ private:
   QStackedLayout* stack_;         ///< A hint, or the chart.
   ElidedLabel* source_ = nullptr; ///< Explains the stripes.
   QWidget* normals_ = nullptr;    ///< Contains `source_` and the choice of the person.
-  norms::Person person_;
+  anatomy::Person person_;
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;

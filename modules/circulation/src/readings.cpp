@@ -46,12 +46,12 @@ const std::vector<Reading>& readings() {
   return all;
 }
 
-std::optional<NormalValues> normalOf(const Reading& reading, const norms::Person& person) {
+std::optional<NormalValues> normalOf(const Reading& reading, const anatomy::Person& person) {
   if (reading.norm.empty())
     return std::nullopt;
-  const norms::Norm& norm = norms::norm(reading.norm);
-  const norms::Range range = norms::rangeOf(norm, person);
-  return NormalValues{range.low, range.high, norm.source, norms::meaningOf(norm, person), norm.people};
+  const anatomy::Norm& norm = anatomy::norm(reading.norm);
+  const anatomy::Range range = anatomy::rangeOf(norm, person);
+  return NormalValues{range.low, range.high, norm.source, anatomy::meaningOf(norm, person), norm.people};
 }
 
 std::string rangeText(const NormalValues& normal, int decimals) {

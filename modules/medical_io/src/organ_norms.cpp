@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "file_bytes.h"
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -46,16 +46,16 @@ std::string roundedText(double value) {
 /// How far a volume is from what is normal, as a part of how far a life-sized organ may be; 1 and less for
 /// those.
 double awayFrom(const OrganNorm& organ, double volumeMl) {
-  const norms::Norm& norm = norms::norm(organ.volume);
-  const norms::Range range = norms::rangeOf(norm);
+  const anatomy::Norm& norm = anatomy::norm(organ.volume);
+  const anatomy::Range range = anatomy::rangeOf(norm);
   const double factor = std::max({range.low / volumeMl, volumeMl / range.high, 1.0});
-  return factor / (norm.kind == norms::Kind::averages ? kAwayFromAverages : kAwayFromSpread);
+  return factor / (norm.kind == anatomy::Kind::averages ? kAwayFromAverages : kAwayFromSpread);
 }
 
 /// "19 of 20 adults have 814 to 1906 ml".
-std::string whatAdultsHave(const norms::Norm& norm) {
-  const norms::Range range = norms::rangeOf(norm);
-  return norm.kind == norms::Kind::averages
+std::string whatAdultsHave(const anatomy::Norm& norm) {
+  const anatomy::Range range = anatomy::rangeOf(norm);
+  return norm.kind == anatomy::Kind::averages
              ? phrase("women and men have on average %1 to %2 ml", roundedText(range.low),
                       roundedText(range.high))
              : phrase("19 of 20 adults have %1 to %2 ml", roundedText(range.low), roundedText(range.high));
@@ -101,7 +101,7 @@ std::optional<std::string> doubtAboutVolume(std::string_view name, double volume
   if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
   return phrase("%1 of %2 ml is not life-sized: %3", norm->one, roundedText(volumeMl),
-                whatAdultsHave(norms::norm(norm->volume)));
+                whatAdultsHave(anatomy::norm(norm->volume)));
 }
 
 const std::vector<LengthUnit>& lengthUnits() {

@@ -77,13 +77,13 @@ CardiacIndices cardiacIndices(const std::vector<double>& volumesMl, double rateP
   return indices;
 }
 
-std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person) {
+std::vector<NormalRange> normalRanges(const std::string& organ, const anatomy::Person& person) {
   std::vector<NormalRange> ranges;
   for (const Shown& shown : shownFor(organ)) {
-    const norms::Norm& norm = norms::norm(shown.norm);
-    const norms::Range range = norms::rangeOf(norm, person);
+    const anatomy::Norm& norm = anatomy::norm(shown.norm);
+    const anatomy::Range range = anatomy::rangeOf(norm, person);
     ranges.push_back({shown.quantity, norm.id, norm.quantity, range.low, range.high,
-                      norms::meaningOf(norm, person), norm.people, norm.source});
+                      anatomy::meaningOf(norm, person), norm.people, norm.source});
   }
   return ranges;
 }

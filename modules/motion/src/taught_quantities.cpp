@@ -85,7 +85,7 @@ public:
 
 private:
   void add(const std::string& id, const std::string& where, double here, std::string remark = {}) {
-    rows_.push_back({&norms::norm(id), where, here, std::move(remark)});
+    rows_.push_back({&anatomy::norm(id), where, here, std::move(remark)});
   }
 
   void addHeartbeat() {
@@ -204,11 +204,11 @@ std::string numberText(double value) {
   return significant(value, std::abs(value) < 1000 ? 3 : 4);
 }
 
-std::string withUnit(const std::string& number, const norms::Norm& norm) {
+std::string withUnit(const std::string& number, const anatomy::Norm& norm) {
   return norm.unit.empty() ? number : number + " " + norm.unit;
 }
 
-std::string verdict(const TaughtQuantity& row, const norms::Range& range) {
+std::string verdict(const TaughtQuantity& row, const anatomy::Range& range) {
   const std::string said = range.holds(row.here) ? "yes" : "no";
   return row.remark.empty() ? said : said + ": " + row.remark;
 }
@@ -220,21 +220,21 @@ std::vector<TaughtQuantity> taughtQuantities(const sample_organs::SampleLibrary&
   return Collector(library, progress, threads).collect();
 }
 
-std::string rangeText(const norms::Range& range) {
+std::string rangeText(const anatomy::Range& range) {
   if (!std::isfinite(range.low))
     return "up to " + numberText(range.high);
   return numberText(range.low) + (std::isfinite(range.high) ? " to " + numberText(range.high) : " and more");
 }
 
-std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const norms::Person& person) {
+std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const anatomy::Person& person) {
   std::string table = "| quantity | where | here | in healthy adults | within | whose range | source |\n"
                       "|---|---|---|---|---|---|---|\n";
   for (const TaughtQuantity& row : quantities) {
-    const norms::Norm& norm = *row.norm;
-    const norms::Range range = norms::rangeOf(norm, person);
+    const anatomy::Norm& norm = *row.norm;
+    const anatomy::Range range = anatomy::rangeOf(norm, person);
     table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
              withUnit(numberText(row.here), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
-             verdict(row, range) + " | " + norms::meaningOf(norm, person) + "; " + norm.people + " | " +
+             verdict(row, range) + " | " + anatomy::meaningOf(norm, person) + "; " + norm.people + " | " +
              norm.source + " |\n";
   }
   return table;

@@ -433,12 +433,12 @@ std::optional<Compared> comparedFrom(const ordered_json& item) {
   return compared;
 }
 
-norms::Person personFrom(const ordered_json& item) {
-  norms::Person person;
-  person.sex = norms::sexFromId(item.value("sex", std::string()));
+anatomy::Person personFrom(const ordered_json& item) {
+  anatomy::Person person;
+  person.sex = anatomy::sexFromId(item.value("sex", std::string()));
   take(item, "bodySurfaceM2", person.bodySurfaceM2);
   person.bodySurfaceM2 =
-      within(person.bodySurfaceM2, norms::kSmallestBodySurfaceM2, norms::kLargestBodySurfaceM2, 0);
+      within(person.bodySurfaceM2, anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2, 0);
   return person;
 }
 
@@ -533,7 +533,7 @@ std::string toJson(const ViewState& state) {
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())
     item["organsSeen"] = organsJson(view.organsSeen);
-  item["person"] = {{"sex", norms::idOf(view.person.sex)}, {"bodySurfaceM2", view.person.bodySurfaceM2}};
+  item["person"] = {{"sex", anatomy::idOf(view.person.sex)}, {"bodySurfaceM2", view.person.bodySurfaceM2}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();
   for (const document::HandleId id : view.selection.handles)

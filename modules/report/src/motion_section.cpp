@@ -36,7 +36,7 @@ struct Line {
 };
 
 std::vector<Line> linesOf(const document::DocumentState& state, const motion::CycleCurves& curves,
-                          const norms::Person& person) {
+                          const anatomy::Person& person) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < state.organs->size(); ++i) {
     const auto& organ = (*state.organs)[i];

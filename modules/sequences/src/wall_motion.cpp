@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "viscera/norms/norms.h"
 
 namespace viscera::sequences {
 namespace {
@@ -155,8 +155,8 @@ WallMotion wallMotion(const std::vector<WallPlaces>& beat) {
 
 const std::vector<WallMotionRange>& wallMotionRanges() {
   const auto range = [](const char* name, const char* about, double WallMotion::*value, const char* id) {
-    const norms::Norm& norm = norms::norm(id);
-    const norms::Range normal = norms::rangeOf(norm);
+    const anatomy::Norm& norm = anatomy::norm(id);
+    const anatomy::Range normal = anatomy::rangeOf(norm);
     return WallMotionRange{
         name, about, value, normal.low, normal.high, norm.unit.c_str(), norm.source.c_str()};
   };

@@ -28,7 +28,7 @@ TEST(NormalRanges, OfAVentricleAreThoseOfTheTableForThatPerson) {
   EXPECT_EQ(all[2].quantity, NormalRange::Quantity::ejectionPercent);
   EXPECT_DOUBLE_EQ(all[2].low, 48);
   EXPECT_DOUBLE_EQ(all[2].high, 71);
-  const std::vector<NormalRange> women = normalRanges("Right ventricle", {norms::Sex::women, 1.6});
+  const std::vector<NormalRange> women = normalRanges("Right ventricle", {anatomy::Sex::women, 1.6});
   ASSERT_EQ(women.size(), 3u);
   EXPECT_DOUBLE_EQ(women[0].high, 1.6 * (77 + 2 * 13));
   EXPECT_NE(women[0].meaning.find("1.60 m2"), std::string::npos) << women[0].meaning;

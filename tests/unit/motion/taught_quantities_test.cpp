@@ -25,7 +25,7 @@ TEST(TaughtQuantities, AreAsTheDocumentationSaysAndWithinTheirRangesOrSayWhyNot)
   const std::vector<TaughtQuantity> rows = taughtQuantities(tests::cachedLibrary(), progress);
   EXPECT_GE(rows.size(), 35u);
   for (const TaughtQuantity& row : rows) {
-    const bool within = norms::rangeOf(*row.norm).holds(row.here);
+    const bool within = anatomy::rangeOf(*row.norm).holds(row.here);
     EXPECT_TRUE(within || !row.remark.empty()) << row.norm->id << " in " << row.where << ": " << row.here;
   }
   const std::string table = markdownTable(rows);

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/normal_values.h"
-#include "viscera/norms/norms.h"
 
 namespace viscera::circulation {
 
@@ -23,7 +23,7 @@ struct Reading {
 const std::vector<Reading>& readings();
 
 /// The normal range of a number for a person; nothing where no range is agreed upon.
-std::optional<NormalValues> normalOf(const Reading& reading, const norms::Person& person = {});
+std::optional<NormalValues> normalOf(const Reading& reading, const anatomy::Person& person = {});
 
 /// "60 - 100", "from 1200", "up to 120".
 std::string rangeText(const NormalValues& normal, int decimals);

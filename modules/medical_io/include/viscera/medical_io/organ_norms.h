@@ -18,7 +18,7 @@ enum class BodySide { right, middle, left };
 struct OrganNorm {
   std::string_view name;   ///< "kidney"
   std::string_view one;    ///< "a kidney", for sentences.
-  std::string_view volume; ///< Its row in the table of `norms`; empty where fillings differ too much.
+  std::string_view volume; ///< Its row in the table of `anatomy`; empty where fillings differ too much.
   BodySide side = BodySide::middle;
 };
 

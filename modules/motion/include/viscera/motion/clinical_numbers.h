@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
 /// Clinical numbers computed from volumes, such as ejection fraction, and their normal ranges.
 namespace viscera::motion {
@@ -32,7 +32,7 @@ struct NormalRange {
     volumeMl,        ///< A volume that is constant over the cycle.
   };
   Quantity quantity = Quantity::volumeMl;
-  std::string norm; ///< Its row in the table of `norms`: "lv.edv".
+  std::string norm; ///< Its row in the table of `anatomy`: "lv.edv".
   std::string name; ///< "end-diastolic volume"
   double low = 0;   ///< In ml or per cent, as the quantity says.
   double high = 0;
@@ -42,9 +42,9 @@ struct NormalRange {
 };
 
 /// The ranges known for an organ, by its name in a sample ("LV", "RV", "Stomach", "kidney_left"; capitals do
-/// not matter), of the table of `norms` and for that person; empty for any other. The heart has none: its
+/// not matter), of the table of `anatomy` and for that person; empty for any other. The heart has none: its
 /// surface takes in stumps of the great vessels, and no spread of the whole organ is known.
-std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person = {});
+std::vector<NormalRange> normalRanges(const std::string& organ, const anatomy::Person& person = {});
 
 /// The chambers of the heart.
 enum class Chamber { leftVentricle, rightVentricle, leftAtrium, rightAtrium };

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
-#include "viscera/norms/norms.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// Compares the numbers that the program teaches with their normal ranges.
@@ -13,11 +13,11 @@ namespace viscera::motion {
 
 /// A number that the program shows in teaching, with its row in the table of normal ranges.
 struct TaughtQuantity {
-  const norms::Norm* norm = nullptr; ///< Never null.
-  std::string where;                 ///< "heartbeat, 75 a minute"
-  double here = 0;                   ///< In the norm's unit.
-  std::string remark;                ///< Remark on the comparison, or why the value is not within the range;
-                                     ///< may be empty.
+  const anatomy::Norm* norm = nullptr; ///< Never null.
+  std::string where;                   ///< "heartbeat, 75 a minute"
+  double here = 0;                     ///< In the norm's unit.
+  std::string remark; ///< Remark on the comparison, or why the value is not within the range;
+                      ///< may be empty.
 };
 
 /// Measures everything that sample organs, sequences and the circulation at rest teach, on the surfaces at
@@ -28,9 +28,9 @@ std::vector<TaughtQuantity> taughtQuantities(const sample_organs::SampleLibrary&
 
 /// The quantities as a table in Markdown: what, where, here, in healthy adults, within or why not, whose,
 /// source.
-std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const norms::Person& person = {});
+std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const anatomy::Person& person = {});
 
 /// "814 to 1906", "1200 and more", "up to 30".
-std::string rangeText(const norms::Range& range);
+std::string rangeText(const anatomy::Range& range);
 
 } // namespace viscera::motion

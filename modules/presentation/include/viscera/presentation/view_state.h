@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
-#include "viscera/norms/norms.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -172,8 +172,8 @@ struct ViewState {
   StressLook stress;
   ScanLook scan;
   OrganCut cut;
-  OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
-  norms::Person person;  ///< Whose normal ranges are shown.
+  OrgansSeen organsSeen;  ///< Set while a slide is shown; the document does not change.
+  anatomy::Person person; ///< Whose normal ranges are shown.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;

@@ -1,4 +1,4 @@
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
 #include <set>
 
@@ -6,12 +6,12 @@
 
 #include "viscera/core/error.h"
 
-namespace viscera::norms {
+namespace viscera::anatomy {
 namespace {
 
 TEST(Norms, EveryRowHasANameAPeopleASourceAndARange) {
   std::set<std::string> ids;
-  for (const Norm& norm : table()) {
+  for (const Norm& norm : norms()) {
     EXPECT_TRUE(ids.insert(norm.id).second) << norm.id << " is there twice";
     EXPECT_FALSE(norm.subject.empty() || norm.quantity.empty() || norm.people.empty()) << norm.id;
     const bool cited = norm.source.find("doi 10.") != std::string::npos;
@@ -26,7 +26,7 @@ TEST(Norms, EveryRowHasANameAPeopleASourceAndARange) {
 }
 
 TEST(Norms, SourcesOfVolumesBeginWithAShortNameThatFitsIntoAChart) {
-  for (const Norm& norm : table()) {
+  for (const Norm& norm : norms()) {
     if (norm.unit != "ml")
       continue;
     const std::string name = norm.source.substr(0, norm.source.find(", doi"));
@@ -57,7 +57,7 @@ TEST(Norms, OfAPersonOfKnownSizeAreThoseASquareMetre) {
 
 /// Means and deviations, absolute and a square metre, are of the same people.
 TEST(Norms, AbsoluteAndIndexedValuesAgreeOnTheBodiesTheyWereMeasuredIn) {
-  for (const Norm& norm : table())
+  for (const Norm& norm : norms())
     if (norm.knowsSize()) {
       EXPECT_NEAR(norm.women->mean / norm.womenPerM2->mean, 1.68, 0.05) << norm.id;
       EXPECT_NEAR(norm.men->mean / norm.menPerM2->mean, 1.95, 0.05) << norm.id;
@@ -116,4 +116,4 @@ TEST(Norms, SexesAreReadFromWhatFilesCallThem) {
 }
 
 } // namespace
-} // namespace viscera::norms
+} // namespace viscera::anatomy

@@ -1,8 +1,8 @@
 #include <limits>
 
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
-namespace viscera::norms {
+namespace viscera::anatomy {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -204,9 +204,9 @@ std::vector<Norm> makeTable() {
 
 } // namespace
 
-const std::vector<Norm>& table() {
+const std::vector<Norm>& norms() {
   static const std::vector<Norm> rows = makeTable();
   return rows;
 }
 
-} // namespace viscera::norms
+} // namespace viscera::anatomy

@@ -1,4 +1,4 @@
-#include "viscera/norms/norms.h"
+#include "viscera/anatomy/norms.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
-namespace viscera::norms {
+namespace viscera::anatomy {
 namespace {
 
 /// 19 of 20 people lie within.
@@ -28,7 +28,7 @@ bool sized(const Norm& norm, const Person& person) {
 } // namespace
 
 const Norm& norm(std::string_view id) {
-  const auto& rows = table();
+  const auto& rows = norms();
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Norm& row) { return row.id == id; });
   if (found == rows.end())
     throw UsageError("There is no such normal range", std::string(id), "viscera reference names them all");
@@ -73,4 +73,4 @@ Sex sexFromId(std::string_view id) {
   return id == "women" ? Sex::women : id == "men" ? Sex::men : Sex::either;
 }
 
-} // namespace viscera::norms
+} // namespace viscera::anatomy

@@ -7,7 +7,7 @@
 
 /// A table of normal ranges of healthy adults, each row with its source. Charts, the check of imported
 /// organs, the circulation, reports and lessons read it.
-namespace viscera::norms {
+namespace viscera::anatomy {
 
 /// The sex for which a normal range is wanted.
 enum class Sex {
@@ -72,7 +72,7 @@ struct Norm {
 };
 
 /// All rows, those of one subject together. O(1) after the first call; thread-safe, as all of this module.
-const std::vector<Norm>& table();
+const std::vector<Norm>& norms();
 
 /// The row of that id. Throws `UsageError` when there is none.
 const Norm& norm(std::string_view id);
@@ -94,4 +94,4 @@ std::string_view nameOf(Sex sex);
 Sex sexFromId(std::string_view id);
 std::string_view idOf(Sex sex);
 
-} // namespace viscera::norms
+} // namespace viscera::anatomy
