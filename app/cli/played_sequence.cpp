@@ -191,24 +191,11 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
   return played;
 }
 
-/// The colour of a measured heart's cavity, by the kind of blood in it, as in atlases.
-std::optional<Vec3> bloodColor(const std::string& cavity) {
-  const Vec3 arterial(0.81, 0.23, 0.20), venous(0.29, 0.40, 0.72);
-  if (cavity == "LV" || cavity == "LA")
-    return arterial;
-  if (cavity == "RV" || cavity == "RA")
-    return venous;
-  return std::nullopt;
-}
-
 /// The surfaces in the file of a key sequence.
 Surfaces surfacesOf(const motion::SequenceFile& file) {
   Surfaces surfaces;
-  for (const motion::SequenceOrgan& organ : file.organs) {
-    document::Organ whole = document::makeOrgan(organ.name, organ.mesh);
-    whole.look.color = bloodColor(organ.name).value_or(whole.look.color);
-    surfaces.add(organ.name, std::move(whole));
-  }
+  for (const motion::SequenceOrgan& organ : file.organs)
+    surfaces.add(organ.name, document::makeOrgan(organ.name, organ.mesh));
   return surfaces;
 }
 

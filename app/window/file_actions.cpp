@@ -16,7 +16,6 @@
 #include "viscera/medical_io/surface_file.h"
 #include "window/import/arriving_surfaces.h"
 #include "window/language.h"
-#include "window/panels/color_palette.h"
 #include "window/phrase_translator.h"
 #include "window/widgets/new_file.h"
 
@@ -31,13 +30,6 @@ QString patterns(const std::vector<std::string>& extensions) {
   for (const std::string& extension : extensions)
     list.push_back(QStringLiteral("*") + text(extension));
   return list.join(QLatin1Char(' '));
-}
-
-/// Gives organs that are named after a tissue its colour, where their files give them none of their own.
-void colorByTissue(std::vector<document::NewOrgan>& organs) {
-  for (document::NewOrgan& item : organs)
-    if (const auto color = tissueColorFor(text(item.organ.name), item.organ))
-      item.organ.look.color = *color;
 }
 
 /// Series or phases of a DICOM series.
@@ -292,7 +284,6 @@ void FileActions::take(const document::ImportDraft& draft, const QStringList& fi
 void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
   // Before the organs are added, because list, charts, pictures and maps are rebuilt for every change of
   // present organs.
-  colorByTissue(opened.organs);
   const document::OrganList& present = workspace_.document().organs();
   const bool replaces = !opened.organs.empty() && replacesPresent();
   const std::size_t firstNew = replaces ? 0 : present.size();

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/motion/motion_recipe.h"
@@ -13,14 +14,6 @@
 #include "window/heart_look.h"
 
 namespace viscera::app {
-namespace {
-
-/// The atria's, lighter, so that they stand out against the ventricles that they reach to.
-const Vec3 kArterialAtrium(0.96, 0.52, 0.42);
-const Vec3 kVenousAtrium(0.46, 0.68, 0.96);
-
-} // namespace
-
 SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), placer_(placer), playback_(playback),
       library_(sample_organs::standardLibrary()) {}
@@ -103,14 +96,8 @@ void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
     if (painted.rows() > 0)
       look.color = painted.cast<double>().colwise().mean().transpose() / 255.0;
     // Blood in its textbook colours: they stay apart also through the wall.
-    if (organ.organ.name == "LV")
-      look.color = kArterialBlood;
-    if (organ.organ.name == "RV")
-      look.color = kVenousBlood;
-    if (organ.organ.name == "LA")
-      look.color = kArterialAtrium;
-    if (organ.organ.name == "RA")
-      look.color = kVenousAtrium;
+    if (const auto chamber = anatomy::chamberNamed(organ.organ.name))
+      look.color = anatomy::colorOf(*chamber);
     look.vertexColors = organ.parentInBatch < 0;
   }
 }

@@ -19,10 +19,10 @@
 #include "build_paths.h"
 #include "play_fixture.h"
 #include "viscera/anatomy/norms.h"
+#include "viscera/anatomy/organ_facts.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
-#include "viscera/document/organ_system.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/retarget.h"
@@ -186,7 +186,7 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
     expect(reading.title);
   for (const auto& parameter : circulation::parameterInfos())
     expect(parameter.title);
-  for (const auto& system : document::organSystems())
+  for (const auto& system : anatomy::organSystems())
     expect(system);
   const plugin::Registry systems = plugin::builtInRegistry();
   for (const plugin::Registry::Entry& entry : systems.list())

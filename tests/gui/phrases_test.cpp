@@ -16,7 +16,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/stress_quantity.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "window/language.h"
 #include "window/movie/movie_plan.h"
 #include "window/phrase_translator.h"
@@ -43,7 +43,8 @@ constexpr const char* kSilent[] = {
     "/circulation/src/published.cpp", "/presentation/src/circulation_figure.cpp",
     "/deformation/tetgen_worker/",    "/sample_organs/src/definition/",
     "/sample_organs/src/surface/",    "/report/src/page_markup.cpp",
-    "/report/src/session_script.cpp", "/document/src/organ_system.cpp"};
+    "/report/src/session_script.cpp", "/anatomy/src/table/",
+    "/anatomy/src/organ_facts.cpp"};
 
 QStringList sourcesOf(const QString& folder) {
   QStringList files;

@@ -13,7 +13,7 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/space.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"

@@ -13,6 +13,7 @@
 #include "cli/listing.h"
 #include "cli/played_sequence.h"
 #include "cli/stage_options.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
@@ -156,9 +157,9 @@ int ventricleOf(const PlayedSequence& played) {
   for (std::size_t i = 0; i < played.surfaces.size(); ++i) // The sample's, whatever the session calls it.
     if (played.ofSession && organs[i]->origin.surface == "lv")
       return static_cast<int>(i);
-  for (const char* name : {"lv", "LV", "heart_ventricle_left", "left ventricle"})
-    if (const int found = played.find(name); found >= 0)
-      return found;
+  for (std::size_t i = 0; i < played.surfaces.size(); ++i)
+    if (anatomy::chamberNamed(played.surfaces[i].name) == anatomy::kLeftVentricle)
+      return static_cast<int>(i);
   if (played.sequence->keys().empty())
     return -1;
   if (played.surfaces.size() == 1)

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "window/panels/color_palette.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
 
@@ -47,9 +46,7 @@ void ArrivingSurfaces::look() {
     return;
   const bool first = transient_.empty();
   for (document::ArrivingOrgan& organ : arrived) {
-    const auto known = tissueColor(text(organ.name));
-    const Vec3 color = organ.color ? *organ.color : known ? asVec3(*known) : document::OrganLook().color;
-    transient_.push_back({std::move(organ.mesh), color, 1});
+    transient_.push_back({std::move(organ.mesh), organ.color, 1});
   }
   if (first)
     show(arrived.front().whole);

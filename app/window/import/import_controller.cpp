@@ -6,7 +6,6 @@
 #include "window/file_actions.h"
 #include "window/import/import_panel.h"
 #include "window/import/organ_check.h"
-#include "window/panels/color_palette.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
 
@@ -93,10 +92,8 @@ void ImportController::preview() {
     const document::DraftOrgan& organ = draft_.organs[i];
     if (!organ.included)
       continue;
-    // In the colours that they will have: the file's, else the tissue's.
     const document::Organ& read = draft_.files.organs[i].organ;
-    const Vec3 color = tissueColorFor(text(organ.name), read).value_or(read.look.color);
-    presentation::TransientSurface surface{organ.mesh, color, alone ? kSolid : kGlass,
+    presentation::TransientSurface surface{organ.mesh, read.look.color, alone ? kSolid : kGlass,
                                            read.look.vertexColors};
     const Bounds own = boundsOf(organ.mesh->points);
     box = surfaces.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};

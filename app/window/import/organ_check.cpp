@@ -10,7 +10,7 @@
 
 #include <map>
 
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 #include "window/language.h"
 #include "window/widgets/flow_layout.h"

@@ -8,9 +8,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include <utility>
-
-#include "viscera/presentation/presenter.h"
+#include "viscera/anatomy/part.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -18,35 +16,25 @@ namespace {
 
 struct TissueColor {
   const char* name;
-  const char* color;
+  const char* organ; ///< Its row in the table of organs.
 };
 
 /// Names are translated where they are shown.
 constexpr TissueColor kTissues[] = {
-    {QT_TRANSLATE_NOOP("Tissue", "Muscle"), "#b5483f"},
-    {QT_TRANSLATE_NOOP("Tissue", "Liver"), "#9b4a3c"},
-    {QT_TRANSLATE_NOOP("Tissue", "Kidney"), "#b0604f"},
-    {QT_TRANSLATE_NOOP("Tissue", "Spleen"), "#8d4a63"},
-    {QT_TRANSLATE_NOOP("Tissue", "Stomach"), "#d99a86"},
-    {QT_TRANSLATE_NOOP("Tissue", "Bowel"), "#e0b39a"},
-    {QT_TRANSLATE_NOOP("Tissue", "Arterial blood"), "#cf3a32"},
-    {QT_TRANSLATE_NOOP("Tissue", "Venous blood"), "#4b66b8"},
-    {QT_TRANSLATE_NOOP("Tissue", "Lung"), "#e3aaa9"},
-    {QT_TRANSLATE_NOOP("Tissue", "Bone"), "#e9e0c9"},
-    {QT_TRANSLATE_NOOP("Tissue", "Fat"), "#e8cf7a"},
-    {QT_TRANSLATE_NOOP("Tissue", "Bile"), "#6f8f4e"},
+    {QT_TRANSLATE_NOOP("Tissue", "Muscle"), "muscle"},
+    {QT_TRANSLATE_NOOP("Tissue", "Liver"), "liver"},
+    {QT_TRANSLATE_NOOP("Tissue", "Kidney"), "kidney"},
+    {QT_TRANSLATE_NOOP("Tissue", "Spleen"), "spleen"},
+    {QT_TRANSLATE_NOOP("Tissue", "Stomach"), "stomach"},
+    {QT_TRANSLATE_NOOP("Tissue", "Bowel"), "bowel"},
+    {QT_TRANSLATE_NOOP("Tissue", "Arterial blood"), "artery"},
+    {QT_TRANSLATE_NOOP("Tissue", "Venous blood"), "vein"},
+    {QT_TRANSLATE_NOOP("Tissue", "Lung"), "lung"},
+    {QT_TRANSLATE_NOOP("Tissue", "Bone"), "bone"},
+    {QT_TRANSLATE_NOOP("Tissue", "Fat"), "fat"},
+    {QT_TRANSLATE_NOOP("Tissue", "Bile"), "gallbladder"},
 };
 constexpr int kPaletteColumns = 6;
-
-/// Words in the names of files and segments, English and Latin; the first that fits counts.
-constexpr std::pair<const char*, const char*> kWords[] = {
-    {"liver", "#9b4a3c"},    {"hepar", "#9b4a3c"},   {"kidney", "#b0604f"},   {"ren_", "#b0604f"},
-    {"spleen", "#8d4a63"},   {"stomach", "#d99a86"}, {"bowel", "#e0b39a"},    {"colon", "#d8a58c"},
-    {"intestin", "#e0b39a"}, {"duoden", "#dfae94"},  {"pancrea", "#e0b878"},  {"gall", "#6f8f4e"},
-    {"lung", "#e3aaa9"},     {"bone", "#e9e0c9"},    {"vertebra", "#e9e0c9"}, {"rib", "#e9e0c9"},
-    {"aorta", "#cf3a32"},    {"arter", "#cf3a32"},   {"vein", "#4b66b8"},     {"cava", "#4b66b8"},
-    {"portal", "#4b66b8"},   {"heart", "#a8483f"},   {"muscle", "#b5483f"},   {"bladder", "#d9b36a"},
-    {"brain", "#e3c4b8"},    {"tumo", "#c9b13d"}};
 
 void openDialog(QWidget* parent, const QColor& present, const std::function<void(const QColor&)>& chosen,
                 const std::function<void()>& finished) {
@@ -92,24 +80,6 @@ QIcon swatch(const QColor& color) {
   return icon;
 }
 
-std::optional<QColor> tissueColor(const QString& name) {
-  for (const auto& [word, color] : kWords)
-    if (name.contains(QLatin1String(word), Qt::CaseInsensitive))
-      return QColor(QLatin1String(color));
-  return std::nullopt;
-}
-
-std::optional<Vec3> tissueColorFor(const QString& name, const document::Organ& organ) {
-  const document::OrganLook& look = organ.look;
-  document::OrganLook paintedAlike;
-  paintedAlike.color = look.color;
-  paintedAlike.vertexColors = false;
-  const bool plain = look == document::OrganLook() && organ.mesh && organ.mesh->colors.rows() == 0;
-  const bool numbered = look == paintedAlike && presentation::shownColor(look.color) != look.color;
-  const auto color = plain || numbered ? tissueColor(name) : std::nullopt;
-  return color ? std::optional(asVec3(*color)) : std::nullopt;
-}
-
 void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& present,
                  std::function<void(const QColor&)> chosen, std::function<void()> finished) {
   auto* menu = new QMenu(parent);
@@ -119,7 +89,7 @@ void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& prese
   int index = 0;
   for (const TissueColor& tissue : kTissues) {
     auto* button = new QToolButton(box);
-    const QColor color(QLatin1String(tissue.color));
+    const QColor color = asColor(anatomy::colorOf({tissue.organ}));
     button->setIcon(swatch(color));
     button->setIconSize(QSize(20, 20));
     button->setToolTip(QCoreApplication::translate("Tissue", tissue.name));

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/anatomy/organ_facts.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/organ_system.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
@@ -231,7 +231,7 @@ bool OrganPanel::sameRows() const {
       return false;
     if (!grouped || organ->parent)
       return true;
-    const auto system = systems_.find(document::organSystem(organ->name));
+    const auto system = systems_.find(anatomy::systemNamed(organ->name));
     return system != systems_.end() && item->second->parent() == system->second;
   };
   return grouped != systems_.empty() && organs.size() == items_.size() &&
@@ -267,15 +267,15 @@ void OrganPanel::makeRows() {
   list_->clear();
   list_->setRootIsDecorated(grouped);
   if (grouped) // In the order of the body's systems, not in that of a file.
-    for (const std::string& system : document::organSystems())
+    for (const std::string& system : anatomy::organSystems())
       if (std::any_of(organs.begin(), organs.end(), [&system](const auto& organ) {
-            return !organ->parent && document::organSystem(organ->name) == system;
+            return !organ->parent && anatomy::systemNamed(organ->name) == system;
           }))
         systemRow(system);
   for (const auto& organ : organs) {
     const auto parent = items_.find(organ->parent);
     auto* item = rowUnder(parent != items_.end() ? parent->second
-                          : grouped              ? systemRow(document::organSystem(organ->name))
+                          : grouped              ? systemRow(anatomy::systemNamed(organ->name))
                                                  : nullptr);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setData(kOrganName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/circulation/patient_fit.h"
 #include "viscera/document/circulation_commands.h"
 #include "window/circulation/circulation_box.h"
@@ -164,9 +165,7 @@ void PlayPage::makePatientCirculation(Workspace& workspace) {
 
 void PlayPage::syncPatientCirculation() {
   const auto isLeft = [](const VolumeMonitor::Line& line) {
-    const auto ranges = motion::normalRanges(line.label);
-    return line.side == 0 && std::any_of(ranges.begin(), ranges.end(),
-                                         [](const auto& range) { return range.norm == "lv.edv"; });
+    return line.side == 0 && anatomy::partNamed(line.label) == anatomy::kLeftVentricle;
   };
   const auto& lines = volumes_.lines();
   ventricle_.reset();
@@ -283,7 +282,7 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].label == "LV cavity"))
+        (best == lines.size() || anatomy::partNamed(lines[line].label) == anatomy::kLeftVentricle))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   syncPatientCirculation();

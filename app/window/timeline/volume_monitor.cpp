@@ -5,6 +5,7 @@
 
 #include <QPointer>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/background.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
@@ -96,7 +97,7 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
     const std::string label = presentation::labelOf(*organ);
     lines.push_back({organ->id, side, inWords(label), presentation::shownColor(organ->look.color),
-                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest, label});
+                     organ->parent || anatomy::chamberNamed(organ->name).has_value(), rest, rest, label});
   }
   return lines;
 }

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/measured_record.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/scene/color_map.h"
@@ -35,11 +34,6 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
       organ.parentInBatch = static_cast<int>(motion.outer);
     else if (surfaces.size() > 1)
       organ.organ.look.opacity = kWallOpacity;
-    if (const auto chamber = motion::heartChamber(surfaces[i].name))
-      organ.organ.look.color =
-          *chamber == motion::Chamber::leftVentricle || *chamber == motion::Chamber::leftAtrium
-              ? kArterialBlood
-              : kVenousBlood;
     organs.push_back(std::move(organ));
   }
   return organs;

@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/motion/clinical_numbers.h"
+#include "viscera/anatomy/part.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/page.h"
@@ -305,7 +305,7 @@ motion::SeriesRequest MotionDialog::request() const {
   for (const QString& file : files_)
     request.inputs.emplace_back(file.toStdString());
   const bool heart = std::any_of(contents_.items.begin(), contents_.items.end(), [](const auto& item) {
-    return item.part == motion::SeriesPart::cavity && motion::heartChamber(item.name);
+    return item.part == motion::SeriesPart::cavity && anatomy::chamberNamed(item.name);
   });
   request.surfaces =
       motion::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());

@@ -148,15 +148,10 @@ Bounds boxOf(const medical_io::LabelMap& map, const std::vector<std::size_t>& se
   return box;
 }
 
-/// Chambers are called and, unless the file colours them, coloured as those of the sample heart.
+/// Chambers are called as those of the sample heart.
 void nameChambers(medical_io::LabelMap& map, const medical_io::HeartLabels& heart) {
-  const Vec3 arterial(0.84, 0.16, 0.14), venous(0.20, 0.36, 0.80);
-  for (const medical_io::HeartLabels::Cavity& cavity : heart.cavities) {
-    medical_io::Segment& segment = map.segments[cavity.segment];
-    segment.name = cavity.chamber;
-    if (!segment.colored)
-      segment.color = cavity.chamber.front() == 'L' ? arterial : venous;
-  }
+  for (const medical_io::HeartLabels::Cavity& cavity : heart.cavities)
+    map.segments[cavity.segment].name = cavity.chamber;
 }
 
 } // namespace
@@ -249,7 +244,7 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
       organ.look.color = *part.color;
     organ.look.opacity = part.opacity;
     if (arrives)
-      arrives({organ.name, part.color, organ.mesh, boundsOf(organ.mesh->points)});
+      arrives({organ.name, organ.look.color, organ.mesh, boundsOf(organ.mesh->points)});
     opened.surfaces.emplace(opened.organs.size(), std::move(read));
     opened.organs.push_back({std::move(organ), part.cavityOf < 0 ? -1 : first + part.cavityOf});
     addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);

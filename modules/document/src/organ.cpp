@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 
@@ -17,6 +18,11 @@ bool isPaintedAlike(const geometry::TriangleMesh& mesh) {
 }
 
 } // namespace
+
+bool isPure(const Vec3& color) {
+  constexpr double kRounding = 1e-9;
+  return color.maxCoeff() - color.minCoeff() > kMostVivid + kRounding;
+}
 
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh) {
   return makeOrgan(std::move(name), std::make_shared<const geometry::TriangleMesh>(std::move(mesh)));
@@ -41,6 +47,10 @@ Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> 
   if (organ.mesh->colors.rows() > 0) // The colour of a painted surface in lists and charts.
     organ.look.color = organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0;
   organ.look.vertexColors = !isPaintedAlike(*organ.mesh);
+  const bool plain = organ.mesh->colors.rows() == 0;
+  const bool numbered = !organ.look.vertexColors && isPure(organ.look.color);
+  if (plain || numbered)
+    organ.look.color = anatomy::colorNamed(organ.name).value_or(organ.look.color);
   organ.boundaryEdges = report.boundaryEdges;
   organ.restVolumeMm3 = report.closed() ? report.volumeMm3 : 0;
   return organ;

@@ -1,18 +1,17 @@
 #include "viscera/lesson/lesson_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
-#include <sstream>
 
 #include "page_strings.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
-#include "viscera/medical_io/organ_norms.h"
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/sequence_setup.h"
 
@@ -27,39 +26,22 @@ std::string capital(std::string text) {
   return text;
 }
 
-/// Of an organ whose name is only its file's: what kind it is. A patient's file may be called by his name.
-std::string kindOf(const Organ& organ, const PageWords& words) {
-  std::string letters = organ.name;
-  for (char& c : letters)
-    if (!std::isalpha(static_cast<unsigned char>(c)))
-      c = ' ';
-  std::istringstream parts(letters);
-  std::string kind, side;
-  for (std::string word; parts >> word;) {
-    if (word == "left" || word == "right")
-      side = word + ' ';
-    else if (const auto norm = medical_io::organNorm(word))
-      kind = norm->name;
-  }
-  if (kind.empty())
+/// The kind of an organ whose name is only its file's: a patient's file may be called by his name. "Organ"
+/// for a part or a lesion of one, and for a kind that has no word in the language of the lesson.
+std::string kindOf(const std::optional<anatomy::Part>& part, const PageWords& words) {
+  if (!part || part->extent != anatomy::Extent::whole)
     return words.said("Organ");
-  return words.said(capital(kind == "kidney" ? side + kind : kind).c_str());
+  const std::string title = anatomy::titleOf(*part), said = words.said(title.c_str());
+  const bool english = words.said(kLanguageCode) == kLanguageCode;
+  return said != title || english ? said : words.said("Organ");
 }
 
 std::string titleOf(const Organ& organ, const PageWords& words) {
-  static const std::array<std::pair<const char*, const char*>, 8> kLong = {{{"LV", "Left ventricle"},
-                                                                            {"lv", "Left ventricle"},
-                                                                            {"RV", "Right ventricle"},
-                                                                            {"rv", "Right ventricle"},
-                                                                            {"LA", "Left atrium"},
-                                                                            {"la", "Left atrium"},
-                                                                            {"RA", "Right atrium"},
-                                                                            {"ra", "Right atrium"}}};
-  for (const auto& [name, title] : kLong)
-    if (organ.name == name)
-      return words.said(title);
+  const std::optional<anatomy::Part> part = anatomy::partNamed(organ.name);
+  if (part && organ.name.size() == anatomy::abbreviationOf(*part).size()) // "LV" or "lv".
+    return words.said(anatomy::titleOf(*part).c_str());
   if (!organ.file.empty() && organ.name == organ.file.stem().string())
-    return kindOf(organ, words);
+    return kindOf(part, words);
   const std::string afterFile = organ.name.substr(organ.name.find('/') + 1); // "abdomen/liver"
   return words.said(capital(afterFile).c_str());
 }
@@ -110,9 +92,8 @@ std::string sourceOf(const motion::NormalRange& range, const PageWords& words) {
          words.named(range.people) + "; " + words.named(range.source) + ".";
 }
 
-/// As organs are called in English, whatever the language of the lesson.
 std::vector<motion::NormalRange> rangesOf(const Organ& organ, const std::string& title) {
-  for (const std::string& name : {organ.name, title, titleOf(organ, PageWords(kLanguageCode))})
+  for (const std::string& name : {organ.name, title})
     if (std::vector<motion::NormalRange> ranges = motion::normalRanges(name); !ranges.empty())
       return ranges;
   return {};

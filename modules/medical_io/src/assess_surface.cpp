@@ -8,12 +8,13 @@
 
 #include "file_bytes.h"
 #include "space_tag.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/self_intersections.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -73,12 +74,13 @@ private:
   }
 
   void checkAxes(const Bounds& box) {
-    const auto norm = organNorm(origin_.name);
+    const auto part = anatomy::partNamed(origin_.name);
+    const anatomy::Side side = part ? anatomy::bodySideOf(*part) : anatomy::Side::none;
     const double x = box.center().x();
-    const bool telling = norm && norm->side != BodySide::middle && std::abs(x) > kBesideMiddleMm &&
-                         std::abs(x) < kWithinBodyMm;
-    if (telling && (x > 0) != (norm->side == BodySide::left)) {
-      const bool left = norm->side == BodySide::left;
+    const bool telling =
+        side != anatomy::Side::none && std::abs(x) > kBesideMiddleMm && std::abs(x) < kWithinBodyMm;
+    const bool left = side == anatomy::Side::left;
+    if (telling && (x > 0) != left) {
       const long at = std::lround(x);
       const char* why = origin_.statedSpace ? "it may be mirrored" : "the file may be in RAS, or mirrored";
       add(FindingSeverity::doubt,
@@ -192,43 +194,37 @@ private:
 
 /// `first` has the smaller coordinate along the axis in a body (LPS).
 struct Order {
-  std::string_view first;
-  std::string_view second;
+  anatomy::Part first, second;
 };
-constexpr std::array<Order, 8> kRightToLeft = {{{"liver", "spleen"},
-                                                {"liver", "stomach"},
-                                                {"liver", "kidney left"},
-                                                {"kidney right", "kidney left"},
-                                                {"kidney right", "spleen"},
-                                                {"kidney right", "stomach"},
-                                                {"gallbladder", "spleen"},
-                                                {"gallbladder", "stomach"}}};
-constexpr std::array<Order, 6> kFrontToBack = {{{"stomach", "kidney left"},
-                                                {"stomach", "kidney right"},
-                                                {"stomach", "spleen"},
-                                                {"liver", "kidney left"},
-                                                {"heart", "kidney left"},
-                                                {"heart", "kidney right"}}};
-
-std::string kindOf(const PlacedOrgan& organ) {
-  const auto norm = organNorm(organ.name);
-  if (!norm)
-    return {};
-  std::string kind(norm->name);
-  if (kind == "kidney" && norm->side != BodySide::middle)
-    kind += norm->side == BodySide::left ? " left" : " right";
-  return kind;
-}
+constexpr anatomy::Part kLiver{"liver"}, kSpleen{"spleen"}, kStomach{"stomach"}, kGallbladder{"gallbladder"},
+    kRightKidney{"kidney", anatomy::Side::right}, kLeftKidney{"kidney", anatomy::Side::left};
+constexpr std::array<Order, 8> kRightToLeft = {{{kLiver, kSpleen},
+                                                {kLiver, kStomach},
+                                                {kLiver, kLeftKidney},
+                                                {kRightKidney, kLeftKidney},
+                                                {kRightKidney, kSpleen},
+                                                {kRightKidney, kStomach},
+                                                {kGallbladder, kSpleen},
+                                                {kGallbladder, kStomach}}};
+constexpr std::array<Order, 6> kFrontToBack = {{{kStomach, kLeftKidney},
+                                                {kStomach, kRightKidney},
+                                                {kStomach, kSpleen},
+                                                {kLiver, kLeftKidney},
+                                                {anatomy::kHeart, kLeftKidney},
+                                                {anatomy::kHeart, kRightKidney}}};
 
 /// Pairs in the right order minus pairs in the wrong one.
 template <std::size_t N>
 int votes(const std::vector<PlacedOrgan>& organs, const std::array<Order, N>& orders, int axis) {
+  std::vector<std::optional<anatomy::Part>> parts;
+  for (const PlacedOrgan& organ : organs)
+    parts.push_back(anatomy::partNamed(organ.name));
   int sum = 0;
-  for (const PlacedOrgan& a : organs)
-    for (const PlacedOrgan& b : organs)
+  for (std::size_t a = 0; a < organs.size(); ++a)
+    for (std::size_t b = 0; b < organs.size(); ++b)
       for (const Order& order : orders)
-        if (kindOf(a) == order.first && kindOf(b) == order.second)
-          sum += a.bounds.center()[axis] < b.bounds.center()[axis] ? 1 : -1;
+        if (parts[a] == order.first && parts[b] == order.second)
+          sum += organs[a].bounds.center()[axis] < organs[b].bounds.center()[axis] ? 1 : -1;
   return sum;
 }
 

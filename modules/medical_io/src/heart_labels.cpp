@@ -1,58 +1,39 @@
 #include "viscera/medical_io/heart_labels.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
 #include "file_bytes.h"
+#include "viscera/anatomy/part.h"
 
 namespace viscera::medical_io {
 namespace {
 
 constexpr const char* kWhole = "Heart";
-
-/// A chamber and the words that its label has.
-struct Chamber {
-  const char* name;
-  std::string_view kind, side;
-};
-constexpr std::array<Chamber, 4> kChambers = {{{"LV", "ventricle", "left"},
-                                               {"RV", "ventricle", "right"},
-                                               {"LA", "atrium", "left"},
-                                               {"RA", "atrium", "right"}}};
-
-bool has(const std::string& text, std::string_view word) {
-  return text.find(word) != std::string::npos;
-}
-
-/// Whether the label is of the heart's muscle, which may be named after the chamber that it is around; not of
-/// muscles anywhere else.
-bool isMuscle(const std::string& name) {
-  return has(name, "myocard") ||
-         (has(name, "muscle") && (has(name, "heart") || has(name, "cardiac") || has(name, "ventric")));
-}
+constexpr std::string_view kMuscle = "myocardium";
 
 } // namespace
 
 std::optional<HeartLabels> heartAmong(const std::vector<std::string>& names) {
   HeartLabels heart;
-  bool ventricle = false;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (isMuscle(lowered(names[i])))
+  std::vector<std::optional<anatomy::Part>> parts;
+  for (const std::string& name : names)
+    parts.push_back(anatomy::partNamed(name));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i] && parts[i]->organ == kMuscle && parts[i]->extent != anatomy::Extent::lesion)
       heart.muscle.push_back(i);
-  for (const Chamber& chamber : kChambers) {
-    bool found = false;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string name = lowered(names[i]);
-      if (isMuscle(name) || !has(name, chamber.kind) || !has(name, chamber.side))
-        continue;
-      if (found)
-        return std::nullopt;
-      found = true;
-      heart.cavities.push_back({chamber.name, i});
-    }
-    ventricle = ventricle || (found && chamber.kind == "ventricle");
+  bool ventricle = false;
+  for (const anatomy::Part& chamber :
+       {anatomy::kLeftVentricle, anatomy::kRightVentricle, anatomy::kLeftAtrium, anatomy::kRightAtrium}) {
+    const auto found = std::find(parts.begin(), parts.end(), chamber);
+    if (found == parts.end())
+      continue;
+    if (std::find(found + 1, parts.end(), chamber) != parts.end())
+      return std::nullopt;
+    heart.cavities.push_back(
+        {std::string(anatomy::abbreviationOf(chamber)), static_cast<std::size_t>(found - parts.begin())});
+    ventricle = ventricle || chamber.chamber == anatomy::Chamber::ventricle;
   }
   if (heart.muscle.empty() || !ventricle)
     return std::nullopt;

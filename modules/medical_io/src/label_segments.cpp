@@ -10,32 +10,13 @@
 
 #include "file_bytes.h"
 #include "text_scanner.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
-
-struct Anatomy {
-  std::string_view word; ///< That a name contains.
-  std::array<int, 3> color;
-};
-
-/// The first that fits counts, so vessels of an organ come before the organ.
-constexpr std::array<Anatomy, 34> kAnatomy = {
-    {{"artery", {216, 101, 79}},     {"aorta", {224, 97, 76}},        {"vein", {0, 151, 206}},
-     {"vena_cava", {0, 151, 206}},   {"tumo", {144, 238, 144}},       {"lesion", {144, 238, 144}},
-     {"cyst", {205, 205, 100}},      {"liver", {221, 130, 101}},      {"spleen", {157, 108, 162}},
-     {"kidney", {185, 102, 83}},     {"heart", {206, 110, 84}},       {"atrium", {206, 110, 84}},
-     {"ventricle", {206, 110, 84}},  {"myocard", {186, 77, 64}},      {"stomach", {216, 132, 105}},
-     {"pancreas", {249, 180, 111}},  {"gallbladder", {139, 150, 98}}, {"bladder", {222, 154, 132}},
-     {"duodenum", {255, 253, 229}},  {"bowel", {205, 167, 142}},      {"colon", {204, 168, 143}},
-     {"esophagus", {211, 171, 143}}, {"adrenal", {244, 186, 150}},    {"lung", {197, 165, 145}},
-     {"trachea", {182, 228, 255}},   {"brain", {250, 250, 225}},      {"thyroid", {62, 162, 114}},
-     {"prostate", {230, 158, 140}},  {"muscle", {192, 104, 88}},      {"gluteus", {192, 104, 88}},
-     {"rib", {241, 214, 145}},       {"vertebra", {241, 214, 145}},   {"bone", {241, 214, 145}},
-     {"skin", {177, 122, 101}}}};
 
 /// Turning by the golden angle keeps the hues of any number of labels apart.
 constexpr double kGoldenTurn = 0.61803398874989485;
@@ -50,16 +31,11 @@ Vec3 colorOfHue(double turn) {
   return color;
 }
 
-/// The colour, 0 to 1, that atlases give the organ of that name ("kidney_left", "Liver", "left kidney"); for
-/// any other name one that depends on the label alone and differs well from its neighbours'.
-Vec3 anatomyColor(std::string_view name, std::int64_t label) {
-  std::string text = lowered(name);
-  std::replace(text.begin(), text.end(), ' ', '_');
-  for (const Anatomy& anatomy : kAnatomy)
-    if (text.find(anatomy.word) != text.npos)
-      return Vec3(anatomy.color[0], anatomy.color[1], anatomy.color[2]) / 255;
+/// The colour, 0 to 1, of the organ of that name; for any other name one that depends on the label alone and
+/// differs well from its neighbours'.
+Vec3 colorOf(std::string_view name, std::int64_t label) {
   const double turns = static_cast<double>(label) * kGoldenTurn;
-  return colorOfHue(turns - std::floor(turns));
+  return anatomy::colorNamed(name).value_or(colorOfHue(turns - std::floor(turns)));
 }
 
 /// One line of UTF-8 without anything that a list or a terminal stumbles over.
@@ -151,7 +127,7 @@ void completeSegments(LabelMap& map) {
     if (segment.name.empty())
       segment.name = "label " + std::to_string(segment.label);
     if (!segment.colored)
-      segment.color = anatomyColor(segment.name, segment.label);
+      segment.color = colorOf(segment.name, segment.label);
     const std::string base = segment.name;
     for (int number = 2; !taken.insert(segment.name).second; ++number)
       segment.name = base + " " + std::to_string(number);

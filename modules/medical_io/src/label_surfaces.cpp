@@ -15,7 +15,7 @@
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "voxel_pieces.h"
 
 namespace viscera::medical_io {

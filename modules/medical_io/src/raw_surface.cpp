@@ -18,7 +18,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 
 namespace viscera::medical_io {
 namespace {

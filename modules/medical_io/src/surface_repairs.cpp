@@ -24,7 +24,7 @@
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/triangle_mesh.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "vtk_poly_data.h"
 
 namespace viscera::medical_io {

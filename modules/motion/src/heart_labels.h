@@ -7,8 +7,7 @@
 
 namespace viscera::motion {
 
-/// The surfaces of a heart by the names of its labels, as TotalSegmentator ("heart_ventricle_left",
-/// "heart_myocardium") and 3D Slicer ("left ventricle of heart", "myocardium") use them: "heart" with muscle
+/// The surfaces of a heart by the names of its labels (`medical_io::heartLabels`): "heart" with muscle
 /// and all chambers, and a cavity for each chamber ("LV", "RV", "LA", "RA"). Empty where there is no muscle
 /// or no ventricle, or where a chamber comes twice.
 std::vector<LabelledSurface> heartSurfaces(const medical_io::LabelMap& map);

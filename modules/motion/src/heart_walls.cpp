@@ -1,9 +1,6 @@
 #include "viscera/motion/heart_walls.h"
 
-#include <algorithm>
-#include <cctype>
-#include <string>
-
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/sequences/beating_heart.h"
 
@@ -16,14 +13,18 @@ std::optional<sequences::HeartFrame> frameOf(const sequences::Sequence* sequence
   return heart ? heart->frame() : std::nullopt;
 }
 
-const document::Organ* organCalled(const document::DocumentState& state, const std::string& wanted) {
-  for (const auto& organ : *state.organs) {
-    std::string name = organ->name;
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    if (name == wanted)
+const document::Organ* chamberOf(const document::DocumentState& state, const anatomy::Part& chamber) {
+  for (const auto& organ : *state.organs)
+    if (anatomy::chamberNamed(organ->name) == chamber)
       return organ.get();
-  }
+  return nullptr;
+}
+
+/// The whole heart of the command line is called like the sample's surface.
+const document::Organ* outerOf(const document::DocumentState& state) {
+  for (const auto& organ : *state.organs)
+    if (organ->name == "outer")
+      return organ.get();
   return nullptr;
 }
 
@@ -31,12 +32,12 @@ const document::Organ* organCalled(const document::DocumentState& state, const s
 
 HeartWalls::HeartWalls(const MotionRunner& runner) : runner_(runner) {
   const std::optional<sequences::HeartFrame> frame = frameOf(runner.sequence().get());
-  const document::Organ* left = organCalled(runner.state(), "lv");
-  const document::Organ* right = organCalled(runner.state(), "rv");
+  const document::Organ* left = chamberOf(runner.state(), anatomy::kLeftVentricle);
+  const document::Organ* right = chamberOf(runner.state(), anatomy::kRightVentricle);
   if (!frame || !left || !right)
     return;
   const document::Organ* outer =
-      left->parent ? runner.state().organ(left->parent).get() : organCalled(runner.state(), "outer");
+      left->parent ? runner.state().organ(left->parent).get() : outerOf(runner.state());
   if (!outer)
     return;
   left_ = left->id;

@@ -5,10 +5,10 @@
 #include "measured_cavities.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/medical_io/organ_norms.h"
 #include "viscera/sequences/heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
 
@@ -79,11 +79,11 @@ const std::vector<SampleSequence>& sampleSequences() {
 }
 
 SequenceMatch matchesOrgan(const SampleSequence& sequence, const std::string& organName) {
-  const auto norm = medical_io::organNorm(organName);
-  if (!norm)
+  const auto part = anatomy::partNamed(organName);
+  if (!part || part->extent != anatomy::Extent::whole || part->chamber != anatomy::Chamber::none)
     return SequenceMatch::unknown;
-  const bool muscle = norm->name == "myocardium" && sequence.organ == "heart";
-  return muscle || norm->name == sequence.organ ? SequenceMatch::yes : SequenceMatch::no;
+  const bool muscle = part->organ == "myocardium" && sequence.organ == anatomy::kHeart.organ;
+  return muscle || part->organ == sequence.organ ? SequenceMatch::yes : SequenceMatch::no;
 }
 
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/motion/clinical_numbers.h"
 #include "viscera/sequences/cardiac_cycle.h"
 #include "viscera/tracking/motion_rig.h"
 
@@ -58,10 +58,10 @@ public:
     for (std::size_t i = 0; i < rest.size(); ++i) {
       rest_.push_back(*rest[i]);
       restMl_.push_back(volumeMl(rest[i]->points, *rest[i]));
-      chambers_.push_back(i == 0 ? std::nullopt : heartChamber(names[i]));
-      if (chambers_[i] == Chamber::leftVentricle)
+      chambers_.push_back(i == 0 ? std::nullopt : anatomy::chamberNamed(names[i]));
+      if (chambers_[i] == anatomy::kLeftVentricle)
         left_ = static_cast<int>(i);
-      if (chambers_[i] == Chamber::rightVentricle)
+      if (chambers_[i] == anatomy::kRightVentricle)
         right_ = static_cast<int>(i);
       if (isAtrium(i))
         atriaMl_ += restMl_[i];
@@ -87,8 +87,8 @@ public:
   void beat(std::vector<Points>& moved, double leftEmptying, double rightEmptying) const {
     double ventricles = 0, still = 0;
     for (std::size_t i = 1; i < moved.size(); ++i) {
-      if (chambers_[i] == Chamber::leftVentricle || chambers_[i] == Chamber::rightVentricle) {
-        const bool isLeft = chambers_[i] == Chamber::leftVentricle;
+      if (chambers_[i] == anatomy::kLeftVentricle || chambers_[i] == anatomy::kRightVentricle) {
+        const bool isLeft = chambers_[i] == anatomy::kLeftVentricle;
         const double wanted =
             restMl_[i] * (1 - (isLeft ? leftEjection_ * leftEmptying : rightEjection_ * rightEmptying));
         narrow(moved[i], isLeft ? middleOf(moved[i]) : septalAnchor(moved), axis_,
@@ -115,7 +115,7 @@ public:
 private:
   static std::size_t at(int surface) { return static_cast<std::size_t>(surface); }
   bool isAtrium(std::size_t i) const {
-    return chambers_[i] == Chamber::leftAtrium || chambers_[i] == Chamber::rightAtrium;
+    return chambers_[i] == anatomy::kLeftAtrium || chambers_[i] == anatomy::kRightAtrium;
   }
   /// Where the right ventricle lies on the septum, which it narrows towards; its middle without a left one.
   Vec3 septalAnchor(const std::vector<Points>& moved) const {
@@ -132,7 +132,7 @@ private:
   Vec3 axis_;
   std::vector<TriangleMesh> rest_;
   std::vector<double> restMl_;
-  std::vector<std::optional<Chamber>> chambers_;
+  std::vector<std::optional<anatomy::Part>> chambers_;
   int left_ = -1, right_ = -1;
   double leftEjection_ = 0, rightEjection_ = 0;
   double tissueMl_ = 0, atriaMl_ = 0;
@@ -156,7 +156,7 @@ std::vector<std::shared_ptr<const document::Organ>> chambersOf(const document::O
                                                                document::OrganId heart) {
   std::vector<std::shared_ptr<const document::Organ>> chambers;
   std::copy_if(organs.begin(), organs.end(), std::back_inserter(chambers), [&](const auto& organ) {
-    return organ->parent == heart && organ->closed() && heartChamber(organ->name);
+    return organ->parent == heart && organ->closed() && anatomy::chamberNamed(organ->name);
   });
   return chambers;
 }
@@ -230,13 +230,14 @@ MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat,
 
 std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
                                                          const document::Organ& organ) {
-  const document::OrganId wanted = organ.parent && heartChamber(organ.name) ? organ.parent : organ.id;
+  const document::OrganId wanted =
+      organ.parent && anatomy::chamberNamed(organ.name) ? organ.parent : organ.id;
   const auto heart =
       std::find_if(organs.begin(), organs.end(), [&](const auto& one) { return one->id == wanted; });
   const std::vector<std::shared_ptr<const document::Organ>> chambers = chambersOf(organs, wanted);
   const bool ventricle = std::any_of(chambers.begin(), chambers.end(), [](const auto& one) {
-    const auto chamber = heartChamber(one->name);
-    return chamber == Chamber::leftVentricle || chamber == Chamber::rightVentricle;
+    const auto chamber = anatomy::chamberNamed(one->name);
+    return chamber == anatomy::kLeftVentricle || chamber == anatomy::kRightVentricle;
   });
   return heart != organs.end() && (*heart)->closed() && ventricle ? *heart : nullptr;
 }

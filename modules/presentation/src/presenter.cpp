@@ -17,6 +17,7 @@
 #include "stress_picture.h"
 #include "untranslated.h"
 #include "valve_picture.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/scene/legend.h"
 
@@ -358,24 +359,18 @@ void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& vi
 }
 
 Vec3 shownColor(const Vec3& color) {
-  constexpr double kMostVivid = 0.7; // Between the largest and the smallest part.
   const double vivid = color.maxCoeff() - color.minCoeff();
-  if (vivid <= kMostVivid + 1e-9)
+  if (!document::isPure(color))
     return color;
   const double middle = 0.5 * (color.maxCoeff() + color.minCoeff());
-  return (middle + (color.array() - middle) * (kMostVivid / vivid)).matrix();
+  return (middle + (color.array() - middle) * (document::kMostVivid / vivid)).matrix();
 }
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(untranslated);
-  if (organ.name == "LV")
-    return say("LV cavity");
-  if (organ.name == "RV")
-    return say("RV cavity");
-  if (organ.name == "LA")
-    return say("LA cavity");
-  if (organ.name == "RA")
-    return say("RA cavity");
+  const std::optional<anatomy::Part> chamber = anatomy::chamberNamed(organ.name);
+  if (chamber && organ.name == anatomy::abbreviationOf(*chamber))
+    return say((organ.name + " cavity").c_str());
   return say(organ.name.c_str());
 }
 

@@ -10,7 +10,7 @@
 #include "shapes.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/triangle_mesh.h"
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"
 
@@ -230,14 +230,7 @@ TEST(SurfaceRepairs, AnUnknownOneNamesThoseThereAre) {
   }
 }
 
-TEST(OrganNorms, NamesWithASideOrANumberAreKnownAndTumoursAreNot) {
-  EXPECT_EQ(organNorm("Kidney_left 2")->side, BodySide::left);
-  EXPECT_EQ(organNorm("LIVER")->side, BodySide::right);
-  EXPECT_EQ(organNorm("liver tumour"), std::nullopt);
-  EXPECT_EQ(organNorm(""), std::nullopt);
-}
-
-TEST(OrganNorms, DoubtsSayWhetherTheyQuoteARangeOrAverages) {
+TEST(PlausibleSize, DoubtsSayWhetherTheyQuoteARangeOrAverages) {
   EXPECT_THAT(*doubtAboutVolume("liver", 239), HasSubstr("19 of 20 adults have 814 to 1906 ml"));
   EXPECT_THAT(*doubtAboutVolume("heart", 90), HasSubstr("have on average 590 to 800 ml"));
   EXPECT_THAT(*doubtAboutVolume("myocardium", 3000), HasSubstr("238 to 314 ml"));

@@ -64,18 +64,5 @@ TEST(VolumeRecord, KeepsTheLastRowsOfALongPlay) {
   EXPECT_EQ(record.milliliters(record.rows() - 100, 1), 1800);
 }
 
-TEST(HeartChamber, IsKnownByTheWordsOfItsName) {
-  for (const char* left :
-       {"LV", "LV cavity", "heart_ventricle_left", "left ventricle of heart", "patient1_LV_ENDOCARDIAL"})
-    EXPECT_EQ(heartChamber(left), Chamber::leftVentricle) << left;
-  for (const char* right : {"rv", "patient1_RV_ENDOCARDIAL", "right ventricle"})
-    EXPECT_EQ(heartChamber(right), Chamber::rightVentricle) << right;
-  EXPECT_EQ(heartChamber("left_atrium"), Chamber::leftAtrium);
-  EXPECT_EQ(heartChamber("RA"), Chamber::rightAtrium);
-  for (const char* other :
-       {"Heart", "lv_wall", "LV myocardium", "EPICARDIAL", "left kidney", "liver", "lavage", ""})
-    EXPECT_EQ(heartChamber(other), std::nullopt) << other;
-}
-
 } // namespace
 } // namespace viscera::motion

@@ -57,7 +57,7 @@ Command openCommand(std::string name, OpenedFiles files, bool replacing, PlaceHa
 /// An organ that is already read, of a file of which others are still being read.
 struct ArrivingOrgan {
   std::string name;
-  std::optional<Vec3> color;                          ///< The colour given in its file.
+  Vec3 color;                                         ///< The colour that it will have.
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As it was read; never null.
   Bounds whole; ///< mm LPS: what the organs of its file will fill, as far as that is known.
 };

@@ -54,12 +54,19 @@ struct Organ {
   bool closed() const { return boundaryEdges == 0; }
 };
 
+/// The most by which the largest part of a tissue's colour exceeds the smallest.
+inline constexpr double kMostVivid = 0.7;
+
+/// Whether a colour is purer than any tissue: tables of label maps number their labels with such colours.
+bool isPure(const Vec3& color);
+
 /// Makes an organ without an id from a surface: checks the indices and coordinates, counts its open edges and
 /// measures its volume, O(m log m), so that a worker can do it before the document is touched. What is wrong
 /// with the surface becomes a warning each; a closed one that is inside out is turned around. A painted one
 /// has the mean of its colours for its own; one that is painted in a single colour is seen as every organ in
-/// a colour of its own, and not by its vertices. Throws `DataError` for an invalid mesh or one without
-/// triangles.
+/// a colour of its own, and not by its vertices. An organ that its name tells has the colour of
+/// `anatomy::colorNamed` where the surface has no colour, or a single one that `isPure`. Throws `DataError`
+/// for an invalid mesh or one without triangles.
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);

@@ -21,8 +21,8 @@ struct HeartLabels {
   std::vector<Cavity> cavities;    ///< In the order of `Cavity::chamber`; at least one ventricle.
 };
 
-/// The heart by the names of labels, as TotalSegmentator ("heart_ventricle_left", "heart_myocardium") and 3D
-/// Slicer ("left ventricle of heart", "myocardium") use them. None where there is no muscle or no ventricle,
+/// The heart by the names of labels (`anatomy::partNamed`): "heart_ventricle_left" and "heart_myocardium", or
+/// "LV" and "myocardium". None where there is no muscle or no ventricle,
 /// or where a chamber comes twice. O(names).
 std::optional<HeartLabels> heartAmong(const std::vector<std::string>& names);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,16 +40,9 @@ struct NormalRange {
   std::string source;  ///< "Petersen 2017, doi ..."
 };
 
-/// The ranges known for an organ, by its name in a sample ("LV", "RV", "Stomach", "kidney_left"; capitals do
-/// not matter), of the table of `anatomy` and for that person; empty for any other. The heart has none: its
-/// surface takes in stumps of the great vessels, and no spread of the whole organ is known.
+/// The ranges known for the organ that a name means (`anatomy::partNamed`), for that person; empty for any
+/// other, and for a kidney without a side. The heart has none: its surface takes in stumps of the great
+/// vessels, and no spread of the whole organ is known.
 std::vector<NormalRange> normalRanges(const std::string& organ, const anatomy::Person& person = {});
-
-/// The chambers of the heart.
-enum class Chamber { leftVentricle, rightVentricle, leftAtrium, rightAtrium };
-
-/// Finds by the name of an organ which chamber's cavity it is: "LV", "patient1_RV_ENDOCARDIAL", "left atrium
-/// of heart". None for anything else, walls and muscle too.
-std::optional<Chamber> heartChamber(const std::string& organ);
 
 } // namespace viscera::motion

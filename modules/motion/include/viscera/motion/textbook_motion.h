@@ -20,13 +20,13 @@ struct TextbookBeat {
 };
 
 /// Makes a series of phases from one image of a heart (`readOnePhase`; its outer surface first, a cavity for
-/// each chamber with a name that `heartChamber` recognises) that beats like the textbook's heart. The result
-/// is an input for `trackMotion`. The first phase is the image, taken as the end of diastole. The outer
-/// surface moves as `retargetSequence` moves it; the left ventricle narrows about its long axis to reach the
-/// ejection fraction, the right one towards the septum by the same volume; the atria take the remaining
-/// volume of the outer surface, so that muscle keeps its volume, and where there are none the outer surface
-/// follows. Throws what `retargetSequence` throws, `DataError` without a ventricle, `UsageError` for an
-/// ejection fraction outside (0.1, 0.8), `Cancelled`. Some seconds.
+/// each chamber with a name that `anatomy::chamberNamed` knows) that beats like the textbook's heart. The
+/// result is an input for `trackMotion`. The first phase is the image, taken as the end of diastole. The
+/// outer surface moves as `retargetSequence` moves it; the left ventricle narrows about its long axis to
+/// reach the ejection fraction, the right one towards the septum by the same volume; the atria take the
+/// remaining volume of the outer surface, so that muscle keeps its volume, and where there are none the outer
+/// surface follows. Throws what `retargetSequence` throws, `DataError` without a ventricle, `UsageError` for
+/// an ejection fraction outside (0.1, 0.8), `Cancelled`. Some seconds.
 MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat, Progress& progress,
                             Threads threads = {});
 

@@ -7,23 +7,8 @@
 
 #include "viscera/core/arrays.h"
 
-/// Usual volume and place of adult organs, by which doubtful surfaces are found.
+/// Whether a surface has the size of an organ, by which files in another unit are found.
 namespace viscera::medical_io {
-
-/// The side of the body on which an organ lies.
-enum class BodySide { right, middle, left };
-
-/// The usual volume and side of an organ, found by its name. A heart is the whole organ with its blood, a
-/// myocardium its muscle.
-struct OrganNorm {
-  std::string_view name;   ///< "kidney"
-  std::string_view one;    ///< "a kidney", for sentences.
-  std::string_view volume; ///< Its row in the table of `anatomy`; empty where fillings differ too much.
-  BodySide side = BodySide::middle;
-};
-
-/// Finds the norm of an organ by its name: "Kidney_left 2" is a left kidney, "liver tumour" has no norm.
-std::optional<OrganNorm> organNorm(std::string_view name);
 
 /// "liver" of 239 ml: as a sentence, when its volume is less than half or more than twice what 19 of 20
 /// adults have, or, where only averages are known, beyond three times those.

@@ -1,14 +1,14 @@
-#include "viscera/document/organ_system.h"
+#include "viscera/anatomy/organ_facts.h"
 
 #include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
 
-namespace viscera::document {
+namespace viscera::anatomy {
 namespace {
 
-TEST(OrganSystem, KnowsTheNamesOfSegmentersAndAtlases) {
+TEST(OrganSystems, KnowsTheNamesOfSegmentersAndAtlases) {
   const std::map<std::string, std::string> known = {{"kidney_left", "Urinary system"},
                                                     {"urinary_bladder", "Urinary system"},
                                                     {"right renal pelvis", "Urinary system"},
@@ -37,11 +37,11 @@ TEST(OrganSystem, KnowsTheNamesOfSegmentersAndAtlases) {
                                                     {"prostate", "Reproductive system"},
                                                     {"skin", "Skin and fat"}};
   for (const auto& [name, system] : known)
-    EXPECT_EQ(organSystem(name), system) << name;
+    EXPECT_EQ(systemNamed(name), system) << name;
 }
 
 /// As TotalSegmentator (brain_structures), FreeSurfer and the atlases of 3D Slicer name them.
-TEST(OrganSystem, TellsTheBrainFromHipAndHeart) {
+TEST(OrganSystems, TellsTheBrainFromHipAndHeart) {
   for (const char* name : {"hippocampus",
                            "Left-Hippocampus",
                            "right amygdala",
@@ -73,7 +73,7 @@ TEST(OrganSystem, TellsTheBrainFromHipAndHeart) {
                            "pons",
                            "optic nerve",
                            "sympathetic trunk"})
-    EXPECT_EQ(organSystem(name), "Nervous system") << name;
+    EXPECT_EQ(systemNamed(name), "Nervous system") << name;
   const std::map<std::string, std::string> others = {{"hip_left", "Bones and joints"},
                                                      {"left hip bone", "Bones and joints"},
                                                      {"Hips", "Bones and joints"},
@@ -87,18 +87,18 @@ TEST(OrganSystem, TellsTheBrainFromHipAndHeart) {
                                                      {"middle cerebral artery", "Arteries"},
                                                      {"venous_sinuses", "Veins"}};
   for (const auto& [name, system] : others)
-    EXPECT_EQ(organSystem(name), system) << name;
+    EXPECT_EQ(systemNamed(name), system) << name;
 }
 
-TEST(OrganSystem, OfANameThatSaysNothingIsTheLastOne) {
+TEST(OrganSystems, OfANameThatSaysNothingIsTheLastOne) {
   for (const char* name : {"", "label 699", "Mesh1", "Attribute", "distribution", "\xC3\xA4\xC3\xB6"})
-    EXPECT_EQ(organSystem(name), organSystems().back()) << name;
+    EXPECT_EQ(systemNamed(name), organSystems().back()) << name;
 }
 
-TEST(OrganSystem, IsOneOfTheList) {
+TEST(OrganSystems, IsOneOfTheList) {
   const auto& all = organSystems();
-  EXPECT_EQ(std::count(all.begin(), all.end(), organSystem("liver")), 1);
+  EXPECT_EQ(std::count(all.begin(), all.end(), systemNamed("liver")), 1);
 }
 
 } // namespace
-} // namespace viscera::document
+} // namespace viscera::anatomy

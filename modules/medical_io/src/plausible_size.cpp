@@ -1,13 +1,14 @@
-#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/core/phrase.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
-#include "file_bytes.h"
-#include "viscera/anatomy/norms.h"
+#include "viscera/anatomy/organ_facts.h"
+#include "viscera/anatomy/part.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -23,33 +24,40 @@ constexpr double kTypicalHighMm = 600;
 constexpr double kAwayFromSpread = 1.5;
 constexpr double kAwayFromAverages = 3;
 
-/// Names and sides of known organs, and their row in the table of normal ranges.
-const std::array<OrganNorm, 8>& knownOrgans() {
-  static const std::array<OrganNorm, 8> kOrgans = {
-      {{"liver", "a liver", "liver.volume", BodySide::right},
-       {"spleen", "a spleen", "spleen.volume", BodySide::left},
-       {"kidney", "a kidney", "kidney.left", BodySide::middle},
-       {"heart", "a heart", "heart.volume", BodySide::middle},
-       {"myocardium", "a myocardium", "heart.muscle", BodySide::middle},
-       {"stomach", "a stomach", {}, BodySide::left},
-       {"gallbladder", "a gallbladder", {}, BodySide::right},
-       {"pancreas", "a pancreas", "pancreas.volume", BodySide::middle}}};
-  return kOrgans;
-}
-
 std::string roundedText(double value) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
   return value >= 1000 && value < 1e6 ? std::to_string(std::lround(value)) : buffer;
 }
 
+/// The organ that a name means, and its normal volume.
+struct Expected {
+  anatomy::Part organ;
+  const anatomy::Norm* volume = nullptr; ///< Never null.
+};
+
+/// None for an organ without a known volume, and for one whose volume depends on what it holds.
+std::optional<Expected> expectedOf(std::string_view name) {
+  const auto part = anatomy::partNamed(name);
+  const anatomy::Norm* volume = part ? anatomy::volumeNormOf(*part) : nullptr;
+  if (!volume || anatomy::organ(part->organ).fills)
+    return std::nullopt;
+  return Expected{*part, volume};
+}
+
 /// How far a volume is from what is normal, as a part of how far a life-sized organ may be; 1 and less for
 /// those.
-double awayFrom(const OrganNorm& organ, double volumeMl) {
-  const anatomy::Norm& norm = anatomy::norm(organ.volume);
-  const anatomy::Range range = anatomy::rangeOf(norm);
+double awayFrom(const Expected& organ, double volumeMl) {
+  const anatomy::Range range = anatomy::rangeOf(*organ.volume);
   const double factor = std::max({range.low / volumeMl, volumeMl / range.high, 1.0});
-  return factor / (norm.kind == anatomy::Kind::averages ? kAwayFromAverages : kAwayFromSpread);
+  return factor / (organ.volume->kind == anatomy::Kind::averages ? kAwayFromAverages : kAwayFromSpread);
+}
+
+/// "a kidney", for sentences.
+std::string oneOf(const anatomy::Part& organ) {
+  std::string title(anatomy::organ(organ.organ).title);
+  title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+  return "a " + title;
 }
 
 /// "19 of 20 adults have 814 to 1906 ml".
@@ -67,41 +75,12 @@ bool isTypical(double diagonalMm) {
 
 } // namespace
 
-std::optional<OrganNorm> organNorm(std::string_view name) {
-  std::string organ, word;
-  std::optional<BodySide> side;
-  const auto endWord = [&] {
-    if (word == "left" || word == "l")
-      side = BodySide::left;
-    else if (word == "right" || word == "r")
-      side = BodySide::right;
-    else
-      organ += word;
-    word.clear();
-  };
-  for (const char c : lowered(name))
-    if (c >= 'a' && c <= 'z')
-      word += c;
-    else
-      endWord();
-  endWord();
-  const auto found = std::find_if(knownOrgans().begin(), knownOrgans().end(),
-                                  [&](const OrganNorm& norm) { return norm.name == organ; });
-  if (found == knownOrgans().end())
-    return std::nullopt;
-  OrganNorm norm = *found;
-  norm.side = side.value_or(norm.side);
-  if (norm.name == "kidney" && norm.side == BodySide::right)
-    norm.volume = "kidney.right";
-  return norm;
-}
-
 std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl) {
-  const auto norm = organNorm(name);
-  if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
+  const auto expected = expectedOf(name);
+  if (!expected || awayFrom(*expected, volumeMl) <= 1)
     return std::nullopt;
-  return phrase("%1 of %2 ml is not life-sized: %3", norm->one, roundedText(volumeMl),
-                whatAdultsHave(anatomy::norm(norm->volume)));
+  return phrase("%1 of %2 ml is not life-sized: %3", oneOf(expected->organ), roundedText(volumeMl),
+                whatAdultsHave(*expected->volume));
 }
 
 const std::vector<LengthUnit>& lengthUnits() {
@@ -113,14 +92,15 @@ const std::vector<LengthUnit>& lengthUnits() {
 }
 
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl) {
-  const auto norm = organNorm(name);
-  const bool byVolume = norm && !norm->volume.empty() && volumeMl > 0;
-  const bool odd = byVolume ? awayFrom(*norm, volumeMl) > 1
+  const auto expected = expectedOf(name);
+  const bool byVolume = expected && volumeMl > 0;
+  const bool odd = byVolume ? awayFrom(*expected, volumeMl) > 1
                             : diagonalMm < kSmallestDiagonalMm || diagonalMm > kLargestDiagonalMm;
   std::vector<LengthUnit> fitting;
   for (const LengthUnit& unit : lengthUnits()) {
     const double scaledMl = volumeMl * std::pow(unit.mm, 3);
-    if (odd && unit.mm != 1 && (byVolume ? awayFrom(*norm, scaledMl) <= 1 : isTypical(diagonalMm * unit.mm)))
+    if (odd && unit.mm != 1 &&
+        (byVolume ? awayFrom(*expected, scaledMl) <= 1 : isTypical(diagonalMm * unit.mm)))
       fitting.push_back(unit);
   }
   // A shrunken liver has no usual volume in any unit, but still the size of an organ in the right one.
@@ -128,7 +108,8 @@ std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, d
     return unitsThatFit(name, diagonalMm, 0);
   if (byVolume)
     std::stable_sort(fitting.begin(), fitting.end(), [&](const LengthUnit& a, const LengthUnit& b) {
-      return awayFrom(*norm, volumeMl * std::pow(a.mm, 3)) < awayFrom(*norm, volumeMl * std::pow(b.mm, 3));
+      return awayFrom(*expected, volumeMl * std::pow(a.mm, 3)) <
+             awayFrom(*expected, volumeMl * std::pow(b.mm, 3));
     });
   return fitting;
 }
