@@ -33,7 +33,7 @@ Vec3 colorOfHue(double turn) {
 
 /// The colour, 0 to 1, of the organ of that name; for any other name one that depends on the label alone and
 /// differs well from its neighbours'.
-Vec3 colorOf(std::string_view name, std::int64_t label) {
+Vec3 colorOfLabel(std::string_view name, std::int64_t label) {
   const double turns = static_cast<double>(label) * kGoldenTurn;
   return anatomy::colorNamed(name).value_or(colorOfHue(turns - std::floor(turns)));
 }
@@ -127,7 +127,7 @@ void completeSegments(LabelMap& map) {
     if (segment.name.empty())
       segment.name = "label " + std::to_string(segment.label);
     if (!segment.colored)
-      segment.color = colorOf(segment.name, segment.label);
+      segment.color = colorOfLabel(segment.name, segment.label);
     const std::string base = segment.name;
     for (int number = 2; !taken.insert(segment.name).second; ++number)
       segment.name = base + " " + std::to_string(number);

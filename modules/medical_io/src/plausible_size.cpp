@@ -1,14 +1,13 @@
 #include "viscera/medical_io/plausible_size.h"
-#include "viscera/core/phrase.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 
 #include "viscera/anatomy/organ_facts.h"
 #include "viscera/anatomy/part.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {

@@ -13,7 +13,7 @@ std::optional<sequences::HeartFrame> frameOf(const sequences::Sequence* sequence
   return heart ? heart->frame() : std::nullopt;
 }
 
-const document::Organ* chamberOf(const document::DocumentState& state, const anatomy::Part& chamber) {
+const document::Organ* chamberIn(const document::DocumentState& state, const anatomy::Part& chamber) {
   for (const auto& organ : *state.organs)
     if (anatomy::chamberNamed(organ->name) == chamber)
       return organ.get();
@@ -21,7 +21,7 @@ const document::Organ* chamberOf(const document::DocumentState& state, const ana
 }
 
 /// The whole heart of the command line is called like the sample's surface.
-const document::Organ* outerOf(const document::DocumentState& state) {
+const document::Organ* outerIn(const document::DocumentState& state) {
   for (const auto& organ : *state.organs)
     if (organ->name == "outer")
       return organ.get();
@@ -32,12 +32,12 @@ const document::Organ* outerOf(const document::DocumentState& state) {
 
 HeartWalls::HeartWalls(const MotionRunner& runner) : runner_(runner) {
   const std::optional<sequences::HeartFrame> frame = frameOf(runner.sequence().get());
-  const document::Organ* left = chamberOf(runner.state(), anatomy::kLeftVentricle);
-  const document::Organ* right = chamberOf(runner.state(), anatomy::kRightVentricle);
+  const document::Organ* left = chamberIn(runner.state(), anatomy::kLeftVentricle);
+  const document::Organ* right = chamberIn(runner.state(), anatomy::kRightVentricle);
   if (!frame || !left || !right)
     return;
   const document::Organ* outer =
-      left->parent ? runner.state().organ(left->parent).get() : outerOf(runner.state());
+      left->parent ? runner.state().organ(left->parent).get() : outerIn(runner.state());
   if (!outer)
     return;
   left_ = left->id;
