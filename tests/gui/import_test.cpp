@@ -403,7 +403,9 @@ TEST_F(Import, OrgansAreSeenAsTheyArriveInPlaceOfASampleThatIsSeenAgainWhenNoneI
   app::ArrivingSurfaces& arrival = window().arrivingSurfaces();
   const auto ticket = arrival.begin(true);
   const auto tell = app::ArrivingSurfaces::listener(ticket);
-  std::thread([&] { tell({"liver", std::nullopt, arriving, boundsOf(arriving->points)}); }).join();
+  std::thread([&] {
+    tell({"liver", document::OrganLook().color, arriving, boundsOf(arriving->points)});
+  }).join();
   ASSERT_TRUE(waitUntil([&] { return seen(arriving); }));
   EXPECT_FALSE(seen(sample.organ.mesh));
   EXPECT_LT((view().view().bounds().center() - boundsOf(arriving->points).center()).norm(), 1);
@@ -411,7 +413,7 @@ TEST_F(Import, OrgansAreSeenAsTheyArriveInPlaceOfASampleThatIsSeenAgainWhenNoneI
   arrival.end(ticket, false);
   EXPECT_FALSE(seen(arriving));
   EXPECT_TRUE(seen(sample.organ.mesh));
-  tell({"spleen", std::nullopt, arriving, boundsOf(arriving->points)});
+  tell({"spleen", document::OrganLook().color, arriving, boundsOf(arriving->points)});
   QTest::qWait(300);
   EXPECT_FALSE(seen(arriving)) << "what comes too late is not shown";
 }

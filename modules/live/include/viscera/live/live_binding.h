@@ -100,8 +100,8 @@ public:
   deformation::Deformer* deformer(document::OrganId organ);
   BindingStatus status(document::OrganId organ) const;
   OrganVolume volume(document::OrganId organ) override;
-  /// How often surfaces were measured so far: at most once for a pose, whoever shows volumes. For tests and
-  /// benchmarks.
+  /// How often surfaces were measured so far: at most once for a pose, for any number of readers. Tests and
+  /// benchmarks read it.
   std::uint64_t measurings() const;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   Values influence(document::OrganId organ, document::HandleId handle) const override;

@@ -40,7 +40,7 @@ public:
   /// A number that changes whenever the organ's vertices have other values or another place in memory.
   virtual std::uint64_t revision(document::OrganId organ) const = 0;
   /// Volume at rest and now. The first request after a move measures all organs that have moved, in one
-  /// parallel loop, O(triangles); every other request in the same pose costs nothing. So whoever shows a
+  /// parallel loop, O(triangles); every other request in the same pose costs nothing. So each reader of a
   /// volume asks here.
   virtual OrganVolume volume(document::OrganId organ) = 0;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
