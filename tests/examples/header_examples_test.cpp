@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <regex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@
 #include <vtkSmartPointer.h>
 
 #include "build_paths.h"
+#include "clouds.h"
 #include "session_fixture.h"
 #include "shapes.h"
 #include "viscera/anatomy/norms.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
@@ -31,6 +34,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/geometry/coarse_triangles.h"
+#include "viscera/geometry/median_tree.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/lesson/lesson_plan.h"
 #include "viscera/localised_scc/region_layout.h"
@@ -308,6 +312,44 @@ TEST(HeaderExamples, Norms) {
   const Range range = rangeOf(volume, {Sex::women, 1.8});
   const bool usual = range.holds(120);
   EXPECT_EQ(usual, range.low <= 120 && range.high >= 120);
+}
+
+TEST(HeaderExamples, Part) {
+  using namespace anatomy;
+  const std::optional<Part> part = partNamed("lung_upper_lobe_left");
+  const bool wholeLung = part == Part{"lung", Side::left}; // No: it is a piece.
+  EXPECT_FALSE(wholeLung);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->organ, "lung");
+}
+
+TEST(HeaderExamples, MedianTree) {
+  using namespace geometry;
+  const Points points = tests::onSphere(100, 10);
+  const Vec3 wanted(3, 4, 5);
+  const int count = static_cast<int>(points.rows());
+  const auto boxAround = [&](std::span<const int> items, Vec3& sides) {
+    Points within(static_cast<Eigen::Index>(items.size()), 3);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      within.row(static_cast<Eigen::Index>(i)) = points.row(items[i]);
+    const Bounds box = boundsOf(within);
+    sides = box.high - box.low;
+    return box;
+  };
+  const auto comesFirst = [&](int a, int b, Eigen::Index axis) { return points(a, axis) < points(b, axis); };
+  const auto distanceToBox = [&](const Bounds& box) {
+    return (wanted.cwiseMax(box.low).cwiseMin(box.high) - wanted).norm();
+  };
+  double best = std::numeric_limits<double>::infinity();
+  const auto isFartherThanTheBest = [&](const Bounds&, double distance) { return distance > best; };
+  const auto compare = [&](const std::vector<int>& order, int begin, int end) {
+    for (int place = begin; place < end; ++place)
+      best = std::min(best, (points.row(order[std::size_t(place)]).transpose() - wanted).norm());
+  };
+  const MedianTree<Bounds> tree(count, 4, boxAround, comesFirst);
+  const auto searchItems = [&](int begin, int end) { compare(tree.order(), begin, end); };
+  tree.searchNearestFirst(distanceToBox, isFartherThanTheBest, searchItems);
+  EXPECT_EQ(best, (points.rowwise() - wanted.transpose()).rowwise().norm().minCoeff());
 }
 
 TEST(HeaderExamples, Plugin) {

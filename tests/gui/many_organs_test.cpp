@@ -376,19 +376,20 @@ TEST_F(ManyOrgans, TheSquareOfACavityIsClickedWhereItIs) {
 TEST_F(ManyOrgans, ThatAreChosenGetOneColourInOneStep) {
   choose({QStringLiteral("spleen"), QStringLiteral("liver")});
   const std::size_t before = steps();
-  const Vec3 old = organ("aorta").look.color;
+  const Vec3 aorta = organ("aorta").look.color, spleen = organ("spleen").look.color,
+             liver = organ("liver").look.color;
   find<QAction>("organColor").trigger();
   QWidget* palette = QApplication::activePopupWidget();
   ASSERT_NE(palette, nullptr);
   palette->findChildren<QToolButton*>().back()->click();
   settle();
-  EXPECT_NE(organ("spleen").look.color, old);
+  EXPECT_NE(organ("spleen").look.color, spleen);
   EXPECT_EQ(organ("spleen").look.color, organ("liver").look.color);
-  EXPECT_EQ(organ("aorta").look.color, old);
+  EXPECT_EQ(organ("aorta").look.color, aorta);
   EXPECT_EQ(steps(), before + 1);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(organ("spleen").look.color, old);
-  EXPECT_EQ(organ("liver").look.color, old);
+  EXPECT_EQ(organ("spleen").look.color, spleen);
+  EXPECT_EQ(organ("liver").look.color, liver);
 }
 
 TEST_F(ManyOrgans, ThatAreChosenGetOneOpacityInOneStep) {

@@ -44,7 +44,7 @@ constexpr const char* kSilent[] = {
     "/deformation/tetgen_worker/",    "/sample_organs/src/definition/",
     "/sample_organs/src/surface/",    "/report/src/page_markup.cpp",
     "/report/src/session_script.cpp", "/anatomy/src/table/",
-    "/anatomy/src/organ_facts.cpp"};
+    "/anatomy/src/organ_facts.cpp",   "/anatomy/src/phrase_index.cpp"};
 
 QStringList sourcesOf(const QString& folder) {
   QStringList files;

@@ -79,16 +79,18 @@ protected:
   void expectNumbersOverABeat() {
     constexpr int kFrames = 24;
     const live::LiveBinding& live = window().workspace().live();
+    const std::uint64_t first = live.measurings();
     for (int frame = 0; frame < kFrames; ++frame) {
       const std::uint64_t measured = live.measurings();
       now_ += 0.8 / kFrames;
       window().playback().advance();
       QCoreApplication::processEvents();
       expectNumbersOfTheFrame();
-      EXPECT_EQ(live.measurings(), measured + 1) << "frame " << frame;
+      EXPECT_LE(live.measurings(), measured + 1) << "frame " << frame;
       if (HasFailure())
         return;
     }
+    EXPECT_GT(live.measurings(), first + kFrames / 2) << "the heart rests for a few frames only";
   }
 };
 

@@ -17,6 +17,7 @@ namespace viscera::geometry {
 /// searched from several threads.
 ///
 ///     const MedianTree<Bounds> tree(count, 4, boxAround, comesFirst);
+///     const auto searchItems = [&](int begin, int end) { compare(tree.order(), begin, end); };
 ///     tree.searchNearestFirst(distanceToBox, isFartherThanTheBest, searchItems);
 template <class Summary>
 class MedianTree {
