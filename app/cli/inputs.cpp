@@ -112,6 +112,18 @@ bool namesLabel(const std::string& organ) {
   return reference && !reference->labels.empty();
 }
 
+std::vector<document::Organ> organInputs(medical_io::LabelMap map, const std::string& organ,
+                                         Progress& progress) {
+  std::vector<document::Organ> result;
+  for (document::NewOrgan& item : document::labelBatch(std::move(map), organ, {}, progress)) {
+    for (std::string& warning : item.organ.warnings)
+      warning = organ + ": " + item.organ.name + ": " + warning;
+    requireSize(item.organ, organ);
+    result.push_back(std::move(item.organ));
+  }
+  return result;
+}
+
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress) {
   std::vector<document::Organ> result;

@@ -9,6 +9,7 @@
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// Reads the organs and handles that a command names in its arguments.
@@ -52,6 +53,10 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
 /// As above, but all surfaces of a sample organ, and all labels of a label map, when none is named.
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress);
+
+/// The organs of a label map that was read from the file ORGAN. Throws as above.
+std::vector<document::Organ> organInputs(medical_io::LabelMap map, const std::string& organ,
+                                         Progress& progress);
 
 /// All organs of the file or session that the argument ORGAN refers to, each cavity with its organ.
 struct OrgansAround {

@@ -96,9 +96,8 @@ void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& 
       warnings.push_back(finding.sentence);
 }
 
-Outcome describeScan(const std::string& file, const ScanInputOptions& options, CommandContext& context) {
+Outcome describeScan(const medical_io::Scan& scan, const std::string& file, CommandContext& context) {
   const std::vector<medical_io::ScanSeries> series = medical_io::listScans(file, context.progress);
-  const medical_io::Scan scan = options.read(file, context.progress);
   const std::array<double, 2> range = scan.range();
   const medical_io::ValueWindow window = scan.firstWindow();
   const Bounds bounds = scan.bounds();

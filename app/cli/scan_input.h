@@ -19,6 +19,8 @@ public:
   medical_io::Scan read(const std::string& file, Progress& progress) const;
   medical_io::Scan read(Progress& progress) const { return read(file_, progress); }
   const std::string& file() const { return file_; }
+  /// The series and the phase that were asked for.
+  const medical_io::ScanOptions& chosen() const { return chosen_; }
 
 private:
   std::string file_;
@@ -29,6 +31,6 @@ private:
 void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan);
 
 /// Describes the contents of a scan and lists the other series in its folder.
-Outcome describeScan(const std::string& file, const ScanInputOptions& options, CommandContext& context);
+Outcome describeScan(const medical_io::Scan& scan, const std::string& file, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <exception>
 #include <iterator>
 #include <utility>
 
@@ -38,33 +37,6 @@ bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
     return false;
   const auto series = medical_io::listScans(place, progress);
   return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
-}
-
-/// As `document::takeScan`, but scans that cannot be read are left out and told in `damaged`; `first` becomes
-/// what the first of them has thrown.
-std::shared_ptr<const document::ScanItem> takeReadableScan(std::vector<std::filesystem::path>& files,
-                                                           document::OpenedFiles& damaged,
-                                                           std::exception_ptr& first, Progress& progress) {
-  for (auto file = files.begin(); file != files.end();) {
-    std::vector<std::filesystem::path> one = {*file};
-    try {
-      const auto take = [&] { return document::takeScan(one, progress); };
-      if (auto scan = explainingShortMemory(file->string(), take)) {
-        files.erase(file);
-        return std::make_shared<const document::ScanItem>(std::move(*scan));
-      }
-      ++file;
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      damaged.failures.push_back(error);
-      damaged.leftOut.push_back(*file);
-      if (!first)
-        first = std::current_exception();
-      file = files.erase(file);
-    }
-  }
-  return nullptr;
 }
 
 /// Those of the files that are there; all of them where none is.
@@ -178,25 +150,15 @@ void FileActions::open(const QStringList& files, bool check) {
       });
 }
 
-FileActions::Read FileActions::readAll(std::vector<std::filesystem::path> files,
+FileActions::Read FileActions::readAll(const std::vector<std::filesystem::path>& files,
                                        const document::ArrivingOrganListener& arrives,
                                        document::Sessions sessions, Progress& progress) {
   Read read;
   read.several = files.size() == 1 && hasSeveralScans(files[0], progress);
   if (read.several)
     return read;
-  document::OpenedFiles damaged;
-  std::exception_ptr first;
-  read.scan = takeReadableScan(files, damaged, first, progress);
-  if (files.empty() && first && !read.scan)
-    std::rethrow_exception(first);
-  if (!files.empty() || !read.scan)
-    read.draft = document::draftOf(read.scan ? document::openReadable(files, progress, arrives, sessions)
-                                             : document::openFiles(files, progress, arrives, sessions),
-                                   progress);
-  document::OpenedFiles& opened = read.draft.files;
-  opened.failures.insert(opened.failures.begin(), damaged.failures.begin(), damaged.failures.end());
-  opened.leftOut.insert(opened.leftOut.begin(), damaged.leftOut.begin(), damaged.leftOut.end());
+  read.draft = document::draftOf(document::openPatient(files, progress, arrives, sessions), progress);
+  read.scan = read.draft.files.scan;
   return read;
 }
 

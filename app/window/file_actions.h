@@ -90,7 +90,7 @@ private:
   };
 
   /// Reads what can be read, for a worker; throws what one of the files throws where that is nothing.
-  static Read readAll(std::vector<std::filesystem::path> files,
+  static Read readAll(const std::vector<std::filesystem::path>& files,
                       const document::ArrivingOrganListener& arrives, document::Sessions sessions,
                       Progress& progress);
   QString folder() const;

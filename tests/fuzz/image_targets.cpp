@@ -38,8 +38,10 @@ void checkLabels(const medical_io::LabelMap& map) {
   checkGrid(map.size, map.indexToLps);
   for (const auto& layer : map.layers) {
     require(layer.size() == map.voxelCount(), "A layer has all voxels.");
-    require(layer.empty() || *std::max_element(layer.begin(), layer.end()) <= map.segments.size(),
-            "A voxel is of a segment.");
+    layer.visit([&](const auto& voxels) {
+      require(voxels.empty() || *std::max_element(voxels.begin(), voxels.end()) <= map.segments.size(),
+              "A voxel is of a segment.");
+    });
   }
 }
 

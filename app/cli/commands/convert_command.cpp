@@ -79,15 +79,16 @@ private:
       throw UsageError("a surface cannot be written as a handle file", out_,
                        "viscera handles places handles");
     medical_io::SurfaceFile surface = medical_io::readSurface(in_);
-    const auto assess = [&](const geometry::TriangleMesh& mesh) {
+    const auto assess = [&](const geometry::TriangleMesh& mesh, const geometry::SurfaceReport& report) {
       return medical_io::assessSurface(
-                 mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
+                 mesh, report,
+                 {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
                  context.progress, context.threads)
           .findings;
     };
     Outcome outcome;
     outcome.warnings = surface.warnings;
-    removeFindings(outcome.warnings, assess(surface.mesh));
+    removeFindings(outcome.warnings, assess(surface.mesh, surface.report));
     geometry::TriangleMesh mesh = std::move(surface.mesh);
     if (turned(surface.space, fromSpace_))
       mesh = geometry::turnedHalf(std::move(mesh));
@@ -125,7 +126,7 @@ private:
                                 {"maximumMm", change->maximumMm}};
       outcome.text += "  " + inWords(*change) + "\n";
     }
-    appendFindings(outcome.warnings, assess(mesh));
+    appendFindings(outcome.warnings, assess(mesh, report));
     outcome.json["warnings"] = outcome.warnings;
     return outcome;
   }

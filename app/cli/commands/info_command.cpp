@@ -14,6 +14,7 @@
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/image_beside.h"
+#include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -46,8 +47,9 @@ std::string yesNo(bool value) {
 /// Describes a surface as read from its file, without further repairs.
 Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file, CommandContext& context) {
   const medical_io::SurfaceAssessment assessment = medical_io::assessSurface(
-      surface.mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
-      context.progress, context.threads);
+      surface.mesh, surface.report,
+      {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt}, context.progress,
+      context.threads);
   const geometry::SurfaceReport& report = assessment.report;
   const Bounds bounds = boundsOf(surface.mesh.points);
   const double volumeMl = report.volumeMm3 / kMm3PerMl;
@@ -196,6 +198,7 @@ public:
       const document::Organ organ = organInput(file_, context.samples, context.progress);
       medical_io::SurfaceFile surface;
       surface.mesh = *organ.mesh;
+      surface.report = geometry::checkSurface(surface.mesh);
       surface.name = organ.name;
       surface.spaceStated = true;
       surface.warnings = organ.warnings;
@@ -205,17 +208,19 @@ public:
       return describeSession(file_, context);
     if (document::isHandleFile(file_))
       return describe(medical_io::readHandles(file_), file_);
-    if (isScanOfValues(context.progress))
-      return describeScan(file_, scan_, context);
+    if (medical_io::isScan(file_))
+      return describeImage(context);
     if (medical_io::isLabelMap(file_))
       return describe(medical_io::readLabelMap(file_, context.progress), file_, context.progress);
     return describe(medical_io::readSurface(file_), file_, context);
   }
 
 private:
-  bool isScanOfValues(Progress& progress) const {
-    return medical_io::isScan(file_) &&
-           medical_io::imageContents(file_, progress) == medical_io::ImageContents::values;
+  Outcome describeImage(CommandContext& context) const {
+    medical_io::ScanOrLabels image = medical_io::readScanOrLabels(file_, scan_.chosen(), context.progress);
+    if (const auto* scan = std::get_if<medical_io::Scan>(&image))
+      return describeScan(*scan, file_, context);
+    return describe(std::get<medical_io::LabelMap>(image), file_, context.progress);
   }
 
   std::string file_;

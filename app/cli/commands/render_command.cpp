@@ -50,37 +50,38 @@ struct Shown {
 /// Degrees; less is rounding.
 constexpr double kNoStress = 1e-6;
 
-/// Takes the scan out of the files, if one of them is one.
-std::shared_ptr<const document::ScanItem> takeScan(std::vector<std::string>& files, Progress& progress) {
-  for (auto file = files.begin(); file != files.end(); ++file) {
-    if (file->rfind("sample:", 0) == 0)
-      continue;
-    std::vector<std::filesystem::path> paths = {*file};
-    auto scan = document::takeScan(paths, progress);
-    if (!scan)
-      continue;
-    files.erase(file);
-    return std::make_shared<const document::ScanItem>(std::move(*scan));
+void add(Contents& contents, std::vector<document::Organ> organs) {
+  for (document::Organ& organ : organs) {
+    contents.warnings.insert(contents.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+    contents.organs.push_back(std::move(organ));
   }
-  return nullptr;
 }
 
-Contents read(std::vector<std::string> files, const std::string& cage, const CommandContext& context,
+/// Reads a file that may be the scan, as that or as a label map; false for any other.
+bool addImage(Contents& contents, const std::string& file, Progress& progress) {
+  auto image = file.starts_with("sample:") ? std::nullopt : document::openImage(file, progress);
+  if (!image)
+    return false;
+  if (auto* scan = std::get_if<document::ScanItem>(&*image))
+    contents.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
+  else
+    add(contents, organInputs(std::get<medical_io::LabelMap>(std::move(*image)), file, progress));
+  return true;
+}
+
+Contents read(const std::vector<std::string>& files, const std::string& cage, const CommandContext& context,
               bool withScan) {
   Contents contents;
-  if (withScan)
-    contents.scan = takeScan(files, context.progress);
   for (const std::string& file : files) {
+    if (withScan && !contents.scan && addImage(contents, file, context.progress))
+      continue;
     if (document::isHandleFile(file)) {
       if (contents.rig)
         throw UsageError("a second handle file", file, "name one handle file");
       contents.rig = rigInput(file, contents.warnings, cage);
       continue;
     }
-    for (document::Organ& organ : organInputs(file, context.samples, context.progress)) {
-      contents.warnings.insert(contents.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-      contents.organs.push_back(std::move(organ));
-    }
+    add(contents, organInputs(file, context.samples, context.progress));
   }
   if (contents.organs.empty() && !contents.scan)
     throw UsageError("no organ is named", {}, "name a surface file or sample:NAME");

@@ -11,7 +11,6 @@
 
 #include "cli/listing.h"
 #include "viscera/core/error.h"
-#include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/surface_file.h"
@@ -107,14 +106,13 @@ void paint(geometry::TriangleMesh& mesh, const Vec3& color) {
 
 ordered_json rowOf(const medical_io::Segment& segment, const medical_io::LabelSurface& surface,
                    const std::filesystem::path& file) {
-  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
   return {{"name", segment.name},
           {"label", segment.label},
           {"file", file.string()},
           {"vertices", surface.mesh.points.rows()},
           {"triangles", surface.mesh.triangles.rows()},
-          {"closed", report.closed()},
-          {"manifold", report.manifold()},
+          {"closed", surface.report.closed()},
+          {"manifold", surface.report.manifold()},
           {"pieces", surface.pieces},
           {"volumeMl", surface.volumeMm3 / kMm3PerMl},
           {"voxelVolumeMl", surface.voxelVolumeMm3 / kMm3PerMl},

@@ -54,22 +54,23 @@ public:
       return deformation::InverseMap(*system, rig.handles, pose, options, medical_io::warpOptions(spacing),
                                      context.progress);
     };
-    const bool labels =
-        medical_io::imageContents(scan_.file(), context.progress) == medical_io::ImageContents::labels;
+    const medical_io::ScanOrLabels image =
+        medical_io::readScanOrLabels(scan_.file(), scan_.chosen(), context.progress);
     Warped warped;
-    if (labels)
-      warpLabels(warped, mapFor, *system, outcome.warnings, context.progress);
+    if (const auto* labels = std::get_if<medical_io::LabelMap>(&image))
+      warpLabels(*labels, warped, mapFor, *system, outcome.warnings, context.progress);
     else
-      warpScan(warped, mapFor, *system, outcome.warnings, context.progress);
+      warpScan(std::get<medical_io::Scan>(image), warped, mapFor, *system, outcome.warnings,
+               context.progress);
     report(warped, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), outcome);
     return outcome;
   }
 
 private:
   template <class MapFor>
-  void warpScan(Warped& warped, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
-                std::vector<std::string>& warnings, Progress& progress) const {
-    const medical_io::Scan scan = scan_.read(progress);
+  void warpScan(const medical_io::Scan& scan, Warped& warped, const MapFor& mapFor,
+                const coordinates::CoordinateSystem& system, std::vector<std::string>& warnings,
+                Progress& progress) const {
     appendFindings(warnings, scan);
     warped = {"scan", scan.size, scan.spacing(), {}};
     const deformation::InverseMap map = mapFor(warped.spacing);
@@ -77,9 +78,9 @@ private:
   }
 
   template <class MapFor>
-  void warpLabels(Warped& warped, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
-                  std::vector<std::string>& warnings, Progress& progress) const {
-    const medical_io::LabelMap labels = medical_io::readLabelMap(scan_.file(), progress);
+  void warpLabels(const medical_io::LabelMap& labels, Warped& warped, const MapFor& mapFor,
+                  const coordinates::CoordinateSystem& system, std::vector<std::string>& warnings,
+                  Progress& progress) const {
     warped = {"label map", labels.size, labels.spacing(), {}};
     const deformation::InverseMap map = mapFor(warped.spacing);
     const medical_io::LabelMap moved =

@@ -1,10 +1,12 @@
 #include "viscera/document/import_draft.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/surface_repairs.h"
 
@@ -15,7 +17,9 @@ using medical_io::Finding;
 using medical_io::FindingSeverity;
 using medical_io::FindingSubject;
 
-void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Progress& progress) {
+/// `report` as in `assessSurface`; none: not known.
+void assess(DraftOrgan& organ, const std::optional<geometry::SurfaceReport>& report, const OpenedFiles& files,
+            std::size_t place, Progress& progress) {
   const auto read = files.surfaces.find(place);
   const bool labelMap = read == files.surfaces.end();
   const bool stated = labelMap || read->second.statedSpace ||
@@ -23,8 +27,9 @@ void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Prog
                                   [](const std::string& id) { return id == "ras-to-lps" || id == "y-up"; });
   const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
                                                            : read->second.statedSpace;
-  organ.assessment =
-      medical_io::assessSurface(*organ.mesh, {organ.name, stated ? space : std::nullopt, labelMap}, progress);
+  const medical_io::SurfaceOrigin origin{organ.name, stated ? space : std::nullopt, labelMap};
+  organ.assessment = report ? medical_io::assessSurface(*organ.mesh, *report, origin, progress)
+                            : medical_io::assessSurface(*organ.mesh, origin, progress);
 }
 
 void repair(DraftOrgan& organ, const medical_io::SurfaceRepair& what, Progress& progress) {
@@ -117,7 +122,7 @@ void unify(SharedFinding& size, const std::vector<FoundIn>& where, const ImportD
 Organ finished(const Organ& read, const DraftOrgan& organ) {
   if (organ.mesh == organ.asRead)
     return read;
-  Organ result = makeOrgan(read.name, organ.mesh);
+  Organ result = makeOrgan(read.name, organ.mesh, organ.assessment.report);
   result.look = read.look;
   result.parent = read.parent;
   result.file = read.file;
@@ -144,19 +149,22 @@ bool ImportDraft::empty() const {
 ImportDraft draftOf(OpenedFiles files, Progress& progress) {
   ImportDraft draft;
   draft.files = std::move(files);
-  const auto count = static_cast<double>(draft.files.organs.size());
-  for (std::size_t i = 0; i < draft.files.organs.size(); ++i) {
-    const Organ& read = draft.files.organs[i].organ;
-    progress.report(static_cast<double>(i) / count, phrase("Checking %1", read.name));
+  draft.organs.resize(draft.files.organs.size());
+  const auto count = static_cast<Eigen::Index>(draft.organs.size());
+  std::atomic<int> done{0};
+  parallelRanges(count, 1, {}, [&](Eigen::Index place, Eigen::Index) {
+    const auto i = static_cast<std::size_t>(place);
+    const NewOrgan& item = draft.files.organs[i];
+    progress.report(static_cast<double>(done++) / static_cast<double>(count),
+                    phrase("Checking %1", item.organ.name));
     const auto known = draft.files.surfaces.find(i);
-    DraftOrgan organ;
-    organ.name = read.name;
-    organ.file = read.file.filename().string();
-    organ.asRead = known == draft.files.surfaces.end() ? read.mesh : known->second.mesh;
+    DraftOrgan& organ = draft.organs[i];
+    organ.name = item.organ.name;
+    organ.file = item.organ.file.filename().string();
+    organ.asRead = known == draft.files.surfaces.end() ? item.organ.mesh : known->second.mesh;
     organ.mesh = organ.asRead;
-    assess(organ, draft.files, i, progress);
-    draft.organs.push_back(std::move(organ));
-  }
+    assess(organ, item.report, draft.files, i, progress);
+  });
   assessArrangement(draft);
   progress.report(1);
   return draft;
@@ -172,7 +180,7 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
     try {
       DraftOrgan mended = organ;
       repair(mended, what, progress);
-      assess(mended, draft.files, organs[done], progress);
+      assess(mended, {}, draft.files, organs[done], progress);
       organ = std::move(mended);
     } catch (const DataError& error) {
       organ.refusal.emplace(error.problem(), organ.name, error.tryThis());
@@ -188,7 +196,7 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   organ.repairs.clear();
   organ.change.reset();
   organ.refusal.reset();
-  assess(organ, draft.files, place, progress);
+  assess(organ, draft.files.organs[place].report, draft.files, place, progress);
   assessArrangement(draft);
   return draft;
 }

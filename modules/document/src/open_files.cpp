@@ -13,6 +13,7 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/session_file.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/heart_labels.h"
@@ -110,14 +111,14 @@ bool saysNothing(std::string name) {
   return name.empty() || std::find(kPlainNames.begin(), kPlainNames.end(), name) != kPlainNames.end();
 }
 
-/// As an organ, and as it is in the file, which has no other surface when it is `alone`.
-std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file,
-                                       bool alone) {
+/// As an organ without a parent, and as it is in the file, which has no other surface when it is `alone`.
+std::pair<NewOrgan, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file,
+                                          bool alone) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
                    surface.spaceStated ? std::optional(surface.space) : std::nullopt};
   const bool asFile = surface.name.empty() || (alone && saysNothing(surface.name));
   const std::string name = asFile ? file.stem().string() : surface.name;
-  Organ organ = makeOrgan(name, read.mesh);
+  Organ organ = makeOrgan(name, read.mesh, surface.report);
   organ.file = file;
   organ.origin.fileHash = sha256OfFile(file);
   // Both looked at the surface and say the same of it; only the file knows of units and axes.
@@ -125,7 +126,7 @@ std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const st
     if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
       surface.warnings.push_back(std::move(warning));
   organ.warnings = std::move(surface.warnings);
-  return {std::move(organ), std::move(read)};
+  return {NewOrgan{std::move(organ), -1, surface.report}, std::move(read)};
 }
 
 /// Around the voxels of these segments, mm LPS.
@@ -162,7 +163,7 @@ bool isHandleFile(const std::filesystem::path& file) {
 }
 
 Organ readOrgan(const std::filesystem::path& file) {
-  return readBoth(medical_io::readSurface(file), file, true).first;
+  return readBoth(medical_io::readSurface(file), file, true).first.organ;
 }
 
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
@@ -170,7 +171,8 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
   std::vector<Organ> organs;
   for (medical_io::LabelSurface& surface : surfaces) {
     const medical_io::Segment& segment = map.segments[surface.segment];
-    Organ organ = makeOrgan(segment.name, std::move(surface.mesh));
+    auto mesh = std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh));
+    Organ organ = makeOrgan(segment.name, std::move(mesh), surface.report);
     organ.look.color = segment.color;
     organ.file = file;
     organ.warnings.insert(organ.warnings.begin(), surface.warnings.begin(), surface.warnings.end());
@@ -184,7 +186,12 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
                                      const ArrivingOrganListener& arrives) {
-  medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+  return labelBatch(medical_io::readLabelMap(file, progress), file, labels, progress, arrives);
+}
+
+std::vector<NewOrgan> labelBatch(medical_io::LabelMap map, const std::filesystem::path& file,
+                                 const std::vector<std::string>& labels, Progress& progress,
+                                 const ArrivingOrganListener& arrives) {
   const auto heart = medical_io::heartLabels(map);
   const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
   const bool joined = whole && labels.empty();
@@ -204,15 +211,19 @@ std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
       arrives(
           {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), all});
     };
-  std::vector<Organ> organs =
-      organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
+  std::vector<medical_io::LabelSurface> surfaces =
+      medical_io::labelSurfaces(map, options, progress, {}, made);
+  std::vector<geometry::SurfaceReport> reports;
+  for (const medical_io::LabelSurface& surface : surfaces)
+    reports.push_back(surface.report);
+  std::vector<Organ> organs = organsFrom(map, std::move(surfaces), file);
   std::vector<NewOrgan> batch;
   for (std::size_t i = 0; i < organs.size(); ++i) {
     // By the label and not by the name: a file may call another organ "LV".
     const bool cavity =
         joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
                               [&](const auto& one) { return one.segment == options.segments[i]; });
-    batch.push_back({std::move(organs[i]), cavity ? 0 : -1});
+    batch.push_back({std::move(organs[i]), cavity ? 0 : -1, reports[i]});
   }
   return batch;
 }
@@ -231,13 +242,14 @@ namespace {
 void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
                  const ArrivingOrganListener& arrives) {
   std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
-  std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
+  std::vector<std::pair<NewOrgan, ReadSurface>> made; // All of them, before any is added.
   for (medical_io::SurfacePart& part : parts)
     made.push_back(readBoth(std::move(part.surface), file, parts.size() == 1));
   const auto first = static_cast<int>(opened.organs.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const medical_io::SurfacePart& part = parts[i];
-    auto& [organ, read] = made[i];
+    auto& [item, read] = made[i];
+    Organ& organ = item.organ;
     if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
       organ.origin.fileHash.clear();
     if (part.color && organ.look.vertexColors) // A single paint is the colour already.
@@ -246,8 +258,22 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file,
     if (arrives)
       arrives({organ.name, organ.look.color, organ.mesh, boundsOf(organ.mesh->points)});
     opened.surfaces.emplace(opened.organs.size(), std::move(read));
-    opened.organs.push_back({std::move(organ), part.cavityOf < 0 ? -1 : first + part.cavityOf});
+    item.parentInBatch = part.cavityOf < 0 ? -1 : first + part.cavityOf;
+    opened.organs.push_back(std::move(item));
     addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+  }
+}
+
+void addLabels(OpenedFiles& opened, medical_io::LabelMap map, const std::filesystem::path& file,
+               Progress& progress, const ArrivingOrganListener& arrives) {
+  const auto before = static_cast<int>(opened.organs.size());
+  for (NewOrgan& item : labelBatch(std::move(map), file, {}, progress, arrives)) {
+    for (const std::string& warning : item.organ.warnings)
+      opened.warnings.push_back(
+          phrase("%1: %2", phrase("%1: %2", file.filename().string(), item.organ.name), warning));
+    if (item.parentInBatch >= 0)
+      item.parentInBatch += before;
+    opened.organs.push_back(std::move(item));
   }
 }
 
@@ -262,63 +288,113 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
   } else if (medical_io::isLabelMap(file)) {
-    const auto before = static_cast<int>(opened.organs.size());
-    for (NewOrgan& item : readLabelBatch(file, {}, progress, arrives)) {
-      for (const std::string& warning : item.organ.warnings)
-        opened.warnings.push_back(
-            phrase("%1: %2", phrase("%1: %2", file.filename().string(), item.organ.name), warning));
-      if (item.parentInBatch >= 0)
-        item.parentInBatch += before;
-      opened.organs.push_back(std::move(item));
-    }
+    addLabels(opened, medical_io::readLabelMap(file, progress), file, progress, arrives);
   } else {
     addSurfaces(opened, file, arrives);
   }
 }
 
-/// `first` becomes what the first file that cannot be read has thrown.
-OpenedFiles openEach(const std::vector<std::filesystem::path>& named, Progress& progress,
-                     const ArrivingOrganListener& arrives, Sessions sessions, std::exception_ptr& first) {
-  if (named.empty())
-    throw UsageError("There is no file to open");
-  const std::vector<std::filesystem::path> files = withoutHalves(named);
-  OpenedFiles opened;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
-    progress.throwIfCancelled();
+/// Whether a scan is looked for among the files.
+enum class Scans { leave, take };
+
+/// Opens file after file. A file that cannot be read is listed and left out.
+class Opening {
+public:
+  Opening(const ArrivingOrganListener& arrives, Sessions sessions, Scans scans)
+      : arrives_(arrives), sessions_(sessions), scans_(scans) {}
+
+  OpenedFiles run(const std::vector<std::filesystem::path>& named, Progress& progress) {
+    if (named.empty())
+      throw UsageError("There is no file to open");
+    const std::vector<std::filesystem::path> files = withoutHalves(named);
+    std::vector<std::filesystem::path> others; // Than the scan.
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      progress.report(static_cast<double>(i) / static_cast<double>(files.size()),
+                      files[i].filename().string());
+      progress.throwIfCancelled();
+      if (!tookImage(files[i], progress)) {
+        others.push_back(files[i]);
+        attempt(files[i], failed_, [&] { addFile(opened_, files[i], progress, arrives_, sessions_); });
+      } else if (labels_) {
+        others.push_back(files[i]);
+        attempt(files[i], failed_, [&] {
+          addLabels(opened_, *std::exchange(labels_, std::nullopt), files[i], progress, arrives_);
+        });
+      }
+    }
+    finish(others);
+    progress.report(1);
+    return std::move(opened_);
+  }
+
+private:
+  struct Failed {
+    std::vector<Error> errors;
+    std::vector<std::filesystem::path> files;
+    std::exception_ptr first;
+  };
+
+  template <class Work>
+  static void attempt(const std::filesystem::path& file, Failed& failed, const Work& work) {
     try {
-      const auto add = [&] { addFile(opened, files[i], progress, arrives, sessions); };
-      explainingShortMemory(files[i].string(), add);
+      explainingShortMemory(file.string(), work);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      opened.failures.push_back(error);
-      opened.leftOut.push_back(files[i]);
-      if (!first)
-        first = std::current_exception();
+      failed.errors.push_back(error);
+      failed.files.push_back(file);
+      if (!failed.first)
+        failed.first = std::current_exception();
     }
   }
-  opened.name = files.size() == 1 ? phrase("Open %1", files.front().filename().string())
-                                  : phrase("Open %n {file|files}", files.size());
-  progress.report(1);
-  return opened;
-}
+
+  /// Whether the file was a scan, or a label map, which then is `labels_`, or a scan that is damaged.
+  bool tookImage(const std::filesystem::path& file, Progress& progress) {
+    if (scans_ == Scans::leave || opened_.scan)
+      return false;
+    const std::size_t before = failedScans_.files.size();
+    std::optional<ScanItemOrLabels> image;
+    attempt(file, failedScans_, [&] { image = openImage(file, progress); });
+    if (!image)
+      return failedScans_.files.size() > before;
+    if (auto* scan = std::get_if<ScanItem>(&*image))
+      opened_.scan = std::make_shared<const ScanItem>(std::move(*scan));
+    else
+      labels_ = std::get<medical_io::LabelMap>(std::move(*image));
+    return true;
+  }
+
+  /// Damaged scans are told first. Without a scan, nothing left is an error.
+  void finish(const std::vector<std::filesystem::path>& others) {
+    if (opened_.organs.empty() && !opened_.rig && !opened_.scan)
+      if (const auto first = failed_.first ? failed_.first : failedScans_.first)
+        std::rethrow_exception(first);
+    for (const Failed* failed : {&failedScans_, &failed_}) {
+      opened_.failures.insert(opened_.failures.end(), failed->errors.begin(), failed->errors.end());
+      opened_.leftOut.insert(opened_.leftOut.end(), failed->files.begin(), failed->files.end());
+    }
+    opened_.name = others.size() == 1 ? phrase("Open %1", others.front().filename().string())
+                                      : phrase("Open %n {file|files}", others.size());
+  }
+
+  const ArrivingOrganListener& arrives_;
+  Sessions sessions_;
+  Scans scans_;
+  OpenedFiles opened_;
+  std::optional<medical_io::LabelMap> labels_;
+  Failed failedScans_, failed_;
+};
 
 } // namespace
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivingOrganListener& arrives, Sessions sessions) {
-  std::exception_ptr first;
-  OpenedFiles opened = openEach(files, progress, arrives, sessions, first);
-  if (first && opened.organs.empty() && !opened.rig)
-    std::rethrow_exception(first);
-  return opened;
+  return Opening(arrives, sessions, Scans::leave).run(files, progress);
 }
 
-OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progress& progress,
-                         const ArrivingOrganListener& arrives, Sessions sessions) {
-  std::exception_ptr first;
-  return openEach(files, progress, arrives, sessions, first);
+OpenedFiles openPatient(const std::vector<std::filesystem::path>& files, Progress& progress,
+                        const ArrivingOrganListener& arrives, Sessions sessions) {
+  return Opening(arrives, sessions, Scans::take).run(files, progress);
 }
 
 Command OpenedFiles::command() const {

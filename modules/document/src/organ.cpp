@@ -4,7 +4,6 @@
 
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
-#include "viscera/geometry/surface_check.h"
 
 namespace viscera::document {
 namespace {
@@ -15,6 +14,12 @@ bool isPaintedAlike(const geometry::TriangleMesh& mesh) {
     if (mesh.colors.row(vertex) != mesh.colors.row(0))
       return false;
   return mesh.colors.rows() > 0;
+}
+
+void requireTriangles(const geometry::TriangleMesh& mesh, const std::string& name) {
+  geometry::requireValid(mesh, name);
+  if (mesh.triangles.rows() == 0)
+    throw DataError("The surface has no triangle", name, "choose a file with a triangle surface");
 }
 
 } // namespace
@@ -29,11 +34,15 @@ Organ makeOrgan(std::string name, geometry::TriangleMesh mesh) {
 }
 
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh) {
-  geometry::requireValid(*mesh, name);
-  if (mesh->triangles.rows() == 0)
-    throw DataError("The surface has no triangle", name, "choose a file with a triangle surface");
+  requireTriangles(*mesh, name);
+  const geometry::SurfaceReport report = geometry::checkSurface(*mesh);
+  return makeOrgan(std::move(name), std::move(mesh), report);
+}
+
+Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh,
+                geometry::SurfaceReport report) {
+  requireTriangles(*mesh, name);
   Organ organ;
-  geometry::SurfaceReport report = geometry::checkSurface(*mesh);
   organ.warnings = geometry::faults(report);
   if (report.closed() && report.volumeMm3 < 0) {
     geometry::TriangleMesh turned = *mesh;

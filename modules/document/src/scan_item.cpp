@@ -33,6 +33,11 @@ std::string_view sampleBytes(const medical_io::Scan& scan) {
       scan.samples);
 }
 
+ScanItem withHash(ScanItem item) {
+  item.hash = scanHash(*item.scan);
+  return item;
+}
+
 } // namespace
 
 std::string scanHash(const medical_io::Scan& scan) {
@@ -82,29 +87,22 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress) {
-  ScanItem item = scanItem(medical_io::readScan(file, options, progress), file, options);
-  item.hash = scanHash(*item.scan);
-  return item;
+  return withHash(scanItem(medical_io::readScan(file, options, progress), file, options));
 }
 
-std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress) {
-  for (auto file = files.begin(); file != files.end(); ++file) {
-    if (isNamedAsLabels(*file) || !medical_io::isScan(*file))
-      continue;
-    ScanItem item;
-    try {
-      item = openScanFile(*file, {}, progress);
-    } catch (const DataError&) {
-      if (!medical_io::isLabelMap(*file))
-        throw;
-      continue; // A label map of a form that scans do not have; who reads it as such says what is wrong.
-    }
-    if (medical_io::looksLikeLabels(*item.scan))
-      continue;
-    files.erase(file);
-    return item;
+std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Progress& progress) {
+  if (isNamedAsLabels(file) || !medical_io::isScan(file))
+    return std::nullopt;
+  try {
+    medical_io::ScanOrLabels read = medical_io::readScanOrLabels(file, {}, progress);
+    if (auto* labels = std::get_if<medical_io::LabelMap>(&read))
+      return std::move(*labels);
+    return withHash(scanItem(std::get<medical_io::Scan>(std::move(read)), file));
+  } catch (const DataError&) {
+    if (!medical_io::isLabelMap(file))
+      throw;
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 Command openScan(ScanItem item) {

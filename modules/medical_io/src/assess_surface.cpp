@@ -14,6 +14,7 @@
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/volume.h"
 #include "viscera/medical_io/plausible_size.h"
 
 namespace viscera::medical_io {
@@ -38,10 +39,12 @@ std::string sizeText(const Vec3& size) {
 /// One assessment on its way; each member looks at one thing and appends one finding or two.
 class Assessment {
 public:
-  Assessment(const TriangleMesh& mesh, const SurfaceOrigin& origin) : mesh_(mesh), origin_(origin) {}
+  Assessment(const TriangleMesh& mesh, const SurfaceReport& report, const SurfaceOrigin& origin)
+      : mesh_(mesh), origin_(origin) {
+    result_.report = report;
+  }
 
   SurfaceAssessment run(Progress& progress, Threads threads) {
-    result_.report = geometry::checkSurface(mesh_);
     const Bounds box = boundsOf(mesh_.points);
     result_.sizeMm = box.high - box.low;
     if (report().closed())
@@ -105,7 +108,8 @@ private:
     if (report().closed())
       return report().volumeMm3 / kMm3PerMl;
     try {
-      return geometry::checkSurface(geometry::closeHoles(mesh_).mesh).volumeMm3 / kMm3PerMl;
+      const TriangleMesh closed = geometry::closeHoles(mesh_).mesh;
+      return geometry::volume(closed.points, closed.triangles) / kMm3PerMl;
     } catch (const DataError&) {
       return 0;
     }
@@ -239,7 +243,12 @@ FindingSeverity SurfaceAssessment::worst() const {
 
 SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceOrigin& origin, Progress& progress,
                                 Threads threads) {
-  return Assessment(mesh, origin).run(progress, threads);
+  return assessSurface(mesh, geometry::checkSurface(mesh), origin, progress, threads);
+}
+
+SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceReport& report,
+                                const SurfaceOrigin& origin, Progress& progress, Threads threads) {
+  return Assessment(mesh, report, origin).run(progress, threads);
 }
 
 std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs) {

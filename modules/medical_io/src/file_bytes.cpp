@@ -36,27 +36,41 @@ void FileBytes::fail(const std::string& problem, const std::string& tryThis) con
   throw DataError(problem, name(), tryThis);
 }
 
-FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
+namespace {
+
+/// The file up to `most` bytes, of which the first ones are known.
+FileBytes readUpTo(const std::filesystem::path& file, std::size_t most, std::string_view known) {
   requireReadable(file);
   errno = 0;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream)
     throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)),
                        file.string(), "check that you may read it");
-  FileBytes result{file, {}};
+  FileBytes result{file, {}, static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0))};
   try {
-    result.bytes.resize(
-        std::min(most, static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0))));
+    result.bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(most, result.length)));
   } catch (const std::bad_alloc&) {
     result.fail("does not fit into memory", "reduce the surface first");
   }
-  stream.seekg(0);
-  stream.read(result.bytes.data(), static_cast<std::streamsize>(result.bytes.size()));
-  if (stream.gcount() != static_cast<std::streamsize>(result.bytes.size()))
+  const std::size_t held = known.copy(result.bytes.data(), result.bytes.size());
+  const auto missing = static_cast<std::streamsize>(result.bytes.size() - held);
+  stream.seekg(static_cast<std::streamoff>(held));
+  stream.read(result.bytes.data() + held, missing);
+  if (stream.gcount() != missing)
     throw NoInputError("It cannot be read to its end", file.string(), "check the disk or the connection");
   if (result.bytes.empty())
     result.fail("the file is empty");
   return result;
+}
+
+} // namespace
+
+FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
+  return readUpTo(file, most, {});
+}
+
+FileBytes readRestOfFile(const FileBytes& begin) {
+  return readUpTo(begin.file, std::numeric_limits<std::size_t>::max(), begin.view());
 }
 
 FileBytes readWholeFile(const std::filesystem::path& file) {

@@ -11,11 +11,12 @@
 
 namespace viscera::medical_io {
 
-/// A whole file in memory. Readers compare every size that a header states with the actual size before they
-/// allocate memory for it.
+/// A file in memory, or its beginning. Readers compare every size that a header states with the actual size
+/// before they allocate memory for it.
 struct FileBytes {
   std::filesystem::path file;
   std::string bytes;
+  std::uint64_t length = 0; ///< Of the whole file, as it was read.
 
   std::string_view view() const { return bytes; }
   std::string name() const { return file.string(); }
@@ -30,6 +31,12 @@ FileBytes readWholeFile(const std::filesystem::path& file);
 
 /// At most the first `most` bytes of a regular file. Throws as `readWholeFile`.
 FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most);
+
+/// The whole file whose beginning is in memory: reads only what is missing. Throws as `readWholeFile`.
+FileBytes readRestOfFile(const FileBytes& begin);
+
+/// Enough for the header of any file: headers in words may name hundreds of segments.
+inline constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 22U;
 
 /// Lower-case ASCII copy.
 std::string lowered(std::string_view text);

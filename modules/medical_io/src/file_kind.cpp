@@ -36,13 +36,13 @@ FileKind kindOfEnding(const std::filesystem::path& file) {
 FileKind fileKind(const std::filesystem::path& file) {
   const FileKind byName = kindOfEnding(file);
   try {
-    const Signature found = signatureOf(readWholeFile(file));
+    const Signature found = signatureOf(readBeginOfFile(file, kMostHeaderBytes));
     if (found == Signature::dicom && dicomKind(file) == DicomKind::image)
       return FileKind::scan;
     const FileKind byContents = fileKind(found);
     return byContents == FileKind::unknown ? byName : byContents;
   } catch (const DataError&) {
-    // Empty, or too large for memory: the name is all there is.
+    // Empty: the name is all there is.
     return byName;
   }
 }

@@ -48,10 +48,11 @@ const Kind& kindOf(Signature signature) {
 }
 
 bool isBinaryStl(const FileBytes& file) {
+  const std::uint64_t length = std::max<std::uint64_t>(file.length, file.bytes.size());
   if (file.bytes.size() < 84)
     return false;
   const std::uint64_t count = loadValue<std::uint32_t>(file.bytes.data() + 80, std::endian::little);
-  return count > 0 && 84 + 50 * count == file.bytes.size();
+  return count > 0 && 84 + 50 * count == length;
 }
 
 Signature binarySignature(const FileBytes& file, std::string_view begin) {

@@ -31,7 +31,8 @@ enum class Signature {
   picture,
 };
 
-/// Checks the first bytes, and for binary STL the size of the file. Cheap.
+/// Checks the first bytes, and for binary STL the length of the file, of which `file` may hold the beginning.
+/// Cheap.
 Signature signatureOf(const FileBytes& file);
 
 /// What a file of that signature holds.

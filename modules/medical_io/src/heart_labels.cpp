@@ -60,18 +60,23 @@ std::optional<std::size_t> addWholeHeart(LabelMap& map, const HeartLabels& heart
   whole.label = 0;
   whole.voxels = 0;
   whole.layer = static_cast<int>(map.layers.size());
-  LabelMap::Layer layer(map.voxelCount(), 0);
+  LabelLayer layer(map.voxelCount());
   for (const std::size_t part : parts) {
     const Segment& segment = map.segments[part];
-    const LabelMap::Layer& from = map.layers[static_cast<std::size_t>(segment.layer)];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       whole.low[axis] = std::min(whole.low[axis], segment.low[axis]);
       whole.high[axis] = std::max(whole.high[axis], segment.high[axis]);
     }
-    for (std::size_t voxel = 0; voxel < layer.size(); ++voxel)
-      if (from[voxel] == part + 1 && layer[voxel] == 0) {
-        layer[voxel] = static_cast<std::uint16_t>(index + 1);
-        ++whole.voxels;
+    const LabelLayer& from = map.layers[static_cast<std::size_t>(segment.layer)];
+    for (int k = segment.low[2]; k <= segment.high[2]; ++k)
+      for (int j = segment.low[1]; j <= segment.high[1]; ++j) {
+        const std::size_t first = map.indexOf(segment.low[0], j, k),
+                          last = map.indexOf(segment.high[0], j, k);
+        for (std::size_t voxel = first; voxel <= last; ++voxel)
+          if (from[voxel] == part + 1 && layer[voxel] == 0) {
+            layer.set(voxel, static_cast<std::uint16_t>(index + 1));
+            ++whole.voxels;
+          }
       }
   }
   for (const Segment& segment : map.segments)

@@ -11,6 +11,7 @@
 #include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "label_tables.h"
+#include "opened_image.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -20,25 +21,24 @@ namespace {
 struct LabelMapFormat {
   std::string_view extension;
   Signature signature;
-  RawImage (*read)(FileBytes&);
+  ImageHeader (*readHeader)(FileBytes&); ///< Null for DICOM, whose segmentations have no plain voxels.
 };
 
-constexpr std::array<LabelMapFormat, 15> kLabelMapFormats = {
-    {{".nii", Signature::nifti, readImage<niftiHeader>},
-     {".nii.gz", Signature::nifti, readImage<niftiHeader>},
-     {".hdr", Signature::nifti, readImage<niftiHeader>},
-     {".hdr.gz", Signature::nifti, readImage<niftiHeader>},
-     {".img", Signature::nifti, readImage<niftiHeader>},
-     {".img.gz", Signature::nifti, readImage<niftiHeader>},
-     {".nrrd", Signature::nrrd, readImage<nrrdHeader>},
-     {".seg.nrrd", Signature::nrrd, readImage<nrrdHeader>},
-     {".nhdr", Signature::nrrd, readImage<nrrdHeader>},
-     {".seg.nhdr", Signature::nrrd, readImage<nrrdHeader>},
-     {".mha", Signature::metaImage, readImage<metaImageHeader>},
-     {".mhd", Signature::metaImage, readImage<metaImageHeader>},
-     {".dcm", Signature::dicom, readDicomSegmentation},
-     {".ima", Signature::dicom, readDicomSegmentation},
-     {"", Signature::dicom, readDicomSegmentation}}};
+constexpr std::array<LabelMapFormat, 15> kLabelMapFormats = {{{".nii", Signature::nifti, niftiHeader},
+                                                              {".nii.gz", Signature::nifti, niftiHeader},
+                                                              {".hdr", Signature::nifti, niftiHeader},
+                                                              {".hdr.gz", Signature::nifti, niftiHeader},
+                                                              {".img", Signature::nifti, niftiHeader},
+                                                              {".img.gz", Signature::nifti, niftiHeader},
+                                                              {".nrrd", Signature::nrrd, nrrdHeader},
+                                                              {".seg.nrrd", Signature::nrrd, nrrdHeader},
+                                                              {".nhdr", Signature::nrrd, nrrdHeader},
+                                                              {".seg.nhdr", Signature::nrrd, nrrdHeader},
+                                                              {".mha", Signature::metaImage, metaImageHeader},
+                                                              {".mhd", Signature::metaImage, metaImageHeader},
+                                                              {".dcm", Signature::dicom, nullptr},
+                                                              {".ima", Signature::dicom, nullptr},
+                                                              {"", Signature::dicom, nullptr}}};
 
 /// Which reader the name asks for, as long as the contents do not look like something else. DICOM files often
 /// have no ending, or a number for one.
@@ -76,9 +76,10 @@ void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated
 
 } // namespace
 
-LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress) {
-  requireUsableGrid(raw, file);
-  EncodedLabels encoded = encodeLabels(raw, file, progress);
+namespace {
+
+/// `raw` without its values.
+LabelMap labelMapOf(RawImage&& raw, EncodedLabels&& encoded, Progress& progress) {
   LabelMap map;
   map.size = raw.size;
   map.indexToLps = raw.indexToLps;
@@ -90,9 +91,57 @@ LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress) {
     segment.label = label;
     segment.layer = layer;
   }
-  raw.storage = {};
   measureSegments(map, progress);
   nameSegments(map, raw.stated);
+  return map;
+}
+
+/// Reads the voxels behind a header, block by block.
+LabelMap readVoxels(ImageHeader&& header, const FileBytes& begin, Progress& progress) {
+  RawImage& raw = header.image;
+  LabelEncoder encoder(raw);
+  visitValues(
+      begin, header.stored, raw, {0, raw.valueCount()}, progress, [&](std::uint64_t) { encoder.reserve(); },
+      [&](const char* bytes, std::size_t count) { encoder.take(bytes, count, raw.scalar, raw.order); });
+  requireUsableGrid(raw, begin);
+  EncodedLabels encoded = encoder.finish(raw, begin);
+  return labelMapOf(std::move(raw), std::move(encoded), progress);
+}
+
+/// The map with the names of all labels.
+LabelMap completed(LabelMap&& map, const std::filesystem::path& file) {
+  if (map.segments.empty())
+    throw DataError("It has no labelled voxel: all are 0", file.string(),
+                    "check that the segmentation was saved");
+  nameByTable(map, file);
+  completeSegments(map);
+  return std::move(map);
+}
+
+/// The names of labels without voxels. Tables of all classes there are, as TotalSegmentator writes them into
+/// NIfTI, are no loss.
+std::vector<StatedSegment> namesToMiss(const LabelMapFormat& format, const RawImage& raw) {
+  return format.signature == Signature::nifti ? std::vector<StatedSegment>() : raw.stated;
+}
+
+} // namespace
+
+LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress) {
+  requireUsableGrid(raw, file);
+  EncodedLabels encoded = encodeLabels(raw, file, progress);
+  raw.storage = {};
+  return labelMapOf(std::move(raw), std::move(encoded), progress);
+}
+
+LabelMap labelMapOf(OpenedImage&& image, NumberedLayer&& layer, Progress& progress) {
+  const std::vector<StatedSegment> stated = namesToMiss(formatOf(image.begin), image.header.image);
+  std::vector<NumberedLayer> layers;
+  layers.push_back(std::move(layer));
+  EncodedLabels encoded = encodedLabels(std::move(layers), image.header.image, image.begin);
+  LabelMap map = labelMapOf(std::move(image.header.image), std::move(encoded), progress);
+  warnOfEmptySegments(map, stated);
+  map = completed(std::move(map), image.begin.file);
+  progress.report(1);
   return map;
 }
 
@@ -111,18 +160,24 @@ Bounds LabelMap::bounds() const {
 }
 
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
-  FileBytes bytes = readWholeFile(file);
-  const LabelMapFormat& format = formatOf(bytes);
+  FileBytes begin = readBeginOfFile(file, kMostHeaderBytes);
+  const LabelMapFormat& format = formatOf(begin);
   try {
-    RawImage raw = format.read(bytes);
-    const std::vector<StatedSegment> stated = raw.stated;
-    LabelMap map = labelMapOf(std::move(raw), bytes, progress);
-    // Tables of all classes there are, as TotalSegmentator writes them into NIfTI, are no loss.
-    if (format.signature != Signature::nifti)
+    if (format.readHeader == nullptr) {
+      begin = readRestOfFile(begin);
+      RawImage raw = readDicomSegmentation(begin);
+      const std::vector<StatedSegment> stated = raw.stated;
+      LabelMap map = labelMapOf(std::move(raw), begin, progress);
       warnOfEmptySegments(map, stated);
+      return map;
+    }
+    ImageHeader header = format.readHeader(begin);
+    const std::vector<StatedSegment> stated = namesToMiss(format, header.image);
+    LabelMap map = readVoxels(std::move(header), begin, progress);
+    warnOfEmptySegments(map, stated);
     return map;
   } catch (const std::bad_alloc&) {
-    bytes.fail("does not fit into memory", "crop the image to the organs");
+    begin.fail("does not fit into memory", "crop the image to the organs");
   }
 }
 
@@ -130,12 +185,7 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     return readLabelFolder(file, progress);
-  LabelMap map = readLabelFile(file, progress);
-  if (map.segments.empty())
-    throw DataError("It has no labelled voxel: all are 0", file.string(),
-                    "check that the segmentation was saved");
-  nameByTable(map, file);
-  completeSegments(map);
+  LabelMap map = completed(readLabelFile(file, progress), file);
   progress.report(1);
   return map;
 }

@@ -5,13 +5,16 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <mutex>
 #include <set>
 #include <utility>
 
 #include "file_bytes.h"
+#include "image_formats/numbered_values.h"
 #include "text_scanner.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
@@ -47,6 +50,7 @@ std::string printable(std::string name) {
 }
 
 constexpr std::size_t kNamesTold = 12;
+constexpr Eigen::Index kSlicesAtOnce = 8;
 
 std::string comparable(std::string_view name) {
   std::string text = lowered(trimmed(name));
@@ -63,23 +67,29 @@ std::string someNames(const LabelMap& map) {
              : list;
 }
 
-/// Adds the voxels [begin, end) of the row (j, k) to a segment.
-void addRun(Segment& segment, int begin, int end, int j, int k) {
-  const std::array<int, 3> first = {begin, j, k}, last = {end - 1, j, k};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    segment.low[axis] = segment.voxels == 0 ? first[axis] : std::min(segment.low[axis], first[axis]);
-    segment.high[axis] = segment.voxels == 0 ? last[axis] : std::max(segment.high[axis], last[axis]);
-  }
-  segment.voxels += end - begin;
-}
+/// The voxels of a segment: how many, the first and the last of them along each axis.
+struct Extent {
+  std::int64_t voxels = 0;
+  std::array<int, 3> low = {}, high = {};
 
-void measureRow(LabelMap& map, const std::uint16_t* row, int j, int k) {
-  for (int begin = 0; begin < map.size[0];) {
-    int end = begin + 1;
-    while (end < map.size[0] && row[end] == row[begin])
-      ++end;
+  void add(std::int64_t count, const std::array<int, 3>& first, const std::array<int, 3>& last) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = voxels == 0 ? first[axis] : std::min(low[axis], first[axis]);
+      high[axis] = voxels == 0 ? last[axis] : std::max(high[axis], last[axis]);
+    }
+    voxels += count;
+  }
+};
+
+/// Adds the runs of the row (j, k), `length` voxels at `row`, to the segments' extents.
+template <class Voxel>
+void measureRow(std::vector<Extent>& extents, const Voxel* row, int length, int j, int k) {
+  const char* bytes = reinterpret_cast<const char*>(row);
+  for (std::size_t begin = 0; begin < std::size_t(length);) {
+    const std::size_t end = endOfRun<Voxel>(bytes, begin, std::size_t(length));
     if (row[begin] != 0)
-      addRun(map.segments[row[begin] - 1U], begin, end, j, k);
+      extents[row[begin] - 1U].add(static_cast<std::int64_t>(end - begin), {int(begin), j, k},
+                                   {int(end) - 1, j, k});
     begin = end;
   }
 }
@@ -90,14 +100,17 @@ struct Span {
   std::size_t end = 0;
 };
 
-Span spanOf(const LabelMap::Layer& mask) {
-  const auto inside = [](std::uint16_t voxel) { return voxel != 0; };
-  const auto first = std::find_if(mask.begin(), mask.end(), inside);
-  const auto last = std::find_if(mask.rbegin(), std::make_reverse_iterator(first), inside).base();
-  return {static_cast<std::size_t>(first - mask.begin()), static_cast<std::size_t>(last - mask.begin())};
+Span spanOf(const LabelLayer& mask) {
+  return mask.visit([](const auto& voxels) {
+    const auto inside = [](auto voxel) { return voxel != 0; };
+    const auto first = std::find_if(voxels.begin(), voxels.end(), inside);
+    const auto last = std::find_if(voxels.rbegin(), std::make_reverse_iterator(first), inside).base();
+    return Span{static_cast<std::size_t>(first - voxels.begin()),
+                static_cast<std::size_t>(last - voxels.begin())};
+  });
 }
 
-bool isFree(const LabelMap::Layer& layer, const LabelMap::Layer& mask, const Span& span) {
+bool isFree(const LabelLayer& layer, const LabelLayer& mask, const Span& span) {
   for (std::size_t v = span.begin; v < span.end; ++v)
     if (mask[v] != 0 && layer[v] != 0)
       return false;
@@ -135,15 +148,32 @@ void completeSegments(LabelMap& map) {
 }
 
 void measureSegments(LabelMap& map, Progress& progress) {
-  for (const LabelMap::Layer& layer : map.layers)
-    for (int k = 0; k < map.size[2]; ++k) {
+  std::vector<Extent> all(map.segments.size());
+  for (std::size_t s = 0; s < all.size(); ++s)
+    all[s] = {map.segments[s].voxels, map.segments[s].low, map.segments[s].high};
+  std::mutex mutex;
+  for (const LabelLayer& layer : map.layers)
+    parallelRanges(map.size[2], kSlicesAtOnce, {}, [&](Eigen::Index begin, Eigen::Index end) {
       progress.throwIfCancelled();
-      for (int j = 0; j < map.size[1]; ++j)
-        measureRow(map, layer.data() + map.indexOf(0, j, k), j, k);
-    }
+      std::vector<Extent> own(all.size());
+      layer.visit([&](const auto& voxels) {
+        for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+          for (int j = 0; j < map.size[1]; ++j)
+            measureRow(own, voxels.data() + map.indexOf(0, j, k), map.size[0], j, k);
+      });
+      const std::lock_guard lock(mutex);
+      for (std::size_t s = 0; s < all.size(); ++s)
+        if (own[s].voxels > 0)
+          all[s].add(own[s].voxels, own[s].low, own[s].high);
+    });
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    map.segments[s].voxels = all[s].voxels;
+    map.segments[s].low = all[s].low;
+    map.segments[s].high = all[s].high;
+  }
 }
 
-int addToFreeLayer(std::vector<LabelMap::Layer>& layers, const LabelMap::Layer& mask, std::uint16_t number) {
+int addToFreeLayer(std::vector<LabelLayer>& layers, const LabelLayer& mask, std::uint16_t number) {
   const Span span = spanOf(mask);
   std::size_t found = 0;
   while (found < layers.size() && !isFree(layers[found], mask, span))
@@ -152,7 +182,7 @@ int addToFreeLayer(std::vector<LabelMap::Layer>& layers, const LabelMap::Layer& 
     layers.emplace_back(mask.size());
   for (std::size_t v = span.begin; v < span.end; ++v)
     if (mask[v] != 0)
-      layers[found][v] = number;
+      layers[found].set(v, number);
   return static_cast<int>(found);
 }
 

@@ -15,11 +15,11 @@ void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated);
 void completeSegments(LabelMap& map);
 
 /// Counts the voxels of every segment and finds the boxes around them; segments without voxels are left as
-/// they are. O(voxels).
+/// they are. O(voxels), on all threads.
 void measureSegments(LabelMap& map, Progress& progress);
 
 /// Writes `number` where `mask` is not 0 into the first of the layers in which all these voxels are free, or
 /// into a new one; gives that layer's index. All are of one size. O(layers voxels).
-int addToFreeLayer(std::vector<LabelMap::Layer>& layers, const LabelMap::Layer& mask, std::uint16_t number);
+int addToFreeLayer(std::vector<LabelLayer>& layers, const LabelLayer& mask, std::uint16_t number);
 
 } // namespace viscera::medical_io

@@ -43,8 +43,7 @@ TriangleMesh stepsBetween(const VoxelBox& box, const LabelMap& map) {
   return mesh;
 }
 
-bool isSound(const TriangleMesh& mesh) {
-  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+bool isSound(const geometry::SurfaceReport& report) {
   return report.closed() && report.manifold() && report.volumeMm3 > 0;
 }
 
@@ -111,7 +110,8 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
     correctVolume(surface.mesh, surface.voxelVolumeMm3, map.indexToLps.linear());
     surface.volumeMm3 = geometry::volume(surface.mesh.points, surface.mesh.triangles, Threads{1});
     const double error = std::abs(surface.volumeMm3 - surface.voxelVolumeMm3);
-    if (isSound(surface.mesh) && error <= kVolumeTolerance * surface.voxelVolumeMm3)
+    surface.report = geometry::checkSurface(surface.mesh);
+    if (isSound(surface.report) && error <= kVolumeTolerance * surface.voxelVolumeMm3)
       return surface;
   }
   surface.warnings.push_back("is too thin in places for a surface with the volume of its voxels");

@@ -97,20 +97,20 @@ bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& poi
 
 namespace {
 
-/// Appends what a user should know before working with the surface: it is open, inside out, in pieces; its
-/// size is none that an organ has in mm, with the units that would explain it; its volume is far from the
-/// normal one of the organ that its name says. O(m log m).
+/// Checks the surface, and appends what a user should know before working with it: it is open, inside out, in
+/// pieces; its size is none that an organ has in mm, with the units that would explain it; its volume is far
+/// from the normal one of the organ that its name says. O(m log m).
 void appendSurfaceWarnings(SurfaceFile& surface) {
   const auto append = [&](std::optional<std::string> doubt) {
     if (doubt)
       surface.warnings.push_back(std::move(*doubt));
   };
   append(doubtAboutSize(surface.name, boundsOf(surface.mesh.points).diagonal()));
-  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
-  for (std::string& fault : geometry::faults(report))
+  surface.report = geometry::checkSurface(surface.mesh);
+  for (std::string& fault : geometry::faults(surface.report))
     surface.warnings.push_back(std::move(fault));
-  if (report.closed())
-    append(doubtAboutVolume(surface.name, std::abs(report.volumeMm3) / kMm3PerMl));
+  if (surface.report.closed())
+    append(doubtAboutVolume(surface.name, std::abs(surface.report.volumeMm3) / kMm3PerMl));
 }
 
 class Assembly {

@@ -82,7 +82,7 @@ private:
 
 VoxelBox voxelsOf(const LabelMap& map, std::size_t segment) {
   const Segment& from = map.segments[segment];
-  const LabelMap::Layer& layer = map.layers[static_cast<std::size_t>(from.layer)];
+  const LabelLayer& layer = map.layers[static_cast<std::size_t>(from.layer)];
   const auto number = static_cast<std::uint16_t>(segment + 1);
   VoxelBox box;
   std::size_t voxels = 1;
@@ -94,16 +94,19 @@ VoxelBox voxelsOf(const LabelMap& map, std::size_t segment) {
   box.inside.assign(voxels, 0);
   box.count = from.voxels;
   const int length = from.high[0] - from.low[0] + 1;
-  for (int k = from.low[2]; k <= from.high[2]; ++k)
-    for (int j = from.low[1]; j <= from.high[1]; ++j) {
-      const std::uint16_t* row = layer.data() + map.indexOf(from.low[0], j, k);
-      const std::size_t slice =
-          static_cast<std::size_t>(k - box.low[2]) * static_cast<std::size_t>(box.size[1]);
-      std::uint8_t* out =
-          box.inside.data() +
-          (slice + static_cast<std::size_t>(j - box.low[1])) * static_cast<std::size_t>(box.size[0]) + 1;
-      std::transform(row, row + length, out, [&](std::uint16_t v) { return v == number ? 1 : 0; });
-    }
+  layer.visit([&](const auto& all) {
+    for (int k = from.low[2]; k <= from.high[2]; ++k)
+      for (int j = from.low[1]; j <= from.high[1]; ++j) {
+        const auto* row = all.data() + map.indexOf(from.low[0], j, k);
+        const std::size_t slice =
+            static_cast<std::size_t>(k - box.low[2]) * static_cast<std::size_t>(box.size[1]);
+        std::uint8_t* out =
+            box.inside.data() +
+            (slice + static_cast<std::size_t>(j - box.low[1])) * static_cast<std::size_t>(box.size[0]) + 1;
+        std::transform(row, row + length, out,
+                       [&](auto v) { return static_cast<std::uint8_t>(v == number ? 1 : 0); });
+      }
+  });
   return box;
 }
 

@@ -136,9 +136,9 @@ void countAgain(LabelMap& map, Progress& progress) {
   if (kept.size() == map.segments.size())
     return;
   map.segments = std::move(kept);
-  for (LabelMap::Layer& layer : map.layers)
-    for (std::uint16_t& voxel : layer)
-      voxel = numbers[voxel];
+  for (LabelLayer& layer : map.layers)
+    for (std::size_t voxel = 0; voxel < layer.size(); ++voxel)
+      layer.set(voxel, numbers[layer[voxel]]);
 }
 
 } // namespace
@@ -176,7 +176,7 @@ LabelMap warpedLabelMap(const LabelMap& map, const Warp& warp, WarpReport& repor
     }
     const std::size_t from = map.indexOf(nearest[0], nearest[1], nearest[2]);
     for (std::size_t layer = 0; layer < map.layers.size(); ++layer)
-      warped.layers[layer][voxel] = inside ? map.layers[layer][from] : std::uint16_t{0};
+      warped.layers[layer].set(voxel, inside ? map.layers[layer][from] : std::uint16_t{0});
   });
   countAgain(warped, progress);
   return warped;

@@ -254,7 +254,7 @@ private:
     if (surface.labels.empty())
       segments = medical_io::segmentsNamed(map, {}, where);
     for (const std::size_t segment : segments) {
-      const LabelMap::Layer& layer = map.layers[static_cast<std::size_t>(map.segments[segment].layer)];
+      const medical_io::LabelLayer& layer = map.layers[static_cast<std::size_t>(map.segments[segment].layer)];
       for (std::size_t v = 0; v < layer.size(); ++v)
         mask.inside[v] |= layer[v] == segment + 1 ? 1 : 0;
     }

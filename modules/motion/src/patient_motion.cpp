@@ -45,7 +45,7 @@ TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, 
   medical_io::LabelMap map;
   map.size = fine.size;
   map.indexToLps = fine.indexToLps;
-  map.layers.emplace_back(fine.inside.begin(), fine.inside.end());
+  map.layers.emplace_back(fine.inside);
   medical_io::Segment segment;
   segment.label = 1;
   segment.name = name;

@@ -87,11 +87,12 @@ std::shared_ptr<medical_io::LabelMap> readLabelMap(const path& file, const py::o
   });
 }
 
-/// One layer as an array k x j x i on the map's own memory.
+/// The layers as arrays k x j x i of numbers of segments.
 py::list layers(const std::shared_ptr<medical_io::LabelMap>& map) {
   py::list all;
   for (const auto& layer : map->layers) {
-    py::array_t<std::uint16_t> array({map->size[2], map->size[1], map->size[0]}, layer.data(), py::cast(map));
+    py::array_t<std::uint16_t> array({map->size[2], map->size[1], map->size[0]});
+    layer.visit([&](const auto& voxels) { std::copy(voxels.begin(), voxels.end(), array.mutable_data()); });
     array.attr("flags").attr("writeable") = false;
     all.append(array);
   }

@@ -41,11 +41,11 @@ Eigen::Index sizeOfLabels(const std::filesystem::path& file) {
   EXPECT_FALSE(read.segments.empty()) << file;
   EXPECT_TRUE(read.indexToLps.matrix().allFinite()) << file;
   EXPECT_GT(read.voxelVolumeMm3(), 0) << file;
-  for (const LabelMap::Layer& layer : read.layers) {
+  for (const LabelLayer& layer : read.layers) {
     EXPECT_EQ(layer.size(), read.voxelCount()) << file;
-    for (const std::uint16_t voxel : layer) {
-      EXPECT_LE(voxel, read.segments.size()) << file;
-      voxels += voxel != 0 ? 1 : 0;
+    for (std::size_t voxel = 0; voxel < layer.size(); ++voxel) {
+      EXPECT_LE(layer[voxel], read.segments.size()) << file;
+      voxels += layer[voxel] != 0 ? 1 : 0;
     }
   }
   return voxels;

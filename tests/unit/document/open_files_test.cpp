@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "label_files.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/surface_file.h"
@@ -131,11 +132,16 @@ TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {
   refusal<UsageError>({});
 }
 
-TEST_F(OpenFiles, TellAllThatFailedToWhoHasSomethingElseToShow) {
+TEST_F(OpenFiles, TellAllThatFailedBesideAScan) {
   std::ofstream(folder_ / "empty.stl").close();
   Progress progress;
-  const OpenedFiles opened = openReadable({folder_ / "empty.stl", folder_ / "missing.stl"}, progress);
+  tests::LabelImage image = tests::emptyLabels();
+  image.voxels.front() = -1000;
+  const auto scan = folder_ / "ct.nii";
+  std::ofstream(scan, std::ios::binary) << tests::niftiFile(image);
+  const OpenedFiles opened = openPatient({folder_ / "empty.stl", scan, folder_ / "missing.stl"}, progress);
   EXPECT_TRUE(opened.organs.empty());
+  ASSERT_TRUE(opened.scan);
   ASSERT_EQ(opened.failures.size(), 2u);
   EXPECT_THAT(opened.failures[0].what(), HasSubstr("empty.stl"));
   EXPECT_THAT(opened.leftOut, ::testing::ElementsAre(folder_ / "empty.stl", folder_ / "missing.stl"));

@@ -38,30 +38,37 @@ std::string labelFile() {
   return tests::niftiFile(image);
 }
 
-TEST(ScanItem, IsTakenFromAmongFilesAndLabelMapsAreNot) {
+TEST(ScanItem, IsOpenedBesideTheOrgansOfTheOtherFiles) {
   TemporaryFolder folder;
   const auto ct = folder.put("ct.nii", scanFile()), labels = folder.put("labels.nii", labelFile());
   const auto ball = tests::ballFile(folder, "ball.stl");
   Progress progress;
-  std::vector<std::filesystem::path> files = {ball, labels, ct};
-  const auto item = takeScan(files, progress);
-  ASSERT_TRUE(item);
-  EXPECT_EQ(item->name, "ct.nii");
-  EXPECT_EQ(item->scan->value(12, 10, 8), 100);
-  EXPECT_EQ(files, (std::vector<std::filesystem::path>{ball, labels}));
-  EXPECT_FALSE(takeScan(files, progress));
+  const OpenedFiles opened = openPatient({ball, labels, ct}, progress);
+  ASSERT_TRUE(opened.scan);
+  EXPECT_EQ(opened.scan->name, "ct.nii");
+  EXPECT_EQ(opened.scan->scan->value(12, 10, 8), 100);
+  EXPECT_EQ(opened.scan->hash, scanHash(*opened.scan->scan));
+  EXPECT_EQ(opened.organs.size(), 2u);
+  EXPECT_EQ(opened.name, "Open 2 files");
+  EXPECT_FALSE(openPatient({ball, labels}, progress).scan);
+  EXPECT_FALSE(openImage(ball, progress)) << "no image at all";
 }
 
 TEST(ScanItem, WithNoiseInItIsNoLabelMapEvenWithoutNegativeValues) {
   const auto noise = [](const Vec3& p) { return 40.0 + int(p.x() * 7 + p.y() * 5 + p.z() * 3) % 11; };
-  medical_io::Scan scan = tests::phantomScan({12, 12, 12}, Vec3::Ones(), Vec3::Zero(), noise);
-  scan.modality.clear();
-  scan.intercept = 0;
-  EXPECT_FALSE(medical_io::looksLikeLabels(scan));
-  std::get<std::vector<std::int16_t>>(scan.samples).assign(scan.voxelCount(), 4);
-  EXPECT_TRUE(medical_io::looksLikeLabels(scan));
-  scan.modality = "MR";
-  EXPECT_FALSE(medical_io::looksLikeLabels(scan)) << "the file says what it is";
+  tests::LabelImage image = tests::emptyLabels({12, 12, 12});
+  for (int k = 0; k < 12; ++k)
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < 12; ++i)
+        image.at(i, j, k) = static_cast<std::int16_t>(noise(Vec3(i, j, k)));
+  TemporaryFolder folder;
+  Progress progress;
+  const auto contents = [&] {
+    return medical_io::imageContents(folder.put("a.nii", tests::niftiFile(image)), progress);
+  };
+  EXPECT_EQ(contents(), medical_io::ImageContents::values);
+  image.voxels.assign(image.voxels.size(), 4);
+  EXPECT_EQ(contents(), medical_io::ImageContents::labels);
 }
 
 TEST(ScanItem, IsOneStepOfTheDocument) {
@@ -275,9 +282,9 @@ TEST(ScanItem, FromInsideASessionIsComparedWithItsFileWhenOnlyThatIsNamed) {
 TEST(ScanItem, ThatIsDamagedAndCannotBeALabelMapIsRefusedWithTheReason) {
   TemporaryFolder folder;
   const auto damaged = folder.put("slice.dcm", std::string(128, '\0') + "DICM" + std::string(60, 'x'));
-  std::vector<std::filesystem::path> files = {damaged};
   Progress progress;
-  EXPECT_THROW(takeScan(files, progress), DataError);
+  EXPECT_THROW(openImage(damaged, progress), DataError);
+  EXPECT_THROW(openPatient({damaged}, progress), DataError);
   try {
     openFiles({damaged}, progress);
     FAIL();

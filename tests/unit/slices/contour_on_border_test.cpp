@@ -162,7 +162,7 @@ medical_io::LabelMap eggInObliqueGrid() {
   map.indexToLps.linear() = Eigen::AngleAxisd(0.4, Vec3(1, 2, -1).normalized()).toRotationMatrix() *
                             Vec3(-1.2, 1.2, 2).asDiagonal();
   map.indexToLps.translation() = Vec3(31, -17, 240);
-  map.layers.emplace_back(map.voxelCount(), std::uint16_t(0));
+  map.layers.emplace_back(map.voxelCount());
   medical_io::Segment egg;
   egg.label = 1;
   egg.name = "egg";
@@ -171,7 +171,7 @@ medical_io::LabelMap eggInObliqueGrid() {
     for (int j = 0; j < map.size[1]; ++j)
       for (int i = 0; i < map.size[0]; ++i)
         if (Vec3((i - 14) / 11.0, (j - 17) / 9.0, (k - 10) / 7.0).norm() <= 1) {
-          map.layers[0][map.indexOf(i, j, k)] = 1;
+          map.layers[0].set(map.indexOf(i, j, k), 1);
           ++egg.voxels;
           const std::array<int, 3> at = {i, j, k};
           for (std::size_t d = 0; d < 3; ++d) {

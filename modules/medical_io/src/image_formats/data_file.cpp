@@ -135,33 +135,39 @@ private:
   std::vector<std::uint64_t> buffer_; ///< The widest scalar has eight bytes.
 };
 
-/// Voxels as they are in the file `path`, from byte `begin` on; `whole` is what its header promises.
+/// Where voxels are as they are, from byte `begin` on; `whole` is what the header promises.
 struct PlainVoxels {
-  std::filesystem::path path;
   std::uint64_t begin = 0;
   std::uint64_t whole = 0;
   bool atEnd = false;
 };
 
-void visitPlain(const PlainVoxels& voxels, std::uint64_t skipped,
+/// `file` holds the beginning, or nothing but its name.
+void visitPlain(const FileBytes& file, const PlainVoxels& voxels, std::uint64_t skipped,
                 const std::function<void(std::uint64_t)>& prepare, std::uint64_t count, Blocks& blocks) {
-  const FileBytes named{voxels.path, {}};
   errno = 0;
-  std::ifstream stream(voxels.path, std::ios::binary | std::ios::ate);
+  std::ifstream stream(file.file, std::ios::binary | std::ios::ate);
   if (!stream)
-    throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)),
-                       named.name(), "check that you may read it");
+    throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)), file.name(),
+                       "check that you may read it");
   const auto length = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
   const std::uint64_t begin =
       voxels.atEnd && length >= voxels.whole ? length - voxels.whole : std::min(voxels.begin, length);
   if (length - begin < voxels.whole)
-    named.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
-                      voxels.whole, length - begin));
+    file.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
+                     voxels.whole, length - begin));
   prepare(count);
-  stream.seekg(static_cast<std::streamoff>(begin + skipped));
-  blocks.run(named, [&](char* bytes, std::size_t wanted) {
-    stream.read(bytes, static_cast<std::streamsize>(wanted));
-    return static_cast<std::size_t>(stream.gcount());
+  const auto held = static_cast<std::uint64_t>(file.bytes.size());
+  std::uint64_t at = begin + skipped;
+  stream.seekg(static_cast<std::streamoff>(std::max(at, held)));
+  blocks.run(file, [&](char* bytes, std::size_t wanted) {
+    std::size_t got = at < held ? file.view().copy(bytes, wanted, static_cast<std::size_t>(at)) : 0;
+    if (got < wanted) {
+      stream.read(bytes + got, static_cast<std::streamsize>(wanted - got));
+      got += static_cast<std::size_t>(stream.gcount());
+    }
+    at += got;
+    return got;
   });
 }
 
@@ -193,26 +199,26 @@ void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& ra
                  const std::function<void(const char*, std::size_t)>& visit) {
   const std::size_t width = sizeOf(raw.scalar);
   const std::uint64_t skipped = saturatedProduct(range.first, width);
-  const auto walk = [&](const std::filesystem::path& path) {
-    const std::size_t begin = stored.beside ? 0 : stored.headerEnd;
+  const auto walk = [&](const FileBytes& begin) {
+    const std::size_t first = stored.beside ? 0 : stored.headerEnd;
     Blocks blocks(range.count, width, progress, visit);
     if (stored.packing == Packing::none)
-      visitPlain({path, saturatedSum(begin, stored.skippedBytes), raw.byteCount(), stored.atEnd}, skipped,
+      visitPlain(begin, {saturatedSum(first, stored.skippedBytes), raw.byteCount(), stored.atEnd}, skipped,
                  prepare, range.count, blocks);
     else
-      visitPacked(readWholeFile(path), begin, stored, skipped, prepare, range.count,
+      visitPacked(readRestOfFile(begin), first, stored, skipped, prepare, range.count,
                   saturatedProduct(range.count, width), blocks);
     return true;
   };
   const bool atEndOfPacked = stored.atEnd && stored.packing != Packing::none;
   if (!stored.text && stored.skippedLines == 0 && !atEndOfPacked) {
     if (stored.beside)
-      readBeside(file, stored, walk);
+      readBeside(file, stored, [&](const auto& beside) { return walk(FileBytes{beside, {}, 0}); });
     else
-      walk(file.file);
+      walk(file);
     return;
   }
-  FileBytes whole = readWholeFile(file.file);
+  FileBytes whole = readRestOfFile(file);
   takeValues(whole, stored, raw);
   const std::size_t stride = sizeOf(raw.scalar);
   std::string_view rest = raw.values().substr(static_cast<std::size_t>(range.first) * stride);

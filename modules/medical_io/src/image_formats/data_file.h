@@ -57,9 +57,10 @@ struct ValueRange {
 };
 
 /// Passes the values to `visit`, block by block in their order, each block with its number of values and
-/// aligned for them, so that only one block is in memory beside what `visit` keeps. Of `file` only the name
-/// is used. `raw.scalar` and `raw.order` may be set anew before the first call. `prepare` is called before
-/// with the number of values, if the file is long enough for them. Throws as `takeValues`, `Cancelled`.
+/// aligned for them, so that only one block is in memory beside what `visit` keeps. What `file` holds of its
+/// bytes is not read again. `visit` throws no `DataError`. `raw.scalar` and `raw.order` may be set anew
+/// before the first call. `prepare` is called before with the number of values, if the file is long enough
+/// for them. Throws as `takeValues`, `Cancelled`.
 void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
                  Progress& progress, const std::function<void(std::uint64_t most)>& prepare,
                  const std::function<void(const char* bytes, std::size_t count)>& visit);

@@ -248,10 +248,10 @@ private:
     std::map<int, std::vector<const Slice*>> bySegment;
     for (const Slice& slice : slices_)
       bySegment[slice.segment].push_back(&slice);
-    std::vector<LabelMap::Layer> layers;
+    std::vector<LabelLayer> layers;
     const auto voxels = static_cast<std::size_t>(raw_.valueCount());
     for (const auto& [segment, list] : bySegment) {
-      LabelMap::Layer mask(voxels);
+      LabelLayer mask(voxels);
       for (const Slice* slice : list)
         paint(*slice, mask);
       const int layer = addToFreeLayer(layers, mask, static_cast<std::uint16_t>(segment));
@@ -260,8 +260,11 @@ private:
     raw_.layers = static_cast<int>(layers.size());
     raw_.scalar = Scalar::uint16;
     raw_.order = std::endian::native;
-    for (const LabelMap::Layer& layer : layers)
-      raw_.storage.append(reinterpret_cast<const char*>(layer.data()), layer.size() * sizeof(layer[0]));
+    for (const LabelLayer& layer : layers)
+      for (std::size_t voxel = 0; voxel < layer.size(); ++voxel) {
+        const std::uint16_t number = layer[voxel];
+        raw_.storage.append(reinterpret_cast<const char*>(&number), sizeof number);
+      }
   }
 
   /// Binary frames follow each other bit by bit, the lowest first, without a gap between frames.
@@ -269,12 +272,12 @@ private:
     return binary_ ? (pixels_[pixel / 8] >> (pixel % 8) & 1) != 0 : pixels_[pixel] >= threshold_;
   }
 
-  void paint(const Slice& slice, LabelMap::Layer& mask) const {
+  void paint(const Slice& slice, LabelLayer& mask) const {
     const std::uint64_t pixels = std::uint64_t{rows_} * columns_, first = slice.frame * pixels;
-    std::uint16_t* out = mask.data() + pixels * static_cast<std::size_t>(layerOfSlice(slice));
+    const std::size_t out = pixels * static_cast<std::size_t>(layerOfSlice(slice));
     for (std::uint64_t p = 0; p < pixels; ++p)
       if (isInside(first + p))
-        out[p] = 1;
+        mask.set(out + p, 1);
   }
 
   StatedSegment statementOf(int number, int layer) {

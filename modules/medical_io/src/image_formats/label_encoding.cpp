@@ -1,10 +1,9 @@
 #include "image_formats/label_encoding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <string>
 
 #include "viscera/core/phrase.h"
 
@@ -12,100 +11,104 @@ namespace viscera::medical_io {
 namespace {
 
 constexpr std::size_t kEncodedBlock = std::size_t{1} << 20U; ///< Values between two looks at the progress.
+constexpr const char* kTryLabels = "open the segmentation that was made from the image";
 
-/// Numbers the labels of one layer after another in the order in which they come.
-class Encoder {
-public:
-  Encoder(const RawImage& raw, const FileBytes& file) : raw_(raw), file_(file), width_(sizeOf(raw.scalar)) {}
+[[noreturn]] void failAsTooMany(const FileBytes& file) {
+  file.fail(phrase("It holds an image, not labels: it has more than %1 different values", kMostLabels),
+            kTryLabels);
+}
 
-  /// The layers with numbers from 1, which `labels()` explains.
-  std::vector<LabelMap::Layer> run(Progress& progress) {
-    const std::size_t voxels =
-        static_cast<std::size_t>(raw_.valueCount()) / static_cast<std::size_t>(raw_.layers);
-    std::vector<LabelMap::Layer> layers;
-    for (layer_ = 0; layer_ < raw_.layers; ++layer_) {
-      LabelMap::Layer& layer = layers.emplace_back(voxels);
-      const std::size_t number = static_cast<std::size_t>(layer_),
-                        count = static_cast<std::size_t>(raw_.layers);
-      const std::size_t step = width_ * (raw_.layersFirst ? count : 1);
-      const char* data = raw_.values().data() + width_ * (raw_.layersFirst ? number : number * voxels);
-      for (std::size_t begin = 0; begin < voxels; begin += kEncodedBlock) {
-        progress.report(static_cast<double>(number * voxels + begin) / static_cast<double>(count * voxels),
-                        "labels");
-        progress.throwIfCancelled();
-        for (std::size_t v = begin; v < std::min(voxels, begin + kEncodedBlock); ++v)
-          layer[v] = numberOf(data + v * step);
-      }
-      lastNumber_.reset();
-    }
-    return layers;
-  }
-
-  /// Layer and label of every number but 0.
-  const std::vector<LayerLabel>& labels() const { return labels_; }
-
-private:
-  /// Neighbours mostly have the same label, so the last one is remembered by its bytes.
-  std::uint16_t numberOf(const char* data) {
-    if (lastNumber_ && std::equal(data, data + width_, last_.begin()))
-      return *lastNumber_;
-    std::copy(data, data + width_, last_.begin());
-    lastNumber_ = look(raw_.slope * loadDouble(data, raw_.scalar, raw_.order) + raw_.intercept);
-    return *lastNumber_;
-  }
-
-  std::uint16_t look(double value) {
-    constexpr double kLargest = 9007199254740992.0; // All whole numbers up to it are doubles.
-    const std::string tryThis = "open the segmentation that was made from the image";
-    if (!(value >= 0 && value <= kLargest) || value != std::floor(value))
-      file_.fail(phrase("It holds an image, not labels: one of its values is %1", std::to_string(value)),
-                 tryThis);
-    if (value == 0)
-      return 0;
-    const auto [found, isNew] =
-        numbers_.try_emplace({layer_, static_cast<std::int64_t>(value)}, labels_.size() + 1);
-    if (isNew)
-      labels_.emplace_back(found->first);
-    if (labels_.size() > kMostLabels)
-      file_.fail(phrase("It holds an image, not labels: it has more than %1 different values", kMostLabels),
-                 tryThis);
-    return static_cast<std::uint16_t>(found->second);
-  }
-
-  const RawImage& raw_;
-  const FileBytes& file_;
-  std::size_t width_;
-  int layer_ = 0;
-  std::map<LayerLabel, std::size_t> numbers_;
-  std::vector<LayerLabel> labels_;
-  std::array<char, sizeof(double)> last_ = {};
-  std::optional<std::uint16_t> lastNumber_;
-};
-
-/// Numbers in the order of layers and labels, whichever voxel came first.
-void sortLabels(std::vector<LabelMap::Layer>& layers, std::vector<LayerLabel>& labels) {
-  const std::vector<LayerLabel> before = labels;
-  std::sort(labels.begin(), labels.end());
-  if (labels == before)
-    return;
-  std::vector<std::uint16_t> numbers(labels.size() + 1, 0);
-  for (std::size_t i = 0; i < before.size(); ++i)
-    numbers[i + 1] = static_cast<std::uint16_t>(std::lower_bound(labels.begin(), labels.end(), before[i]) -
-                                                labels.begin() + 1);
-  for (LabelMap::Layer& layer : layers)
-    for (std::uint16_t& voxel : layer)
-      voxel = numbers[voxel];
+std::int64_t labelOf(double value, const FileBytes& file) {
+  constexpr double kLargest = 9007199254740992.0; // All whole numbers up to it are doubles.
+  if (!(value >= 0 && value <= kLargest) || value != std::floor(value))
+    file.fail(phrase("It holds an image, not labels: one of its values is %1", std::to_string(value)),
+              kTryLabels);
+  return static_cast<std::int64_t>(value);
 }
 
 } // namespace
 
-EncodedLabels encodeLabels(const RawImage& raw, const FileBytes& file, Progress& progress) {
-  Encoder encoder(raw, file);
-  EncodedLabels result;
-  result.layers = encoder.run(progress);
-  result.labels = encoder.labels();
-  sortLabels(result.layers, result.labels);
+LabelEncoder::LabelEncoder(const RawImage& image)
+    : voxels_(static_cast<std::size_t>(image.valueCount()) / static_cast<std::size_t>(image.layers)),
+      layersFirst_(image.layersFirst && image.layers > 1), layers_(static_cast<std::size_t>(image.layers)) {}
+
+void LabelEncoder::reserve() {
+  for (NumberedLayer& layer : layers_)
+    layer.voxels.reserve(voxels_);
+}
+
+void LabelEncoder::takeLayer(std::size_t layer, const char* bytes, std::size_t count, Scalar scalar,
+                             std::endian order) {
+  NumberedLayer& own = layers_[layer];
+  const auto accept = [&own](double) { return own.values.values().size() <= kMostLabels + 1U; };
+  const auto append = [&own](std::size_t number, std::size_t length) { own.voxels.append(number, length); };
+  tooMany_ = tooMany_ || own.values.take(bytes, count, scalar, order, accept, append) < count;
+}
+
+void LabelEncoder::take(const char* bytes, std::size_t count, Scalar scalar, std::endian order) {
+  const std::size_t width = sizeOf(scalar), layers = layers_.size();
+  if (layersFirst_) {
+    std::vector<char> own((count / layers + 1) * width);
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      std::size_t found = 0;
+      for (std::size_t v = (layer + layers - seen_ % layers) % layers; v < count; v += layers)
+        std::copy_n(bytes + v * width, width, own.data() + width * found++);
+      takeLayer(layer, own.data(), found, scalar, order);
+    }
+  } else {
+    for (std::size_t begin = 0; begin < count;) {
+      const std::size_t at = seen_ + begin, part = std::min(count - begin, voxels_ - at % voxels_);
+      takeLayer(at / voxels_, bytes + begin * width, part, scalar, order);
+      begin += part;
+    }
+  }
+  seen_ += count;
+}
+
+EncodedLabels LabelEncoder::finish(const RawImage& image, const FileBytes& file) {
+  EncodedLabels result = encodedLabels(std::move(layers_), image, file);
+  if (tooMany_)
+    failAsTooMany(file);
   return result;
+}
+
+EncodedLabels encodedLabels(std::vector<NumberedLayer> layers, const RawImage& image, const FileBytes& file) {
+  std::map<LayerLabel, std::uint16_t>
+      numbers; // In the order of layers and labels, whichever voxel came first.
+  std::vector<std::vector<std::int64_t>> labels(layers.size());
+  for (std::size_t layer = 0; layer < layers.size(); ++layer)
+    for (const double stored : layers[layer].values.values()) {
+      labels[layer].push_back(labelOf(image.slope * stored + image.intercept, file));
+      if (labels[layer].back() != 0)
+        numbers.try_emplace({static_cast<int>(layer), labels[layer].back()});
+      if (numbers.size() > kMostLabels)
+        failAsTooMany(file);
+    }
+  EncodedLabels result;
+  for (auto& [label, number] : numbers) {
+    result.labels.push_back(label);
+    number = static_cast<std::uint16_t>(result.labels.size());
+  }
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    std::vector<std::uint16_t> table;
+    for (const std::int64_t label : labels[layer])
+      table.push_back(label == 0 ? std::uint16_t{0} : numbers.at({static_cast<int>(layer), label}));
+    result.layers.push_back(layers[layer].voxels.mapped(table));
+  }
+  return result;
+}
+
+EncodedLabels encodeLabels(const RawImage& raw, const FileBytes& file, Progress& progress) {
+  LabelEncoder encoder(raw);
+  encoder.reserve();
+  const std::size_t width = sizeOf(raw.scalar), count = static_cast<std::size_t>(raw.valueCount());
+  for (std::size_t begin = 0; begin < count; begin += kEncodedBlock) {
+    progress.report(static_cast<double>(begin) / static_cast<double>(count), "labels");
+    progress.throwIfCancelled();
+    encoder.take(raw.values().data() + begin * width, std::min(kEncodedBlock, count - begin), raw.scalar,
+                 raw.order);
+  }
+  return encoder.finish(raw, file);
 }
 
 } // namespace viscera::medical_io

@@ -299,7 +299,9 @@ void replaceByHeader(FileBytes& file) {
                               "header, %1, is not beside it",
                               inQuotes(stemOf(file.file) + ".hdr")),
                        file.name(), "put both files into one folder");
-  file.bytes = readWholeFile(*header).bytes;
+  FileBytes other = readWholeFile(*header);
+  file.bytes = std::move(other.bytes);
+  file.length = other.length;
 }
 
 /// Where the voxels of a header alone are.

@@ -37,6 +37,7 @@ struct OpenedFiles {
   std::vector<NewOrgan> organs;
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
   std::optional<NewRig> rig;                   ///< When there was a handle file.
+  std::shared_ptr<const ScanItem> scan;        ///< Of `openPatient`; not among what `command` adds.
   std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
   std::vector<Error> failures;                ///< Of files that could not be read, each with its file's name.
   std::vector<std::filesystem::path> leftOut; ///< Those files, in the same order.
@@ -81,10 +82,11 @@ bool isHandleFile(const std::filesystem::path& file);
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 
-/// The same for who has something else to show, such as a scan: where nothing is left, that is told in
-/// `failures` as well, and what comes back is empty.
-OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progress& progress,
-                         const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
+/// The same, and the first of the files that is a scan as `scan`. Each image file is read once, whether it is
+/// a scan or a label map. With a scan, files that cannot be read are only listed in `failures`, whatever is
+/// left.
+OpenedFiles openPatient(const std::vector<std::filesystem::path>& files, Progress& progress,
+                        const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part
@@ -94,6 +96,10 @@ OpenedFiles openReadable(const std::vector<std::filesystem::path>& files, Progre
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
                                      const ArrivingOrganListener& arrives = {});
+/// The same of a map that was read from `file`.
+std::vector<NewOrgan> labelBatch(medical_io::LabelMap map, const std::filesystem::path& file,
+                                 const std::vector<std::string>& labels, Progress& progress,
+                                 const ArrivingOrganListener& arrives = {});
 /// The same without parents of cavities.
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
                                    Progress& progress, const ArrivingOrganListener& arrives = {});

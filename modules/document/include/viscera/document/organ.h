@@ -7,6 +7,7 @@
 
 #include "viscera/document/ids.h"
 #include "viscera/geometry/named_place.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::document {
@@ -70,5 +71,8 @@ bool isPure(const Vec3& color);
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);
+/// The same for a mesh whose report, that of `geometry::checkSurface`, is known.
+Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh,
+                geometry::SurfaceReport report);
 
 } // namespace viscera::document

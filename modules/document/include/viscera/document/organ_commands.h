@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct NewOrgan {
   Organ organ; ///< From `makeOrgan`; it gets its id when it is added, and `parent` may be an organ of the
                ///< document.
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
+  /// Of its surface as it was read, before `makeOrgan`; none: it was not read from a file.
+  std::optional<geometry::SurfaceReport> report = {};
 };
 
 /// Adds organs after the existing ones, in order. A name that is taken gets a number ("Liver 2"); names and

@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <variant>
 
 #include "viscera/core/progress.h"
 #include "viscera/document/command.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 
 namespace viscera::document {
@@ -41,11 +42,14 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress);
 
-/// Takes the first file or folder out of `files` that is a scan, and reads it; none when all of them are
-/// something else. Image formats hold scans and label maps alike: a file that looks like labels is not taken,
-/// and neither is one that cannot be read as a scan but may be a label map. Throws `NoInputError`,
-/// `DataError` for a scan that is damaged, `Cancelled`.
-std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress);
+/// A scan with its hash, or a label map.
+using ScanItemOrLabels = std::variant<ScanItem, medical_io::LabelMap>;
+
+/// Reads a file or folder that may be a scan; none when it is something else. Image formats hold scans and
+/// label maps alike: what looks like labels comes back as a label map, from the same reading. None also for a
+/// file that cannot be read as a scan but may be a label map: who reads it as such says what is wrong. Throws
+/// `NoInputError`, `DataError` for a scan that is damaged, `Cancelled`.
+std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Progress& progress);
 
 /// Opens a scan in the document, in place of the present one.
 Command openScan(ScanItem item);

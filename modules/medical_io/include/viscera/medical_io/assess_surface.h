@@ -58,6 +58,9 @@ struct SurfaceAssessment {
 /// `Cancelled`. O(m log m), about a second for a million triangles.
 SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const SurfaceOrigin& origin,
                                 Progress& progress, Threads threads = {});
+/// The same of a surface whose report, that of `geometry::checkSurface`, is known from its reading.
+SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const geometry::SurfaceReport& report,
+                                const SurfaceOrigin& origin, Progress& progress, Threads threads = {});
 
 /// The name and place of an organ, for judging its arrangement with others.
 struct PlacedOrgan {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <variant>
 
 #include "viscera/core/progress.h"
 #include "viscera/medical_io/label_map.h"
@@ -25,13 +26,18 @@ void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
 /// The meaning of the voxels of an image file.
 enum class ImageContents { values, labels };
 
-/// Whether the values of a scan are probably labels of organs instead of measured values: whole, none below
-/// zero, and few (eight) or mostly equal to their neighbours'. False for a scan that names its modality.
-/// O(voxels).
-bool looksLikeLabels(const Scan& scan);
-
-/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values. Reads
-/// the file. Throws as `readScan`.
+/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values of the
+/// first phase, which are probably labels where they are whole, none is below zero, and they are few (eight)
+/// or mostly equal to their neighbours. Reads the file, and keeps none of its voxels. Throws as `readScan`.
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress);
+
+/// What an image file holds.
+using ScanOrLabels = std::variant<Scan, LabelMap>;
+
+/// Reads an image as what it holds (`imageContents`), with one reading of its bytes and one unpacking;
+/// `options` are for a scan, of which another phase than the first is read again. A label map takes one byte
+/// a voxel, for more than 255 labels two. Throws as `readScan` and `readLabelMap`. O(voxels).
+ScanOrLabels readScanOrLabels(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
+                              Progress& progress);
 
 } // namespace viscera::medical_io

@@ -8,6 +8,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
+#include "viscera/medical_io/label_layer.h"
 
 /// Reads label maps: images whose voxels hold the label of an organ.
 namespace viscera::medical_io {
@@ -28,14 +29,12 @@ struct Segment {
 
 /// A label map read from a file. Only labels of at least one voxel are segments.
 struct LabelMap {
-  /// Of voxel (i, j, k), i fastest, in one layer: 0 for none, s + 1 for `segments[s]`.
-  using Layer = std::vector<std::uint16_t>;
-
   std::array<int, 3> size = {}; ///< Voxels along i, j and k.
   /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
   /// sheared; never singular.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
-  std::vector<Layer> layers; ///< More than one when segments overlap.
+  /// Of voxel (i, j, k) 0 for none, s + 1 for `segments[s]`. More than one layer when segments overlap.
+  std::vector<LabelLayer> layers;
   std::vector<Segment> segments;
   std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
   std::vector<std::string> warnings; ///< Doubts and assumptions, one sentence each.

@@ -6,6 +6,7 @@
 
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -24,6 +25,7 @@ struct LabelSurfaceOptions {
 struct LabelSurface {
   std::size_t segment = 0;           ///< Index into `LabelMap::segments`: its name and colour.
   geometry::TriangleMesh mesh;       ///< mm LPS; closed, manifold, outward.
+  geometry::SurfaceReport report;    ///< Of `mesh`.
   double volumeMm3 = 0;              ///< That the mesh encloses.
   double voxelVolumeMm3 = 0;         ///< Of the voxels that were kept.
   int pieces = 1;                    ///< Voxels that touch by faces; those that were kept.

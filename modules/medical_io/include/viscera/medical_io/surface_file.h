@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/space.h"
 
@@ -20,6 +21,7 @@ struct SurfaceFile {
   Space space = Space::lps;          ///< What the file was written in.
   bool spaceStated = false;          ///< False: the file does not say, LPS assumed.
   std::vector<std::string> warnings; ///< Repairs and doubts, one sentence each.
+  geometry::SurfaceReport report;    ///< Of `mesh`.
 };
 
 /// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Equal points are
