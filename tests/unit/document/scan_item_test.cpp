@@ -1,7 +1,11 @@
 #include "viscera/document/scan_item.h"
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +56,38 @@ TEST(ScanItem, IsOpenedBesideTheOrgansOfTheOtherFiles) {
   EXPECT_EQ(opened.name, "Open 2 files");
   EXPECT_FALSE(openPatient({ball, labels}, progress).scan);
   EXPECT_FALSE(openImage(ball, progress)) << "no image at all";
+}
+
+/// The bytes that this process has read from files so far; empty where the system does not count them.
+std::optional<std::uintmax_t> bytesRead() {
+  std::ifstream counts("/proc/self/io");
+  std::string name;
+  std::uintmax_t bytes = 0;
+  while (counts >> name >> bytes)
+    if (name == "rchar:")
+      return bytes;
+  return std::nullopt;
+}
+
+TEST(ScanItem, AndLabelMapsAreReadOnceFromTheirFiles) {
+  if (!bytesRead())
+    GTEST_SKIP() << "this system does not count the bytes that a process reads";
+  TemporaryFolder folder;
+  tests::LabelImage labels = tests::emptyLabels({100, 100, 100}), values = labels;
+  tests::addBall(labels, Vec3(30, 40, 50), 20, 3);
+  for (std::size_t v = 0; v < values.voxels.size(); ++v)
+    values.voxels[v] = static_cast<std::int16_t>(v * 2654435761u >> 24);
+  for (const tests::LabelImage* image : {&labels, &values}) {
+    const auto file = folder.put("image.nii", tests::niftiFile(*image));
+    const auto size = static_cast<double>(std::filesystem::file_size(file));
+    Progress progress;
+    const auto before = *bytesRead();
+    const OpenedFiles opened = openPatient({file}, progress);
+    const auto read = static_cast<double>(*bytesRead() - before);
+    EXPECT_EQ(opened.scan != nullptr, image == &values);
+    EXPECT_GE(read, size);
+    EXPECT_LT(read, 1.1 * size);
+  }
 }
 
 TEST(ScanItem, WithNoiseInItIsNoLabelMapEvenWithoutNegativeValues) {
