@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -48,17 +49,54 @@ struct Quadric {
   double at(const Vec3& p) const { return p.dot(a * p) + 2 * b.dot(p) + c; }
 };
 
-/// An edge on its way out. `stamps` tell whether an end has changed since.
+/// An edge on its way out. Kept small: most of the time goes into moving candidates within their queue.
 struct Candidate {
   double cost = 0;
   VertexIndex a = 0, b = 0;
-  std::array<int, 2> stamps = {};
-  Vec3 place = Vec3::Zero();
+  int stamps = 0; ///< The sum of both ends' stamps, which only grow: another sum is another edge by now.
 
   /// The cheapest on top of the queue; of equal ones that with the lower indices.
   bool operator<(const Candidate& other) const {
     return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
   }
+};
+
+/// Gives the cheapest candidate first. Most of them never come out: the dearer ones wait unsorted, so that
+/// the sorted ones fit into a processor's cache.
+class CheapestFirst {
+public:
+  bool empty() const { return sorted_.empty() && waiting_.empty(); }
+
+  void push(const Candidate& candidate) {
+    if (dearestSorted_ && *dearestSorted_ < candidate)
+      sorted_.push(candidate);
+    else
+      waiting_.push_back(candidate);
+  }
+
+  Candidate pop() {
+    if (sorted_.empty())
+      sortSome();
+    const Candidate cheapest = sorted_.top();
+    sorted_.pop();
+    return cheapest;
+  }
+
+private:
+  static constexpr std::size_t kPart = 16; ///< One of so many waiting candidates is sorted at a time.
+
+  void sortSome() {
+    const auto count = static_cast<std::ptrdiff_t>(1 + waiting_.size() / kPart);
+    const auto cheaper = [](const Candidate& one, const Candidate& other) { return other < one; };
+    std::nth_element(waiting_.begin(), waiting_.begin() + count - 1, waiting_.end(), cheaper);
+    dearestSorted_ = waiting_[static_cast<std::size_t>(count - 1)];
+    sorted_ = std::priority_queue<Candidate>({}, {waiting_.begin(), waiting_.begin() + count});
+    waiting_.erase(waiting_.begin(), waiting_.begin() + count);
+  }
+
+  std::priority_queue<Candidate> sorted_;
+  std::optional<Candidate> dearestSorted_;
+  std::vector<Candidate> waiting_; ///< Each dearer than `dearestSorted_`.
 };
 
 class Thinner {
@@ -69,23 +107,22 @@ public:
     for (VertexIndex t = 0; t < static_cast<VertexIndex>(mesh.triangles.rows()); ++t)
       addTriangle(t);
     for (const EditableSurface::Edge& edge : surface_.edges())
-      propose(edge.a, edge.b);
+      queue_.push(candidate(edge.a, edge.b));
   }
 
   TriangleMesh run(int triangles, const Progress& progress) {
     for (int step = 0; surface_.triangleCount() > triangles && !queue_.empty(); ++step) {
       if (step % kStepsBetweenLooks == 0)
         progress.throwIfCancelled();
-      const Candidate next = queue_.top();
-      queue_.pop();
-      if (next.stamps != std::array{stamp(next.a), stamp(next.b)} ||
-          !surface_.collapseTo({next.a, next.b}, next.place))
+      const Candidate next = queue_.pop();
+      if (next.stamps != stamp(next.a) + stamp(next.b) ||
+          !surface_.collapseTo({next.a, next.b}, placeOf(sum(next.a, next.b), next.a, next.b)))
         continue;
       quadric(next.a) += quadric(next.b);
       ++stamps_[static_cast<std::size_t>(next.a)];
       ++stamps_[static_cast<std::size_t>(next.b)];
       for (const VertexIndex neighbour : surface_.neighbours(next.a))
-        propose(std::min(next.a, neighbour), std::max(next.a, neighbour));
+        queue_.push(candidate(std::min(next.a, neighbour), std::max(next.a, neighbour)));
     }
     return surface_.mesh();
   }
@@ -103,15 +140,23 @@ private:
       quadric(corner).addPlane(twice / size, surface_.point(corner) - middle_, size / 2);
   }
 
-  void propose(VertexIndex a, VertexIndex b) {
-    Quadric sum = quadric(a);
-    sum += quadric(b);
-    Candidate candidate{.a = a, .b = b, .stamps = {stamp(a), stamp(b)}};
-    candidate.place = middle_ + bestPlace(sum, surface_.point(a) - middle_, surface_.point(b) - middle_);
+  Quadric sum(VertexIndex a, VertexIndex b) const {
+    Quadric both = quadrics_[static_cast<std::size_t>(a)];
+    return both += quadrics_[static_cast<std::size_t>(b)];
+  }
+
+  /// Where the merged vertex goes: the same as long as neither end has changed.
+  Vec3 placeOf(const Quadric& both, VertexIndex a, VertexIndex b) const {
+    return middle_ + bestPlace(both, surface_.point(a) - middle_, surface_.point(b) - middle_);
+  }
+
+  Candidate candidate(VertexIndex a, VertexIndex b) const {
+    const Quadric both = sum(a, b);
+    const Vec3 place = placeOf(both, a, b);
     // Cost: Q_a(p) + Q_b(p) + evenness (weight_a + weight_b) |ab|^2.
-    candidate.cost =
-        std::max(0.0, sum.at(candidate.place - middle_)) + kEvenness * sum.weight * surface_.length2({a, b});
-    queue_.push(candidate);
+    const double cost =
+        std::max(0.0, both.at(place - middle_)) + kEvenness * both.weight * surface_.length2({a, b});
+    return {cost, a, b, stamp(a) + stamp(b)};
   }
 
   /// The point of least error, or where that is not determined the best of the edge's ends and its middle.
@@ -133,7 +178,7 @@ private:
   EditableSurface surface_;
   std::vector<Quadric> quadrics_;
   std::vector<int> stamps_;
-  std::priority_queue<Candidate> queue_;
+  CheapestFirst queue_;
 };
 
 } // namespace
