@@ -70,6 +70,7 @@ EditableSurface::Index EditableSurface::opposite(Index triangle, Index a, Index 
 
 std::vector<EditableSurface::Index> EditableSurface::neighbours(Index vertex) const {
   std::vector<Index> list;
+  list.reserve(around_[at(vertex)].size());
   for (const Index t : around_[at(vertex)])
     for (const Index v : corners(t))
       if (v != vertex && std::find(list.begin(), list.end(), v) == list.end())
