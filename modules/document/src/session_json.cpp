@@ -203,10 +203,6 @@ ordered_json circulationJson(const CirculationChoice& choice) {
 
 SessionReader::SessionReader(const std::string& where) : JsonReader(where, kFormat) {}
 
-std::string SessionReader::at(const std::string& list, std::size_t index) {
-  return list + "[" + std::to_string(index) + "]";
-}
-
 std::string SessionReader::optionalText(const ordered_json& object, const char* key,
                                         const std::string& place) const {
   const auto found = object.find(key);

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viscera/core/json_reader.h"
 #include "viscera/document/document.h"
-#include "viscera/document/json_reader.h"
 
 /// Converts the parts of a document to and from the JSON of a session file (docs/session_format.md). Organs'
 /// surfaces are not written and read here.
@@ -50,8 +50,6 @@ public:
   /// A text that may be empty or left out.
   std::string optionalText(const nlohmann::ordered_json& object, const char* key,
                            const std::string& place) const;
-  /// A place in a list: "organs[2]".
-  static std::string at(const std::string& list, std::size_t index);
 
 private:
   template <class AnyId>

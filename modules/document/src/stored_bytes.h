@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viscera/document/json_reader.h"
+#include "viscera/core/json_reader.h"
 
 /// Encodes arrays of numbers for a session file without loss: compressed by zlib, as base64.
 namespace viscera::document {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viscera/document/json_reader.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/medical_io/scan.h"
 
 /// Encodes a scan inside a session file: its raw samples and their meaning (docs/session_format.md).

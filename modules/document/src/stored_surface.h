@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viscera/document/json_reader.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 /// Encodes a surface inside a session file without loss: compressed, as base64.

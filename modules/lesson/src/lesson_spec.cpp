@@ -1,81 +1,80 @@
 #include "viscera/lesson/lesson_spec.h"
 
-#include <algorithm>
-#include <array>
 #include <string>
+#include <utility>
 
 #include <QFile>
 
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::lesson {
 namespace {
 
-Vec3 placeFrom(const nlohmann::json& value) {
-  const auto numbers = value.get<std::array<double, 3>>();
-  return {numbers[0], numbers[1], numbers[2]};
-}
+using nlohmann::ordered_json;
 
-PlannedSlide slideFrom(const nlohmann::json& item) {
+PlannedSlide slideFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
+  json.requireObject(item, place);
   PlannedSlide slide;
-  slide.title = item.at("title").get<std::string>();
-  slide.text = item.value("text", "");
-  slide.side = item.value("side", "");
-  slide.phase = item.value("phase", "");
-  slide.names = item.value("names", true);
-  slide.handles = item.value("handles", false);
-  slide.hidden = item.value("hidden", std::vector<std::string>());
+  slide.title = json.valueOf<std::string>(item, "title", place);
+  json.readIfThere(item, "text", place, slide.text);
+  json.readIfThere(item, "side", place, slide.side);
+  json.readIfThere(item, "phase", place, slide.phase);
+  slide.names = true;
+  json.readIfThere(item, "names", place, *slide.names);
+  json.readIfThere(item, "handles", place, slide.handles);
+  json.readIfThere(item, "hidden", place, slide.hidden);
   if (item.contains("position"))
-    slide.eye = Eye{placeFrom(item.at("position")), placeFrom(item.at("focus"))};
+    slide.eye = Eye{json.valueOf<Vec3>(item, "position", place), json.valueOf<Vec3>(item, "focus", place)};
   for (const auto& [key, number] : {std::pair("fraction", &slide.fraction), std::pair("rate", &slide.rate),
                                     std::pair("seeThrough", &slide.seeThrough)})
     if (item.contains(key))
-      *number = item.at(key).get<double>();
+      *number = json.valueOf<double>(item, key, place);
   return slide;
 }
 
-LessonSpec specFrom(const nlohmann::json& tree) {
+LessonSpec specFrom(const JsonReader& json, const ordered_json& tree) {
   LessonSpec spec;
-  spec.language = tree.value("language", "");
-  spec.title = tree.value("title", "");
-  spec.notes = tree.value("notes", "");
-  spec.names = tree.value("names", std::map<std::string, std::string>());
-  spec.rates = tree.value("rates", std::vector<double>());
+  json.readIfThere(tree, "language", "", spec.language);
+  json.readIfThere(tree, "title", "", spec.title);
+  json.readIfThere(tree, "notes", "", spec.notes);
+  json.readIfThere(tree, "names", "", spec.names);
+  json.readIfThere(tree, "rates", "", spec.rates);
   if (tree.contains("handles"))
-    spec.handles = tree.at("handles").get<int>();
-  for (const nlohmann::json& item : tree.value("labels", nlohmann::json::array()))
-    spec.labels.push_back({item.at("surface").get<std::string>(), item.at("text").get<std::string>(),
-                           placeFrom(item.at("at"))});
-  for (const nlohmann::json& item : tree.value("slides", nlohmann::json::array()))
-    spec.slides.push_back(slideFrom(item));
+    spec.handles = json.valueOf<int>(tree, "handles", "");
+  json.eachOf(tree, "labels", "", [&](const ordered_json& item, const std::string& place) {
+    json.requireObject(item, place);
+    spec.labels.push_back({json.valueOf<std::string>(item, "surface", place),
+                           json.valueOf<std::string>(item, "text", place),
+                           json.valueOf<Vec3>(item, "at", place)});
+  });
+  json.eachOf(tree, "slides", "", [&](const ordered_json& item, const std::string& place) {
+    spec.slides.push_back(slideFrom(json, item, place));
+  });
   return spec;
 }
 
-/// The error of the JSON library as a text for the author of the file.
-std::string problemOf(const nlohmann::json::exception& error, const std::string& text) {
-  if (const auto* parsing = dynamic_cast<const nlohmann::json::parse_error*>(&error)) {
-    const auto read = static_cast<std::ptrdiff_t>(std::min(parsing->byte, text.size()));
-    return phrase("It is not complete JSON: the mistake is in line %1",
-                  1 + std::count(text.begin(), text.begin() + read, '\n'));
-  }
-  constexpr int kMissingKey = 403;
-  const std::string said = error.what();
-  const std::size_t from = said.find('\''), to = said.rfind('\'');
-  if (error.id == kMissingKey && to > from)
-    return phrase("It does not describe a lesson: \"%1\" is missing", said.substr(from + 1, to - from - 1));
+/// The mistake as a text for the author of the file.
+std::string problemOf(const JsonError& error) {
+  if (error.line > 0)
+    return phrase("It is not complete JSON: the mistake is in line %1", error.line);
+  if (!error.missingKey.empty())
+    return phrase("It does not describe a lesson: \"%1\" is missing", error.missingKey);
   return "It does not describe a lesson: a text, a number or a list stands where something else belongs";
 }
 
 } // namespace
 
 LessonSpec readSpec(const std::string& text, const std::string& where) {
+  const char* advice = "compare it with the example in docs/lessons.md";
+  const JsonReader json(where, advice);
   try {
-    return specFrom(nlohmann::json::parse(text));
-  } catch (const nlohmann::json::exception& error) {
-    throw DataError(problemOf(error, text), where, "compare it with the example in docs/lessons.md");
+    return specFrom(json, json.parse(text));
+  } catch (const JsonError& error) {
+    throw DataError(problemOf(error), error.where(), advice);
   }
 }
 

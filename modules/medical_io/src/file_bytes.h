@@ -11,6 +11,9 @@
 
 namespace viscera::medical_io {
 
+/// What to try for a damaged file.
+inline constexpr const char* kUsualAdvice = "export or copy the file again";
+
 /// A file in memory, or its beginning. Readers compare every size that a header states with the actual size
 /// before they allocate memory for it.
 struct FileBytes {
@@ -21,8 +24,7 @@ struct FileBytes {
   std::string_view view() const { return bytes; }
   std::string name() const { return file.string(); }
   /// Throws `DataError` for this file.
-  [[noreturn]] void fail(const std::string& problem,
-                         const std::string& tryThis = "export or copy the file again") const;
+  [[noreturn]] void fail(const std::string& problem, const std::string& tryThis = kUsualAdvice) const;
 };
 
 /// Reads a regular file. Throws `NoInputError` when it is missing, a folder or not readable, `DataError` when

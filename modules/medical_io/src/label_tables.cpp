@@ -7,6 +7,7 @@
 
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -76,7 +77,7 @@ std::vector<StatedSegment> segmentsOfText(const FileBytes& file) {
 
 std::vector<StatedSegment> segmentsOfJson(const FileBytes& file) {
   using nlohmann::json;
-  json document = json::parse(file.bytes, nullptr, false);
+  const auto document = parseJson<json>(file.view(), file.name(), kUsualAdvice);
   if (!document.is_object())
     return {};
   const json& labels = document.contains("labels") ? document["labels"] : document;

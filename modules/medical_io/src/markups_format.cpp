@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -12,8 +11,8 @@
 #include "scalar.h"
 #include "space_tag.h"
 #include "text_scanner.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
-#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -31,7 +30,7 @@ public:
   explicit MarkupsReader(const FileBytes& file) : file_(file) {}
 
   HandleFile run() {
-    const OrderedJson document = parse();
+    const auto document = parseJson<OrderedJson>(file_.view(), file_.name(), kUsualAdvice);
     const auto lists = document.is_object() ? document.find("markups") : document.end();
     if (!document.is_object() || lists == document.end() || !lists->is_array())
       file_.fail("It holds no \"markups\": it is no 3D Slicer markups file",
@@ -42,32 +41,14 @@ public:
   }
 
 private:
-  OrderedJson parse() const {
-    try {
-      return OrderedJson::parse(toUtf8(std::string(file_.view())));
-    } catch (const OrderedJson::exception& error) {
-      failAsJson(file_, error);
-    }
-  }
-
-  static std::string text(const OrderedJson& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-  }
-
-  static bool flag(const OrderedJson& object, const char* key, bool otherwise) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
-  }
-
   void readList(const OrderedJson& list, std::size_t number) {
     if (!list.is_object())
       file_.fail(phrase("markup list %1 is not a JSON object", number + 1));
     HandleGroupRecord group;
-    group.name = text(list, "name");
+    group.name = textIn(list, "name");
     if (group.name.empty())
       group.name = "List " + std::to_string(number + 1);
-    const std::string type = text(list, "type");
+    const std::string type = textIn(list, "type");
     if (type != "Fiducial") {
       result_.warnings.push_back(phrase("the markup %1 of type %2 is not a list of points and was left out",
                                         inQuotes(group.name), inQuotes(type)));
@@ -78,8 +59,8 @@ private:
     const OrderedJson& shown = display != list.end() && display->is_object() ? *display : noDisplay;
     readColor(shown, group);
     const Frame frame = readFrame(list, group.name);
-    const bool listLocked = flag(list, "locked", false);
-    const bool listVisible = flag(shown, "visibility", true);
+    const bool listLocked = flagIn(list, "locked", false);
+    const bool listVisible = flagIn(shown, "visibility", true);
     const auto points = list.find("controlPoints");
     if (points != list.end() && !points->is_array())
       file_.fail(phrase("list %1: its points are no JSON array", inQuotes(group.name)));
@@ -124,7 +105,7 @@ private:
             "save the points from Slicer in LPS");
       frame.ras = value == "RAS" || value == "0";
     }
-    const std::string unit = text(list, "coordinateUnits");
+    const std::string unit = textIn(list, "coordinateUnits");
     if (const auto mm = lookUp(kUnits, unit))
       frame.mm = *mm;
     else if (!unit.empty())
@@ -140,16 +121,16 @@ private:
     const std::string where = phrase("list %1, point %2", inQuotes(group.name), number + 1);
     if (!point.is_object())
       file_.fail(phrase("%1 is not a JSON object", where));
-    const std::string status = text(point, "positionStatus");
+    const std::string status = textIn(point, "positionStatus");
     if (!status.empty() && status != "defined") {
       result_.warnings.push_back(phrase("%1 has no place (%2) and was left out", where, status));
       return;
     }
     HandleRecord handle;
-    handle.label = text(point, "label");
-    handle.description = text(point, "description");
-    handle.locked = flag(point, "locked", false);
-    handle.visible = flag(point, "visibility", true);
+    handle.label = textIn(point, "label");
+    handle.description = textIn(point, "description");
+    handle.locked = flagIn(point, "locked", false);
+    handle.visible = flagIn(point, "visibility", true);
     handle.position = readPosition(point, where, frame);
     group.handles.push_back(std::move(handle));
   }
@@ -160,10 +141,10 @@ private:
       file_.fail(phrase("%1 has no position of three numbers", where));
     Vec3 mm;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const OrderedJson& value = (*position)[axis];
-      if (!value.is_number() || !std::isfinite(value.get<double>()))
+      const std::optional<double> coordinate = finiteNumber((*position)[axis]);
+      if (!coordinate)
         file_.fail(phrase("%1 has a coordinate that is not a finite number", where));
-      mm[static_cast<Eigen::Index>(axis)] = value.get<double>();
+      mm[static_cast<Eigen::Index>(axis)] = *coordinate;
     }
     if (frame.mm != 1)
       mm *= frame.mm;

@@ -156,12 +156,6 @@ void TextScanner::failAtEnd(std::string_view part) const {
   fail(phrase("the file is cut off: it ends where %1 should stand", part));
 }
 
-void failAsJson(const FileBytes& file, const std::exception& error) {
-  const std::string_view what = error.what();
-  const std::size_t end = what.find("] ");
-  file.fail(phrase("It is not complete JSON: %1", end == what.npos ? what : what.substr(end + 2)));
-}
-
 std::string inQuotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text.substr(0, kLongestQuote))

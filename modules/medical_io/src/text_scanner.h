@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,10 +67,6 @@ private:
   std::size_t at_ = 0;
   std::size_t start_ = 0; ///< Of the word or line last read.
 };
-
-/// Throws `DataError` for a text that is no JSON, with the text of nlohmann's exception without the prefix
-/// that names its kind: "parse error at line 3, column 5: ...".
-[[noreturn]] void failAsJson(const FileBytes& file, const std::exception& error);
 
 /// `text` shortened and made printable, in quotes, for messages.
 std::string inQuotes(std::string_view text);

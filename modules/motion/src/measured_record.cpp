@@ -1,13 +1,12 @@
 #include "viscera/motion/measured_record.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "tracked_volumes.h"
 #include "viscera/core/error.h"
-#include "viscera/core/phrase.h"
+#include "viscera/core/json_reader.h"
 
 namespace viscera::motion {
 namespace {
@@ -24,62 +23,59 @@ ordered_json surfaceJson(const tracking::SurfaceQuality& surface) {
   return item;
 }
 
-double numberOf(const ordered_json& item, const char* name) {
-  const double number = item.at(name).get<double>();
-  if (!std::isfinite(number))
-    throw DataError(phrase("%1 is not a finite number", name), "measured motion");
-  return number;
-}
-
-tracking::SurfaceQuality surfaceFrom(const ordered_json& item) {
+tracking::SurfaceQuality surfaceFrom(const JsonReader& reader, const ordered_json& item,
+                                     const std::string& place) {
   tracking::SurfaceQuality surface;
-  surface.measuredMl = numberOf(item, "measuredMl");
-  surface.freeMl = numberOf(item, "freeMl");
-  surface.fittedMl = numberOf(item, "fittedMl");
-  surface.meanMm = numberOf(item, "meanMm");
-  surface.p95Mm = numberOf(item, "p95Mm");
-  surface.maxMm = numberOf(item, "maxMm");
-  surface.flipped = item.at("flipped").get<int>();
+  surface.measuredMl = reader.valueOf<double>(item, "measuredMl", place);
+  surface.freeMl = reader.valueOf<double>(item, "freeMl", place);
+  surface.fittedMl = reader.valueOf<double>(item, "fittedMl", place);
+  surface.meanMm = reader.valueOf<double>(item, "meanMm", place);
+  surface.p95Mm = reader.valueOf<double>(item, "p95Mm", place);
+  surface.maxMm = reader.valueOf<double>(item, "maxMm", place);
+  surface.flipped = reader.valueOf<int>(item, "flipped", place);
   if (item.contains("dice"))
-    surface.dice = numberOf(item, "dice");
+    surface.dice = reader.valueOf<double>(item, "dice", place);
   return surface;
 }
 
-TrackedPhase phaseFrom(const ordered_json& item, const MeasuredRecord& record) {
+TrackedPhase phaseFrom(const JsonReader& reader, const ordered_json& item, const std::string& place,
+                       const MeasuredRecord& record) {
   TrackedPhase phase;
   tracking::PhaseQuality& quality = phase.quality;
-  phase.seconds = numberOf(item, "seconds");
-  for (const ordered_json& surface : item.at("surfaces")) {
-    quality.surfaces.push_back(surfaceFrom(surface));
+  phase.seconds = reader.valueOf<double>(item, "seconds", place);
+  reader.eachOf(item, "surfaces", place, [&](const ordered_json& surface, const std::string& inPhase) {
+    quality.surfaces.push_back(surfaceFrom(reader, surface, inPhase));
     if (const auto dice = quality.surfaces.back().dice)
       quality.dice = std::min(quality.dice.value_or(1), *dice);
-  }
+  });
   if (quality.surfaces.size() != record.series.names.size())
     throw DataError("a phase lacks a surface", "measured motion");
-  quality.meanMm = numberOf(item, "meanMm");
-  quality.p95Mm = numberOf(item, "p95Mm");
-  quality.maxMm = numberOf(item, "maxMm");
-  quality.folded = item.at("folded").get<int>();
-  quality.steps = item.at("steps").get<int>();
-  quality.volumesMet = item.at("volumesMet").get<bool>();
+  quality.meanMm = reader.valueOf<double>(item, "meanMm", place);
+  quality.p95Mm = reader.valueOf<double>(item, "p95Mm", place);
+  quality.maxMm = reader.valueOf<double>(item, "maxMm", place);
+  quality.folded = reader.valueOf<int>(item, "folded", place);
+  quality.steps = reader.valueOf<int>(item, "steps", place);
+  quality.volumesMet = reader.valueOf<bool>(item, "volumesMet", place);
   phase.verdict = tracking::verdictOf(quality, record.series.names, record.motion.sliceMm);
   return phase;
 }
 
-MeasuredRecord recordFrom(const ordered_json& root) {
+MeasuredRecord recordFrom(const JsonReader& reader, const ordered_json& root) {
   MeasuredRecord record;
-  record.series.names = root.at("surfaces").get<std::vector<std::string>>();
-  for (const ordered_json& id : root.at("organs"))
-    record.organs.push_back({id.get<std::int64_t>()});
-  record.motion.corresponding = root.at("corresponding").get<bool>();
-  record.motion.sliceMm = numberOf(root, "sliceMm");
-  for (const ordered_json& item : root.at("phases"))
-    record.motion.phases.push_back(phaseFrom(item, record));
+  record.series.names = reader.valueOf<std::vector<std::string>>(root, "surfaces", "");
+  for (const std::int64_t id : reader.valueOf<std::vector<std::int64_t>>(root, "organs", ""))
+    record.organs.push_back({id});
+  record.motion.corresponding = reader.valueOf<bool>(root, "corresponding", "");
+  record.motion.sliceMm = reader.valueOf<double>(root, "sliceMm", "");
+  reader.eachOf(root, "phases", "", [&](const ordered_json& item, const std::string& place) {
+    record.motion.phases.push_back(phaseFrom(reader, item, place, record));
+  });
   if (record.organs.empty() || record.organs.size() != record.series.names.size() ||
       record.motion.phases.empty())
     throw DataError("it has no organ for each surface, or no phases", "measured motion");
-  record.series.times = tracking::PhaseTimes::even(
-      record.motion.phases.size(), numberOf(root, "periodSeconds"), root.at("loop").get<bool>());
+  record.series.times = tracking::PhaseTimes::even(record.motion.phases.size(),
+                                                   reader.valueOf<double>(root, "periodSeconds", ""),
+                                                   reader.valueOf<bool>(root, "loop", ""));
   for (std::size_t phase = 0; phase < record.motion.phases.size(); ++phase) {
     record.series.times.seconds[phase] = record.motion.phases[phase].seconds;
     std::vector<double>& volumes = record.series.volumesMl.emplace_back();
@@ -116,10 +112,11 @@ std::string toJson(const MeasuredRecord& record) {
 }
 
 MeasuredRecord measuredRecordFrom(const std::string& text) {
+  const JsonReader reader("measured motion", std::string());
   try {
-    return recordFrom(ordered_json::parse(text));
-  } catch (const ordered_json::exception&) {
-    throw DataError("it is not a record of a measured motion", "measured motion");
+    return recordFrom(reader, reader.parse(text));
+  } catch (const JsonError& error) {
+    throw DataError("it is not a record of a measured motion", error.where());
   }
 }
 

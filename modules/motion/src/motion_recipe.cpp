@@ -3,19 +3,21 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/motion/sequence_setup.h"
 
 namespace viscera::motion {
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 
-Landmarks landmarksOf(const json& list) {
+Landmarks landmarksOf(const JsonReader& reader, const ordered_json& made) {
   Landmarks landmarks;
-  for (const json& item : list) {
-    const auto at = item.at("position").get<std::array<double, 3>>();
-    landmarks.points.push_back({item.at("role").get<std::string>(), {at[0], at[1], at[2]}, false});
-  }
+  reader.eachOf(made, "landmarks", "", [&](const ordered_json& item, const std::string& place) {
+    landmarks.points.push_back({reader.valueOf<std::string>(item, "role", place),
+                                reader.valueOf<Vec3>(item, "position", place), false});
+  });
   return landmarks;
 }
 
@@ -34,23 +36,29 @@ std::string fittedRecipe(const std::string& sequence, const Landmarks& given) {
 }
 
 std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe) {
-  const json made = json::parse(recipe, nullptr, false);
-  if (!made.is_object() || made.value("sequence", "") != "heartbeat" || !made.contains("resolution"))
+  try {
+    const auto made = parseJson<json>(recipe, {}, {});
+    if (textIn(made, "sequence") != "heartbeat" || !made.contains("resolution"))
+      return {};
+    return sample_organs::resolutionFromName(textIn(made, "resolution"));
+  } catch (const Error&) {
     return {};
-  return sample_organs::resolutionFromName(made.at("resolution").get<std::string>());
+  }
 }
 
 std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const document::Organ& organ,
                                                       const sample_organs::SampleLibrary& library,
                                                       Progress& progress) {
+  const JsonReader reader(organ.name, std::string());
   try {
-    const json made = json::parse(recipe);
-    const auto id = made.at("sequence").get<std::string>();
+    const ordered_json made = reader.parse(recipe);
+    const auto id = reader.valueOf<std::string>(made, "sequence", "");
     if (made.contains("landmarks"))
-      return retargetSequence(id, organ, landmarksOf(made.at("landmarks")), progress).sequence;
-    const auto resolution = sample_organs::resolutionFromName(made.at("resolution").get<std::string>());
+      return retargetSequence(id, organ, landmarksOf(reader, made), progress).sequence;
+    const auto resolution =
+        sample_organs::resolutionFromName(reader.valueOf<std::string>(made, "resolution", ""));
     return setUpSequence(library, id, resolution, progress).sequence;
-  } catch (const json::exception&) {
+  } catch (const JsonError&) {
     throw DataError("the motion of an organ cannot be made again: nothing is known of how it was made",
                     organ.name, "choose it again in Play mode");
   }

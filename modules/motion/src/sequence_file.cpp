@@ -12,8 +12,8 @@
 
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
-#include "viscera/document/json_reader.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/system_commands.h"
 
@@ -31,14 +31,14 @@ constexpr const char* kFormat = "viscera-sequence";
 constexpr int kVersion = 1;
 constexpr Eigen::Index kFewestHandles = 4;
 
-constexpr document::JsonReader::Format kSequenceFormat = {
-    kFormat, kVersion, "sequence", "choose a file that Viscera has saved as .sequence.json",
-    "record and save the sequence again"};
+constexpr JsonReader::Format kSequenceFormat = {kFormat, kVersion, "sequence",
+                                                "choose a file that Viscera has saved as .sequence.json",
+                                                "record and save the sequence again"};
 
 /// Reads one file; every message names it.
-class SequenceReader : private document::JsonReader {
+class SequenceReader : private JsonReader {
 public:
-  explicit SequenceReader(const std::string& where) : document::JsonReader(where, kSequenceFormat) {}
+  explicit SequenceReader(const std::string& where) : JsonReader(where, kSequenceFormat) {}
 
   SequenceFile read(const std::string& text) {
     const ordered_json root = parse(text);
@@ -178,7 +178,7 @@ ordered_json keyOf(const sequences::Keyframe& key, const SequenceFile& sequence)
   for (std::size_t i = 0; i < sequence.labels.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     if (key.pose.row(row) != sequence.track.restHandles.row(row))
-      pose[sequence.labels[i]] = document::listOf(key.pose.row(row).transpose());
+      pose[sequence.labels[i]] = listOf(key.pose.row(row).transpose());
   }
   return {{"seconds", key.seconds}, {"easing", nameOf(key.easing)}, {"pose", std::move(pose)}};
 }
@@ -201,10 +201,10 @@ std::string textOf(const SequenceFile& sequence) {
   for (std::size_t i = 0; i < sequence.labels.size(); ++i)
     root["handles"].push_back(
         {{"label", sequence.labels[i]},
-         {"rest", document::listOf(track.restHandles.row(static_cast<Eigen::Index>(i)).transpose())}});
+         {"rest", listOf(track.restHandles.row(static_cast<Eigen::Index>(i)).transpose())}});
   root["groups"] = ordered_json::array();
   for (const sequences::HandleGroup& group : track.groups) {
-    ordered_json item{{"name", group.name}, {"color", document::listOf(group.color)}};
+    ordered_json item{{"name", group.name}, {"color", listOf(group.color)}};
     item["handles"] = ordered_json::array();
     for (const int row : group.handles)
       item["handles"].push_back(sequence.labels[static_cast<std::size_t>(row)]);
@@ -270,7 +270,7 @@ bool isSequenceFile(const std::filesystem::path& file) {
 }
 
 SequenceFile readSequence(const std::filesystem::path& file) {
-  return SequenceReader(file.string()).read(document::readText(file));
+  return SequenceReader(file.string()).read(readText(file));
 }
 
 void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence) {

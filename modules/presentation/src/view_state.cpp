@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/presentation/stress_values.h"
 
 // The view of a session as JSON: written in format 2, read in formats 1 and 2 (docs/session_format.md).
@@ -18,6 +19,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kFormat = 2;
+constexpr const char* kView = "the session's view";
+constexpr const char* kViewAdvice = "the organs and the handles are complete; save the session anew";
 constexpr double kShortestNormal = 1e-6;
 constexpr double kFastestRate = 1e6; ///< Of a sequence, a minute: its range has the last word.
 constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
@@ -30,21 +33,6 @@ template <class Enum, std::size_t count>
 Enum fromName(const std::array<const char*, count>& names, const ordered_json& name) {
   const auto found = std::find(names.begin(), names.end(), name.is_string() ? name.get<std::string>() : "");
   return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
-}
-
-template <class Value>
-void take(const ordered_json& object, const char* key, Value& value) {
-  if (object.contains(key))
-    value = object.at(key).get<Value>();
-}
-
-ordered_json listOf(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-Vec3 vectorOf(const ordered_json& list) {
-  const auto v = list.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
 }
 
 /// Of unit length; the first direction again for one without any.
@@ -62,14 +50,14 @@ ordered_json cameraJson(const Camera& camera) {
           {"parallelScaleMm", camera.parallelScaleMm}};
 }
 
-Camera cameraFrom(const ordered_json& item) {
+Camera cameraFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   Camera camera;
-  camera.position = vectorOf(item.at("position"));
-  camera.focus = vectorOf(item.at("focus"));
-  camera.up = vectorOf(item.at("up"));
-  take(item, "angleDegrees", camera.angleDegrees);
-  take(item, "parallel", camera.parallel);
-  take(item, "parallelScaleMm", camera.parallelScaleMm);
+  camera.position = json.valueOf<Vec3>(item, "position", place);
+  camera.focus = json.valueOf<Vec3>(item, "focus", place);
+  camera.up = json.valueOf<Vec3>(item, "up", place);
+  json.readIfThere(item, "angleDegrees", place, camera.angleDegrees);
+  json.readIfThere(item, "parallel", place, camera.parallel);
+  json.readIfThere(item, "parallelScaleMm", place, camera.parallelScaleMm);
   return camera;
 }
 
@@ -165,17 +153,16 @@ void keepWithinBounds(StressLook& look) {
   look.range = onScale(look.quantity, look.range, look.logarithmic);
 }
 
-StressLook stressFrom(const ordered_json& item) {
+StressLook stressFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
+  json.requireObject(item, place);
   StressLook look;
-  visitStress(look, [&](const char* key, auto& value) { take(item, key, value); });
+  visitStress(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
   if (item.contains("quantity"))
-    look.quantity = live::stressQuantityFromId(item.at("quantity").get<std::string>());
-  if (item.contains("range")) {
-    const auto range = item.at("range").get<std::array<double, 2>>();
-    look.range = {range[0], range[1]};
-  }
-  if (item.contains("normal"))
-    look.normal = vectorOf(item.at("normal"));
+    look.quantity = live::stressQuantityFromId(json.valueOf<std::string>(item, "quantity", place));
+  std::array<double, 2> range = {look.range.low, look.range.high};
+  json.readIfThere(item, "range", place, range);
+  look.range = {range[0], range[1]};
+  json.readIfThere(item, "normal", place, look.normal);
   look.style = fromName<scene::CutStyle>(kCutStyles, item.value("cutStyle", ordered_json()));
   look.glyphs = fromName<GlyphChoice>(kGlyphNames, item.value("glyphs", ordered_json()));
   keepWithinBounds(look);
@@ -183,8 +170,9 @@ StressLook stressFrom(const ordered_json& item) {
 }
 
 /// Format 1 kept the user's settings, some of them as text.
-StressLook stressFromSettings(const ordered_json& settings) {
-  ordered_json item;
+StressLook stressFromSettings(const JsonReader& json, const ordered_json& settings) {
+  json.requireObject(settings, "stress");
+  ordered_json item = ordered_json::object();
   for (const auto& [key, value] : settings.items())
     item[key.substr(key.find('/') + 1)] = value;
   if (item.contains("normal") && item.at("normal").is_string()) {
@@ -193,7 +181,7 @@ StressLook stressFromSettings(const ordered_json& settings) {
     numbers >> normal[0] >> normal[1] >> normal[2];
     item["normal"] = listOf(normal);
   }
-  return stressFrom(item);
+  return stressFrom(json, item, "stress");
 }
 
 template <class Visit>
@@ -239,26 +227,29 @@ double within(double value, double low, double high, double otherwise) {
   return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
 }
 
-ScanLook scanFrom(const ordered_json& item) {
+ScanLook scanFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   constexpr double kFar = 1e6;
   constexpr double kMostSlabMm = 200, kMostZoom = 1000;
+  json.requireObject(item, place);
   ScanLook look;
-  visitScan(look, [&](const char* key, auto& value) { take(item, key, value); });
+  visitScan(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
   if (item.contains("focus"))
-    look.focus = vectorOf(item.at("focus"));
+    look.focus = json.valueOf<Vec3>(item, "focus", place);
   if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
     look.focus.reset();
   look.level = within(look.level, -kFar, kFar, 0);
   look.width = within(look.width, 0, kFar, 0);
   look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
-  const ordered_json framings = item.value("framings", ordered_json::array());
-  for (std::size_t i = 0; i < std::min(framings.size(), look.framings.size()); ++i) {
-    SliceFraming& framing = look.framings[i];
-    visitFraming(framing, [&](const char* key, double& value) { take(framings[i], key, value); });
+  std::size_t read = 0;
+  json.eachOf(item, "framings", place, [&](const ordered_json& one, const std::string& inList) {
+    if (read == look.framings.size())
+      return;
+    SliceFraming& framing = look.framings[read++];
+    visitFraming(framing, [&](const char* key, double& value) { json.readIfThere(one, key, inList, value); });
     framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
     framing.upMm = within(framing.upMm, -kFar, kFar, 0);
     framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
-  }
+  });
   return look;
 }
 
@@ -272,25 +263,32 @@ Shown shownByMode(const std::string& mode, bool sequenceShown) {
   return shown;
 }
 
-void readSwitchesOfFormat1(const ordered_json& item, ViewState& view) {
-  const ordered_json switches = item.value("switches", ordered_json::object());
-  visitSwitches(view, [&](const char*, const char* action, bool& value) { take(switches, action, value); });
-  for (std::size_t i = 1; i < kMirrors.size(); ++i)
-    if (switches.value("mirror." + std::string(kMirrors[i]), false))
+void readSwitchesOfFormat1(const JsonReader& json, const ordered_json& item, ViewState& view) {
+  const std::string place = "switches";
+  const ordered_json switches = item.value(place, ordered_json::object());
+  json.requireObject(switches, place);
+  visitSwitches(view, [&](const char*, const char* action, bool& value) {
+    json.readIfThere(switches, action, place, value);
+  });
+  for (std::size_t i = 1; i < kMirrors.size(); ++i) {
+    bool mirrored = false;
+    json.readIfThere(switches, ("mirror." + std::string(kMirrors[i])).c_str(), place, mirrored);
+    if (mirrored)
       view.mirror = static_cast<Mirror>(i);
+  }
   if (view.playing)
-    take(switches, "play.loop", view.playing->loop);
+    json.readIfThere(switches, "play.loop", place, view.playing->loop);
   if (item.contains("stress"))
-    view.stress = stressFromSettings(item.at("stress"));
+    view.stress = stressFromSettings(json, item.at("stress"));
   view.shown = shownByMode(view.mode, view.playing && view.playing->shown);
 }
 
-SelectionState selectionFrom(const ordered_json& item) {
+SelectionState selectionFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   SelectionState selection;
-  selection.organ.value = item.at("organ").get<std::int64_t>();
-  selection.group.value = item.at("group").get<std::int64_t>();
-  for (const ordered_json& id : item.at("handles"))
-    selection.handles.push_back({id.get<std::int64_t>()});
+  selection.organ.value = json.valueOf<std::int64_t>(item, "organ", place);
+  selection.group.value = json.valueOf<std::int64_t>(item, "group", place);
+  for (const std::int64_t id : json.valueOf<std::vector<std::int64_t>>(item, "handles", place))
+    selection.handles.push_back({id});
   return selection;
 }
 
@@ -302,28 +300,28 @@ ordered_json prescribedJson(const Prescribed& prescribed) {
   return item;
 }
 
-Prescribed prescribedFrom(const ordered_json& item) {
+Prescribed prescribedFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   Prescribed prescribed;
-  prescribed.organ.value = item.at("organ").get<std::int64_t>();
-  take(item, "file", prescribed.file);
-  prescribed.curve = item.at("curve").get<std::vector<std::array<double, 2>>>();
+  prescribed.organ.value = json.valueOf<std::int64_t>(item, "organ", place);
+  json.readIfThere(item, "file", place, prescribed.file);
+  prescribed.curve = json.valueOf<std::vector<std::array<double, 2>>>(item, "curve", place);
   return prescribed;
 }
 
-Playing playingFrom(const ordered_json& item) {
+Playing playingFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   Playing playing;
-  visitPlaying(playing, [&](const char* key, auto& value) { take(item, key, value); });
+  visitPlaying(playing, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
   if (item.contains("prescribed"))
-    playing.prescribed = prescribedFrom(item.at("prescribed"));
+    playing.prescribed = prescribedFrom(json, item.at("prescribed"), JsonReader::inside(place, "prescribed"));
   return playing;
 }
 
-OrganCut cutFrom(const ordered_json& item) {
+OrganCut cutFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   OrganCut cut;
-  take(item, "on", cut.on);
+  json.readIfThere(item, "on", place, cut.on);
   if (item.contains("normal"))
-    cut.normal = unit(vectorOf(item.at("normal")));
-  take(item, "offset", cut.offset);
+    cut.normal = unit(json.valueOf<Vec3>(item, "normal", place));
+  json.readIfThere(item, "offset", place, cut.offset);
   cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
   return cut;
 }
@@ -339,26 +337,26 @@ ordered_json organsJson(const OrgansSeen& organs) {
   return items;
 }
 
-OrgansSeen organsFrom(const ordered_json& items) {
+OrgansSeen organsFrom(const JsonReader& json, const ordered_json& object, const char* key,
+                      const std::string& place) {
   OrgansSeen organs;
-  for (const ordered_json& item : items) {
+  json.eachOf(object, key, place, [&](const ordered_json& item, const std::string& inList) {
     OrganSeen seen;
-    take(item, "visible", seen.visible);
-    take(item, "opacity", seen.opacity);
+    json.readIfThere(item, "visible", inList, seen.visible);
+    json.readIfThere(item, "opacity", inList, seen.opacity);
     seen.opacity = within(seen.opacity, 0, 1, 1);
-    organs[{item.at("organ").get<std::int64_t>()}] = seen;
-  }
+    organs[{json.valueOf<std::int64_t>(item, "organ", inList)}] = seen;
+  });
   return organs;
 }
 
-SlideLook slideLookFrom(const ordered_json& item) {
+SlideLook slideLookFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   SlideLook look;
   if (item.contains("cut"))
-    look.cut = cutFrom(item.at("cut"));
-  take(item, "labels", look.labels);
-  take(item, "partNames", look.partNames);
-  if (item.contains("organs"))
-    look.organs = organsFrom(item.at("organs"));
+    look.cut = cutFrom(json, item.at("cut"), JsonReader::inside(place, "cut"));
+  json.readIfThere(item, "labels", place, look.labels);
+  json.readIfThere(item, "partNames", place, look.partNames);
+  look.organs = organsFrom(json, item, "organs", place);
   return look;
 }
 
@@ -374,14 +372,14 @@ ordered_json slideJson(const Slide& slide) {
   return item;
 }
 
-Slide slideFrom(const ordered_json& item) {
+Slide slideFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   Slide slide;
-  take(item, "caption", slide.caption);
-  slide.camera = cameraFrom(item.at("camera"));
+  json.readIfThere(item, "caption", place, slide.caption);
+  slide.camera = cameraFrom(json, json.field(item, "camera", place), JsonReader::inside(place, "camera"));
   if (item.contains("fraction"))
-    slide.fraction = std::clamp(item.at("fraction").get<double>(), 0.0, 1.0);
+    slide.fraction = std::clamp(json.valueOf<double>(item, "fraction", place), 0.0, 1.0);
   if (item.contains("look"))
-    slide.look = slideLookFrom(item.at("look"));
+    slide.look = slideLookFrom(json, item.at("look"), JsonReader::inside(place, "look"));
   return slide;
 }
 
@@ -392,10 +390,14 @@ ordered_json rowsOf(const Points& points) {
   return rows;
 }
 
-Points rowsFrom(const ordered_json& rows) {
+/// The rows of a list that may be left out.
+Points rowsFrom(const JsonReader& json, const ordered_json& object, const char* key,
+                const std::string& place) {
+  std::vector<Vec3> rows;
+  json.readIfThere(object, key, place, rows);
   Points points(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = vectorOf(rows[i]).transpose();
+    points.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
   return points;
 }
 
@@ -411,72 +413,76 @@ ordered_json comparedJson(const Compared& compared) {
 }
 
 /// None for what only a newer version can compare with, and where what it is about is missing.
-std::optional<Compared> comparedFrom(const ordered_json& item) {
-  const std::string what = item.at("what").get<std::string>();
+std::optional<Compared> comparedFrom(const JsonReader& json, const ordered_json& item,
+                                     const std::string& place) {
+  const auto what = json.valueOf<std::string>(item, "what", place);
   if (std::find(kCompared.begin(), kCompared.end(), what) == kCompared.end())
     return std::nullopt;
   Compared compared;
   compared.what = fromName<Compared::What>(kCompared, item.at("what"));
   using What = Compared::What;
   if (compared.what == What::coordinates || compared.what == What::sample) {
-    take(item, "name", compared.name);
+    json.readIfThere(item, "name", place, compared.name);
     if (compared.name.empty())
       return std::nullopt;
   }
   if (compared.what == What::pose) {
-    compared.pose = rowsFrom(item.value("pose", ordered_json::array()));
+    compared.pose = rowsFrom(json, item, "pose", place);
     if (compared.pose.rows() == 0 || !compared.pose.allFinite())
       return std::nullopt;
   }
-  take(item, "ratePerMinute", compared.ratePerMinute);
+  json.readIfThere(item, "ratePerMinute", place, compared.ratePerMinute);
   compared.ratePerMinute = within(compared.ratePerMinute, 0, kFastestRate, 0);
   return compared;
 }
 
-anatomy::Person personFrom(const ordered_json& item) {
+anatomy::Person personFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
+  json.requireObject(item, place);
   anatomy::Person person;
-  person.sex = anatomy::sexFromId(item.value("sex", std::string()));
-  take(item, "bodySurfaceM2", person.bodySurfaceM2);
+  std::string sex;
+  json.readIfThere(item, "sex", place, sex);
+  person.sex = anatomy::sexFromId(sex);
+  json.readIfThere(item, "bodySurfaceM2", place, person.bodySurfaceM2);
   person.bodySurfaceM2 =
       within(person.bodySurfaceM2, anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2, 0);
   return person;
 }
 
-ViewState viewFrom(const ordered_json& item) {
+ViewState viewFrom(const JsonReader& json, const ordered_json& item) {
   ViewState view;
-  take(item, "mode", view.mode);
-  if (item.contains("camera"))
-    view.camera = cameraFrom(item.at("camera"));
-  if (item.contains("selection"))
-    view.selection = selectionFrom(item.at("selection"));
-  for (const ordered_json& motion : item.value("motions", ordered_json::array()))
-    view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
-  if (item.contains("playing"))
-    view.playing = playingFrom(item.at("playing"));
-  if (item.contains("compared"))
-    view.compared = comparedFrom(item.at("compared"));
-  if (item.contains("cut"))
-    view.cut = cutFrom(item.at("cut"));
-  if (item.contains("organsSeen"))
-    view.organsSeen = organsFrom(item.at("organsSeen"));
-  if (item.contains("person"))
-    view.person = personFrom(item.at("person"));
-  for (const ordered_json& slide : item.value("slides", ordered_json::array()))
-    view.slides.push_back(slideFrom(slide));
-  if (item.contains("shownPose"))
-    view.shownPose = rowsFrom(item.at("shownPose"));
-  if (item.value("format", 1) < kFormat) {
-    readSwitchesOfFormat1(item, view);
+  json.readIfThere(item, "mode", "", view.mode);
+  const auto take = [&](const char* key, auto& part, auto from) {
+    if (item.contains(key))
+      part = from(json, item.at(key), key);
+  };
+  take("camera", view.camera, cameraFrom);
+  take("selection", view.selection, selectionFrom);
+  json.eachOf(item, "motions", "", [&](const ordered_json& motion, const std::string& place) {
+    view.motions.push_back(
+        {{json.valueOf<std::int64_t>(motion, "organ", place)}, json.field(motion, "recipe", place).dump()});
+  });
+  take("playing", view.playing, playingFrom);
+  take("compared", view.compared, comparedFrom);
+  take("cut", view.cut, cutFrom);
+  view.organsSeen = organsFrom(json, item, "organsSeen", "");
+  take("person", view.person, personFrom);
+  json.eachOf(item, "slides", "", [&](const ordered_json& slide, const std::string& place) {
+    view.slides.push_back(slideFrom(json, slide, place));
+  });
+  view.shownPose = rowsFrom(json, item, "shownPose", "");
+  int format = 1;
+  json.readIfThere(item, "format", "", format);
+  if (format < kFormat) {
+    readSwitchesOfFormat1(json, item, view);
     return view;
   }
   const ordered_json shown = item.value("shown", ordered_json::object());
-  visitShown(view.shown, [&](const char* key, bool& value) { take(shown, key, value); });
-  visitSwitches(view, [&](const char* key, const char*, bool& value) { take(item, key, value); });
+  visitShown(view.shown, [&](const char* key, bool& value) { json.readIfThere(shown, key, "shown", value); });
+  visitSwitches(view,
+                [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
-  if (item.contains("stress"))
-    view.stress = stressFrom(item.at("stress"));
-  if (item.contains("scan"))
-    view.scan = scanFrom(item.at("scan"));
+  take("stress", view.stress, stressFrom);
+  take("scan", view.scan, scanFrom);
   return view;
 }
 
@@ -513,9 +519,10 @@ StressLook habitOf(StressLook look) {
 }
 
 StressLook stressLookFromJson(const std::string& text) {
+  const JsonReader json(kView, kViewAdvice);
   try {
-    return stressFrom(ordered_json::parse(text));
-  } catch (const ordered_json::exception&) {
+    return stressFrom(json, json.parse(text), "stress");
+  } catch (const JsonError&) {
     return {};
   }
 }
@@ -558,11 +565,11 @@ std::string toJson(const ViewState& state) {
 }
 
 ViewState viewFromJson(const std::string& text) {
+  const JsonReader json(kView, kViewAdvice);
   try {
-    return viewFrom(ordered_json::parse(text));
-  } catch (const ordered_json::exception&) {
-    throw DataError("The view cannot be restored completely", "the session's view",
-                    "the organs and the handles are complete; save the session anew");
+    return viewFrom(json, json.parse(text));
+  } catch (const JsonError& error) {
+    throw DataError("The view cannot be restored completely", error.where(), kViewAdvice);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/text.h"
 #include "viscera/document/open_files.h"
 #include "viscera/motion/motion_recipe.h"
@@ -159,6 +160,7 @@ private:
 
   const ScriptSource& source_;
   const document::DocumentState& state_;
+  const JsonReader json_{std::string(), std::string()}; ///< For the recipes of motions.
   Points pose_;
   std::vector<Eigen::Index> moved_;
   std::map<document::OrganId, std::optional<std::string>> names_;
@@ -361,11 +363,10 @@ void Writer::writeStress() {
 std::string Writer::landmarksText(const ordered_json& recipe) const {
   std::vector<std::string> labels;
   std::vector<Vec3> places;
-  for (const ordered_json& point : recipe.at("landmarks")) {
-    const auto at = point.at("position").get<std::array<double, 3>>();
-    labels.push_back(point.at("role").get<std::string>());
-    places.emplace_back(at[0], at[1], at[2]);
-  }
+  json_.eachOf(recipe, "landmarks", "", [&](const ordered_json& point, const std::string& place) {
+    labels.push_back(json_.valueOf<std::string>(point, "role", place));
+    places.push_back(json_.valueOf<Vec3>(point, "position", place));
+  });
   return markupsText({listText("Landmarks", {0.2, 0.7, 0.6}, labels, places)});
 }
 
@@ -376,7 +377,7 @@ void Writer::writeMotion() {
     return writeKeySequence();
   try {
     writeChosen(view.motions[static_cast<std::size_t>(chosen)]);
-  } catch (const ordered_json::exception&) {
+  } catch (const JsonError&) {
     paragraph("Nothing is known of how the session's sequence was made.");
   }
 }
@@ -385,8 +386,8 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
   const auto organ = state_.organ(motion.organ);
   if (!organ)
     return;
-  const ordered_json recipe = ordered_json::parse(motion.recipe);
-  const auto sequence = recipe.at("sequence").get<std::string>();
+  const ordered_json recipe = json_.parse(motion.recipe);
+  const auto sequence = json_.valueOf<std::string>(recipe, "sequence", "");
   std::vector<std::string> words = {"play", sequence};
   std::string landmarks;
   if (recipe.contains("landmarks")) {
@@ -402,7 +403,7 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
     const std::string& sample = organ->origin.sample;
     if (const std::size_t at = sample.find('@'); at != std::string::npos)
       words.insert(words.end(), {"--organ", "sample:" + sample.substr(0, at) + '@' +
-                                                recipe.at("resolution").get<std::string>()});
+                                                json_.valueOf<std::string>(recipe, "resolution", "")});
   }
   const auto& playing = source_.view.playing;
   const document::CirculationChoice& circulation = *state_.circulation;

@@ -118,6 +118,12 @@ TEST(LessonPlan, RefusesASpecThatSpeaksOfNothing) {
   EXPECT_EQ(refusal("{\"title\": 7}"),
             "It does not describe a lesson: a text, a number or a list stands where "
             "something else belongs");
+  try {
+    readSpec(R"({"slides": [{"title": "S"}, {"title": "U", "rate": "fast"}]})", "test");
+    ADD_FAILURE() << "a rate is a number";
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.where(), "test, slides[1].rate");
+  }
   BallScene scene;
   LessonSpec spec;
   spec.slides.push_back({.title = "S", .hidden = {"Spleen"}});

@@ -56,5 +56,27 @@ TEST(ViewStateJson, APrescribedVolumeComesBackToTheLastBit) {
                DataError);
 }
 
+TEST(ViewStateJson, ThatIsDamagedIsRefusedWithThePlaceOfTheMistake) {
+  const auto refusal = [](const std::string& view) {
+    try {
+      viewFromJson(view);
+    } catch (const DataError& error) {
+      return error.problem() + " / " + error.where();
+    }
+    return std::string("accepted");
+  };
+  const std::string sentence = "The view cannot be restored completely / the session's view";
+  EXPECT_EQ(refusal("no json"), sentence);
+  EXPECT_EQ(refusal("[]"), sentence);
+  EXPECT_EQ(refusal(R"({"format": 2, "slides": [{"camera": {"position": [0, 0, 9]}}]})"),
+            sentence + ", slides[0].camera");
+  EXPECT_EQ(refusal(R"({"format": 2, "labels": 1})"), sentence + ", labels");
+  EXPECT_EQ(refusal(R"({"format": 2, "shownPose": [[1, 2, 3], [4, null, 6]]})"), sentence + ", shownPose[1]");
+  EXPECT_EQ(refusal(R"({"format": 2, "selection": {"organ": 1, "group": 0, "handles": [1.5]}})"),
+            sentence + ", selection.handles[0]");
+  EXPECT_EQ(refusal(R"({"format": 2, "motions": [{"organ": 1}]})"), sentence + ", motions[0]");
+  EXPECT_EQ(refusal(R"({"stress": 7})"), sentence + ", stress");
+}
+
 } // namespace
 } // namespace viscera::presentation

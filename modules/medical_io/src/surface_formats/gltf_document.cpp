@@ -7,6 +7,7 @@
 #include "byte_cursor.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
@@ -92,11 +93,7 @@ void GltfDocument::parseGlb() {
 }
 
 void GltfDocument::parseJson(std::string_view text) {
-  try {
-    json_ = Json::parse(text);
-  } catch (const Json::exception& error) {
-    failAsJson(file_, error);
-  }
+  json_ = viscera::parseJson<Json>(text, file_.name(), kUsualAdvice);
   if (!json_.is_object())
     file_.fail("its JSON is not an object: it is not a glTF file");
 }
@@ -105,8 +102,8 @@ void GltfDocument::requireUnderstood() const {
   const auto asset = json_.find("asset");
   if (asset == json_.end() || !asset->is_object())
     file_.fail("its JSON has no \"asset\": it is not a glTF file");
-  if (!text(*asset, "version").starts_with("2."))
-    file_.fail(phrase("It is glTF version %1, but only 2 can be read", inQuotes(text(*asset, "version"))),
+  if (!textIn(*asset, "version").starts_with("2."))
+    file_.fail(phrase("It is glTF version %1, but only 2 can be read", inQuotes(textIn(*asset, "version"))),
                "export it as glTF 2.0");
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end() || !required->is_array())
@@ -131,7 +128,7 @@ void GltfDocument::loadBuffers() {
     const Json& buffer = (*list)[i];
     if (!buffer.is_object())
       fail(phrase("buffer %1 is not a JSON object", i));
-    const std::string uri = text(buffer, "uri");
+    const std::string uri = textIn(buffer, "uri");
     if (uri.empty() && i == 0 && hasBinary_) {
       buffers_.push_back(binary_);
     } else if (uri.empty()) {
@@ -190,11 +187,6 @@ std::uint64_t GltfDocument::whole(const Json& object, const char* key) const {
   return whole(object, key, 0);
 }
 
-std::string GltfDocument::text(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
   const Json& json = entry("accessors", accessor);
   if (json.contains("sparse") || !json.contains("bufferView"))
@@ -202,7 +194,7 @@ GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
 
   View result;
   const auto type = lookUp(kComponentTypes, whole(json, "componentType"));
-  const auto components = lookUp(kComponents, text(json, "type"));
+  const auto components = lookUp(kComponents, textIn(json, "type"));
   if (!type || !components)
     fail(phrase("accessor %1 has an unknown type", accessor));
   result.scalar = type->scalar;

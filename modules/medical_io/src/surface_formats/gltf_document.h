@@ -31,8 +31,6 @@ public:
   std::uint64_t whole(const Json& object, const char* key, std::uint64_t otherwise) const;
   /// The same for a member that has to be there.
   std::uint64_t whole(const Json& object, const char* key) const;
-  /// The text member `key`; empty when it is absent.
-  static std::string text(const Json& object, const char* key);
 
   /// An accessor's numbers, element by element, normalised integers as fractions. `components` gets how many
   /// an element has.

@@ -18,6 +18,7 @@
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
 
@@ -129,10 +130,10 @@ private:
     const auto extras = asset.find("extras");
     if (extras == asset.end() || !extras->is_object())
       return;
-    const std::string space = GltfDocument::text(*extras, "SPACE");
+    const std::string space = textIn(*extras, "SPACE");
     if (!space.empty())
       raw_.space = findSpace("SPACE=" + space, raw_.warnings);
-    marked_ = raw_.space.has_value() && GltfDocument::text(*extras, "unit") == "mm";
+    marked_ = raw_.space.has_value() && textIn(*extras, "unit") == "mm";
     if (!marked_)
       raw_.space.reset();
   }
@@ -239,7 +240,7 @@ private:
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
       document_.fail(phrase("mesh %1 has no primitives", number));
-    names_.push_back(GltfDocument::text(mesh, "name"));
+    names_.push_back(textIn(mesh, "name"));
     for (const Json& primitive : *primitives)
       readPrimitive(primitive, number, transform);
   }

@@ -1,11 +1,12 @@
 #include "definition/fields.h"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "viscera/core/edit_distance.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -18,18 +19,13 @@ std::string field(const std::string& key) {
   return "\"" + key + "\"";
 }
 
-bool isFinite(const json& value) {
-  return value.is_number() && std::isfinite(value.get<double>());
-}
-
 } // namespace
 
 Vec3 vectorFrom(const json& value, const std::string& where, const std::string& key) {
-  const bool good =
-      value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), isFinite);
-  if (!good)
+  const std::optional<Vec3> numbers = threeNumbers(value);
+  if (!numbers)
     throw DataError(field(key) + " is not three numbers but " + value.dump(), where, "write it as [x, y, z]");
-  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+  return *numbers;
 }
 
 std::string nearestName(const std::string& wrong, const std::set<std::string>& names) {
@@ -86,9 +82,10 @@ const json* Fields::optional(const std::string& key) {
 
 double Fields::number(const std::string& key) {
   const json& value = get(key);
-  if (!isFinite(value))
+  const std::optional<double> number = finiteNumber(value);
+  if (!number)
     fail(key, "is not a number but " + value.dump());
-  return value.get<double>();
+  return *number;
 }
 
 double Fields::positive(const std::string& key) {

@@ -1,13 +1,12 @@
 #include "definition/organ_definition.h"
 
-#include <fstream>
 #include <set>
 #include <system_error>
 
 #include "definition/fields.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
-#include "viscera/core/text.h"
+#include "viscera/core/json_reader.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -16,22 +15,6 @@ using nlohmann::json;
 
 constexpr int kFewestTriangles = 100;
 constexpr int kMostTriangles = 5'000'000;
-
-std::string readText(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open())
-    throw NoInputError("the organ definition cannot be read", path.string(),
-                       "check that the file exists and that you may read it");
-  return restOf(file, path.string());
-}
-
-json parse(const std::string& text, const std::string& where) {
-  try {
-    return json::parse(text, nullptr, true, true);
-  } catch (const json::exception& error) { // Numbers beyond doubles are no `parse_error`.
-    throw DataError(std::string("not valid JSON: ") + error.what(), where, "mend the place that is named");
-  }
-}
 
 /// Reads one file after the other into one definition.
 class Reader {
@@ -50,7 +33,7 @@ private:
       throw DataError("the file is included twice, or includes itself", where, "remove one of the includes");
     const std::string text = readText(path);
     definition_.contentHash = contentHash(text, definition_.contentHash);
-    const json content = parse(text, where);
+    const auto content = parseJson<json>(text, where, "mend the place that is named", JsonComments::skipped);
     Fields fields(content, where);
     const std::string name = fields.text("name");
     checkFrame(fields);
