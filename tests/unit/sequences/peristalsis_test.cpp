@@ -1,13 +1,11 @@
 #include "viscera/sequences/peristalsis.h"
 
 #include <cmath>
-#include <memory>
 
 #include <gtest/gtest.h>
 
 #include "simple_stomach.h"
 #include "viscera/core/error.h"
-#include "viscera/sequences/scaled_sequence.h"
 
 namespace viscera::sequences {
 namespace {
@@ -54,21 +52,6 @@ TEST_F(PeristalsisTest, keepsTheVolumeToRoundingAtEveryRate) {
       peristalsis_.poseAt(t, rate, pose_);
       EXPECT_NEAR(volume_.at(pose_), kept, 1e-11 * kept) << rate << " " << t;
     }
-}
-
-TEST_F(PeristalsisTest, hasTheSameWavesInAnotherSizeAndNeitherKeysNorAHeart) {
-  const ScaledSequence large(std::make_shared<Peristalsis>(rig_, PoseCompensation(), volume_), 1.4);
-  ASSERT_EQ(large.course().size(), peristalsis_.course().size());
-  EXPECT_EQ(large.course().back().name, "pylorus");
-  const auto waves = peristalsis_.travelling(14, 3), here = large.travelling(14, 3);
-  ASSERT_FALSE(waves.empty());
-  ASSERT_EQ(here.size(), waves.size());
-  for (std::size_t i = 0; i < waves.size(); ++i) {
-    EXPECT_EQ(here[i].place, waves[i].place);
-    EXPECT_EQ(here[i].strength, waves[i].strength);
-  }
-  EXPECT_EQ(large.heart(), nullptr);
-  EXPECT_TRUE(large.keys().empty());
 }
 
 TEST_F(PeristalsisTest, upperStomachTakesInWhatIsPressedOut) {
