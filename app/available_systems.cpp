@@ -28,7 +28,7 @@ fs::path ownPlugins() {
 } // namespace
 
 AvailableSystems availableSystems(const std::vector<std::string>& pluginPath) {
-  AvailableSystems systems{plugin::builtInRegistry(), {}};
+  AvailableSystems systems{coordinates::builtInRegistry(), {}};
   const std::vector<fs::path> given(pluginPath.begin(), pluginPath.end());
   for (const plugin::PluginReport& report :
        plugin::loadPlugins(plugin::pluginSearchPath(given, ownPlugins()), systems.registry))

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "viscera/plugin/registry.h"
+#include "viscera/coordinates/registry.h"
 
 namespace viscera::app {
 
 /// The coordinate systems that this program can use, built in or from plugins.
 struct AvailableSystems {
-  plugin::Registry registry;
+  coordinates::Registry registry;
   std::vector<std::string> problems; ///< One sentence for each plugin that was left out.
 };
 

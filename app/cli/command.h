@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 namespace CLI {
@@ -30,7 +30,7 @@ struct CommandContext {
   Progress& progress;                          ///< Cancelled by Ctrl+C.
   Threads threads;                             ///< The number of threads that the user has chosen.
   const sample_organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
-  const plugin::Registry& systems;             ///< The coordinate systems that `--system` names.
+  const coordinates::Registry& systems;        ///< The coordinate systems that `--system` names.
 };
 
 /// A subcommand of the program: `viscera <name>`.

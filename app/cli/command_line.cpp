@@ -218,7 +218,7 @@ ValueWords valueWords() {
   ValueWords words{{"SEQUENCE", {"heartbeat", "peristalsis", "breathing"}}};
   for (const std::string& name : sample_organs::sampleNames(sample_organs::standardLibrary()))
     words["ORGAN"].push_back("sample:" + name);
-  const plugin::Registry systems = plugin::builtInRegistry();
+  const coordinates::Registry systems = coordinates::builtInRegistry();
   for (const auto& entry : systems.list())
     words["ID"].push_back(entry.system->id());
   return words;

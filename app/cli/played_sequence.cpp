@@ -15,12 +15,12 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
+#include "viscera/live/circulating_heart.h"
+#include "viscera/live/player.h"
+#include "viscera/live/sequence_file.h"
+#include "viscera/live/sequence_setup.h"
+#include "viscera/live/textbook_motion.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/motion/circulating_heart.h"
-#include "viscera/motion/player.h"
-#include "viscera/motion/sequence_file.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/motion/textbook_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -84,7 +84,7 @@ std::optional<sample_organs::Resolution> resolutionOf(const std::string& organ, 
 }
 
 std::string ownOrgan(const std::string& sequence) {
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
+  for (const live::SampleSequence& sample : live::sampleSequences())
     if (sample.id == sequence)
       return sample.organ;
   return {};
@@ -104,7 +104,7 @@ void requireOwnHandles(const std::string& file, const sequences::Sequence& seque
 }
 
 /// "apex=1,2,3" taken apart.
-motion::Landmark landmarkOf(const std::string& text) {
+live::Landmark landmarkOf(const std::string& text) {
   const std::size_t equal = text.find('=');
   std::istringstream numbers(equal == std::string::npos ? "" : text.substr(equal + 1));
   Vec3 place;
@@ -117,8 +117,8 @@ motion::Landmark landmarkOf(const std::string& text) {
   return {text.substr(0, equal), place, false};
 }
 
-motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
-  motion::Landmarks landmarks;
+live::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
+  live::Landmarks landmarks;
   for (const std::string& text : request.landmark)
     landmarks.points.push_back(landmarkOf(text));
   if (request.landmarks.empty())
@@ -126,8 +126,8 @@ motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::st
   const medical_io::HandleFile file = medical_io::readHandles(request.landmarks);
   for (const std::string& warning : file.warnings)
     warnings.push_back(request.landmarks + ": " + warning);
-  const motion::Landmarks inFile = motion::landmarksFrom(file, request.sequence, request.landmarks);
-  for (const motion::Landmark& landmark : inFile.points)
+  const live::Landmarks inFile = live::landmarksFrom(file, request.sequence, request.landmarks);
+  for (const live::Landmark& landmark : inFile.points)
     if (!landmarks.find(landmark.role) || landmarks.find(landmark.role)->role == "centreline")
       landmarks.points.push_back(landmark);
   return landmarks;
@@ -152,23 +152,23 @@ void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemCh
 }
 
 /// The sequence itself, or the heart that follows a circulation.
-motion::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resolution resolution,
-                               CommandContext& context) {
+live::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resolution resolution,
+                             CommandContext& context) {
   if (request.scenario.empty())
-    return motion::setUpSequence(context.samples, request.sequence, resolution, context.progress,
-                                 context.threads);
+    return live::setUpSequence(context.samples, request.sequence, resolution, context.progress,
+                               context.threads);
   circulation::Parameters parameters = circulation::scenarioParameters(request.scenario);
   if (request.ratePerMinute > 0)
     circulation::setParameter(parameters, "rate", request.ratePerMinute);
-  return motion::circulatingHeart(context.samples, circulation::scenario(request.scenario).name, parameters,
-                                  resolution, context.progress, context.threads);
+  return live::circulatingHeart(context.samples, circulation::scenario(request.scenario).name, parameters,
+                                resolution, context.progress, context.threads);
 }
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
 PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
   const std::optional<sample_organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
-  const motion::SequenceSetup setup =
+  const live::SequenceSetup setup =
       setUpFor(request, resolution.value_or(sample_organs::Resolution::medium), context);
   PlayedSequence played;
   played.sequence = setup.sequence;
@@ -192,17 +192,17 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
 }
 
 /// The surfaces in the file of a key sequence.
-Surfaces surfacesOf(const motion::SequenceFile& file) {
+Surfaces surfacesOf(const live::SequenceFile& file) {
   Surfaces surfaces;
-  for (const motion::SequenceOrgan& organ : file.organs)
+  for (const live::SequenceOrgan& organ : file.organs)
     surfaces.add(organ.name, document::makeOrgan(organ.name, organ.mesh));
   return surfaces;
 }
 
-PlayedSequence playRecorded(const motion::SequenceFile& file, Surfaces surfaces, CommandContext& context) {
+PlayedSequence playRecorded(const live::SequenceFile& file, Surfaces surfaces, CommandContext& context) {
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
-  played.rig = motion::rigOf(file);
+  played.rig = live::rigOf(file);
   bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), context);
   return played;
 }
@@ -212,7 +212,7 @@ PlayedSequence playRecorded(const motion::SequenceFile& file, Surfaces surfaces,
 std::shared_ptr<const document::Organ> heartAmong(const OrgansAround& around) {
   for (const auto& organ : around.organs)
     if (around.name.empty() || organ->name == around.name)
-      if (auto heart = motion::heartWithCavities(around.organs, *organ))
+      if (auto heart = live::heartWithCavities(around.organs, *organ))
         return heart;
   return nullptr;
 }
@@ -226,14 +226,14 @@ std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, Co
   if (!heart)
     return std::nullopt;
   std::vector<std::string> warnings = heart->warnings;
-  motion::TextbookBeat beat;
+  live::TextbookBeat beat;
   beat.given = givenLandmarks(request, warnings);
   if (request.ratePerMinute > 0)
     beat.ratePerMinute = request.ratePerMinute;
   if (request.ejectionFraction > 0)
     beat.ejectionFraction = request.ejectionFraction;
-  const motion::PatientMotion found =
-      motion::textbookMotion(around.organs, *heart, beat, context.progress, context.threads);
+  const live::PatientMotion found =
+      live::textbookMotion(around.organs, *heart, beat, context.progress, context.threads);
   PlayedSequence played = playRecorded(found.sequence, surfacesOf(found.sequence), context);
   played.warnings = std::move(warnings);
   played.warnings.insert(played.warnings.end(), found.warnings.begin(), found.warnings.end());
@@ -252,11 +252,11 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, CommandContext& context)
     return std::move(*heart);
   requireNoEjectionFraction(request);
   PlayedSequence played;
-  const motion::Landmarks given = givenLandmarks(request, played.warnings);
+  const live::Landmarks given = givenLandmarks(request, played.warnings);
   const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
   document::Organ organ = organInput(name, context.samples, context.progress);
-  motion::RetargetedSequence fitted =
-      motion::retargetSequence(request.sequence, organ, given, context.progress, context.threads);
+  live::RetargetedSequence fitted =
+      live::retargetSequence(request.sequence, organ, given, context.progress, context.threads);
   played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
   played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
@@ -269,7 +269,7 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, CommandContext& context)
 }
 
 PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
-  const motion::SequenceFile file = motion::readSequence(request.sequence);
+  const live::SequenceFile file = live::readSequence(request.sequence);
   if (request.organ.empty() && file.organs.empty())
     throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
   if (request.organ.empty())
@@ -352,7 +352,7 @@ bool isOther(const PlayRequest& request) {
 
 /// A sequence that is named, or in a file of its own.
 PlayedSequence namedSequence(const PlayRequest& request, CommandContext& context) {
-  const bool isFile = motion::isSequenceFile(request.sequence);
+  const bool isFile = live::isSequenceFile(request.sequence);
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
     throw UsageError("It is played on the handles that it holds", request.sequence,
                      "leave the landmarks out");

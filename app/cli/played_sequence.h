@@ -8,8 +8,8 @@
 #include "cli/command.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/motion_runner.h"
-#include "viscera/motion/retarget.h"
+#include "viscera/live/motion_runner.h"
+#include "viscera/live/retarget.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::app::cli {
@@ -62,10 +62,10 @@ struct PlayedSequence {
   /// Whether a session is played: with its locks, at its rate, and where a volume cannot be kept the organs
   /// stay as they were, as in the window.
   bool ofSession = false;
-  double ratePerMinute = 0; ///< Rate of the session; 0: the sequence's standard rate.
-  std::optional<motion::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
+  double ratePerMinute = 0;                         ///< Rate of the session; 0: the sequence's standard rate.
+  std::optional<live::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
   /// What was computed when the organ is not the sequence's own.
-  std::optional<motion::RetargetedSequence> retargeted;
+  std::optional<live::RetargetedSequence> retargeted;
 
   /// The place of the surface with that name, or -1.
   int find(const std::string& name) const;

@@ -13,14 +13,14 @@
 #include "viscera/core/error.h"
 #include "viscera/document/measured_values.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/circulating_heart.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
-#include "viscera/motion/circulating_heart.h"
-#include "viscera/motion/motion_copy.h"
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/volume_curve.h"
+#include "viscera/live/motion_copy.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
+#include "viscera/sequences/volume_curve.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -71,26 +71,26 @@ presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromS
 }
 
 /// The valves of the sample heart at the instant that the view shows.
-std::optional<sequences::ValveInstants> valvesOf(const document::DocumentState& state,
-                                                 const presentation::ViewState& view) {
+std::optional<heart::ValveInstants> valvesOf(const document::DocumentState& state,
+                                             const presentation::ViewState& view) {
   if (!view.playing || !view.playing->shown)
     return std::nullopt;
   const auto chosen = static_cast<std::size_t>(view.playing->motion);
   if (view.playing->motion < 0 || chosen >= view.motions.size())
     return std::nullopt;
   Progress quiet;
-  return motion::heartValves(view.motions[chosen].recipe, *state.circulation, view.playing->fraction,
-                             view.playing->ratePerMinute, quiet);
+  return live::heartValves(view.motions[chosen].recipe, *state.circulation, view.playing->fraction,
+                           view.playing->ratePerMinute, quiet);
 }
 
 } // namespace
 
-std::optional<motion::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                     const presentation::ViewState& view) {
+std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
+                                                   const presentation::ViewState& view) {
   if (!view.playing || !view.playing->prescribed || !state.organ(view.playing->prescribed->organ))
     return std::nullopt;
   const presentation::Prescribed& prescribed = *view.playing->prescribed;
-  return motion::PrescribedVolume{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file};
+  return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
 }
 
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
@@ -102,12 +102,11 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
     if (const auto organ = state.organ(view.motions[chosen].organ)) {
       const std::string& recipe = view.motions[chosen].recipe;
       const document::CirculationChoice& circulation = *state.circulation;
-      if (const auto resolution = motion::sampleHeartOf(recipe); resolution && circulation.drives)
-        return motion::circulatingHeart(context.samples, document::nameOf(circulation),
-                                        circulation.parameters, *resolution, context.progress,
-                                        context.threads)
+      if (const auto resolution = live::sampleHeartOf(recipe); resolution && circulation.drives)
+        return live::circulatingHeart(context.samples, document::nameOf(circulation), circulation.parameters,
+                                      *resolution, context.progress, context.threads)
             .sequence;
-      return motion::makeMotion(recipe, *organ, context.samples, context.progress);
+      return live::makeMotion(recipe, *organ, context.samples, context.progress);
     }
   return document::sequenceOf(*state.keySequence, *state.rig);
 }
@@ -142,13 +141,13 @@ void PosedSession::findStressCycle(const presentation::ViewState& view, CommandC
   const auto sequence = view.playing ? sequenceOf(state(), view, context) : nullptr;
   if (!sequence)
     return;
-  motion::MotionRunner runner(state(), live_, context.threads);
+  live::MotionRunner runner(state(), live_, context.threads);
   runner.setSequence(sequence);
   runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
                                      sequence->highestRatePerMinute()));
   runner.prescribe(prescribedOf(state(), view));
   if (runner.movable())
-    stress_.findCycle(motion::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
+    stress_.findCycle(live::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
   box_.runUntil([&] { return jobs_.idle(); });
 }
 

@@ -16,7 +16,7 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/live_warp.h"
-#include "viscera/motion/motion_runner.h"
+#include "viscera/live/motion_runner.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
 
@@ -37,8 +37,8 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
 
 /// The volume that the session prescribes while its sequence moves the organs; none where it does not, and
 /// where the organ is missing. Throws `DataError` for one that is no curve of volumes.
-std::optional<motion::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                     const presentation::ViewState& view);
+std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
+                                                   const presentation::ViewState& view);
 
 /// An opened session with its organs bound and posed as they were saved, for commands without an event loop.
 class PosedSession {

@@ -14,7 +14,7 @@ namespace viscera::app::cli {
 SliceRequest sliceRequest(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
-  const auto directions = slices::sliceDirections();
+  const auto directions = medical_io::sliceDirections();
   for (std::size_t i = 0; i < directions.size() && colon != text.npos; ++i) {
     if (name != directions[i].id)
       continue;
@@ -31,7 +31,7 @@ SliceRequest sliceRequest(const std::string& text) {
 SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequest& slice,
                           const StageOptions& stage, Threads threads) {
   presentation::ViewState wanted = scene.view;
-  const int axis = slices::sliceDirections()[static_cast<std::size_t>(slice.direction)].axis;
+  const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(slice.direction)].axis;
   Vec3 focus = presentation::focusOf(scene.state, wanted.scan);
   focus[axis] = slice.mm;
   wanted.scan.focus = focus;

@@ -14,7 +14,7 @@ namespace viscera::app::cli {
 /// The direction of a slice and its place along x, y or z in mm LPS, as in "axial:120", "coronal:-40.5" or
 /// "sagittal:0".
 struct SliceRequest {
-  int direction = 0; ///< Of `slices::sliceDirections`.
+  int direction = 0; ///< Of `medical_io::sliceDirections`.
   double mm = 0;
 };
 

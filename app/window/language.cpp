@@ -65,10 +65,10 @@ InstalledLanguage::InstalledLanguage(const QString& code) : code_(code) {
     names_ = nullptr; // It could not be loaded.
 }
 
-void InstalledLanguage::addTextsOf(const plugin::Registry& systems) {
+void InstalledLanguage::addTextsOf(const coordinates::Registry& systems) {
   std::set<QString> files;
-  for (const plugin::Registry::Entry& entry : systems.list())
-    if (entry.source != plugin::Registry::kBuiltIn) {
+  for (const coordinates::Registry::Entry& entry : systems.list())
+    if (entry.source != coordinates::Registry::kBuiltIn) {
       const QFileInfo library(QString::fromStdString(entry.source));
       files.insert(library.dir().filePath(library.completeBaseName() + QLatin1Char('_') + code_ +
                                           QStringLiteral(".qm")));

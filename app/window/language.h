@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "viscera/plugin/registry.h"
+#include "viscera/coordinates/registry.h"
 
 class QTranslator;
 
@@ -47,7 +47,7 @@ public:
 
   /// Adds the texts that plugins bring: of each file in the registry, `example.so`, those of `example_de.qm`
   /// beside it, where that is there (docs/coordinate_plugin.md). Made before the window, too.
-  void addTextsOf(const plugin::Registry& systems);
+  void addTextsOf(const coordinates::Registry& systems);
 
 private:
   QString code_;

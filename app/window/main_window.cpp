@@ -53,7 +53,7 @@
 
 namespace viscera::app {
 
-MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
+MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
       poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),

@@ -52,7 +52,7 @@ class MainWindow final : public QMainWindow {
 public:
   /// `settings` has to outlive the window. `registry` has the coordinate systems to choose from, `clock`
   /// drives the sequences.
-  MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
+  MainWindow(Settings& settings, coordinates::Registry registry, live::Player::Clock clock,
              QWidget* parent = nullptr);
   ~MainWindow() override;
 

@@ -101,7 +101,7 @@ int takePicture(const WindowOptions& options, InstalledLanguage& language) {
   }
   const bool session = !window.sessions().file().isEmpty(); // It has a view of its own.
   const Mode& mode = window.modes().present();
-  const bool moves = !session && mode.pose() == motion::WantedPose::sequence && !mode.shown().stress;
+  const bool moves = !session && mode.pose() == live::WantedPose::sequence && !mode.shown().stress;
   if (moves && window.playback().sequence()) {
     window.playback().play();
     while (now < kPlayedSeconds) {
@@ -183,7 +183,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
   installed.addTextsOf(systems.registry);
-  MainWindow window(settings, std::move(systems.registry), motion::Player::steadyClock());
+  MainWindow window(settings, std::move(systems.registry), live::Player::steadyClock());
   application.setGuard(
       [&window](const std::function<void()>& work) { return window.workspace().guarded(work); });
   if (!options.theme.empty())

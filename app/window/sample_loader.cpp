@@ -9,8 +9,8 @@
 #include "viscera/anatomy/part.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/motion_recipe.h"
+#include "viscera/live/sequence_setup.h"
 #include "window/heart_look.h"
 
 namespace viscera::app {
@@ -55,7 +55,7 @@ void SampleLoader::load(const QString& name, bool play) {
       },
       [this, name, play](const Sample& sample) {
         take(sample, name);
-        if (play && playback_.sequence() && playback_.wantedPose() == motion::WantedPose::sequence)
+        if (play && playback_.sequence() && playback_.wantedPose() == live::WantedPose::sequence)
           playback_.play();
       });
 }
@@ -69,13 +69,13 @@ SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& libr
                                         Progress& progress) {
   constexpr auto resolution = sample_organs::Resolution::medium;
   Sample sample;
-  for (const motion::SampleSequence& motion : motion::sampleSequences()) {
+  for (const live::SampleSequence& motion : live::sampleSequences()) {
     if (motion.organ != name)
       continue;
-    motion::SequenceSetup setup = motion::setUpSequence(library, motion.id, resolution, progress);
+    live::SequenceSetup setup = live::setUpSequence(library, motion.id, resolution, progress);
     sample.organs = document::organsFrom(setup.organ);
     sample.motion = setup.sequence;
-    sample.recipe = motion::sampleRecipe(motion.id, resolution);
+    sample.recipe = live::sampleRecipe(motion.id, resolution);
     sample.rig = std::move(setup.rig);
     sample.system = std::move(setup.system);
     break;

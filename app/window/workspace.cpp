@@ -18,7 +18,7 @@ namespace {
 constexpr int kToldSeconds = 8;
 } // namespace
 
-Workspace::Workspace(plugin::Registry registry, QObject* parent)
+Workspace::Workspace(coordinates::Registry registry, QObject* parent)
     : QObject(parent), undo_(document_), registry_(std::move(registry)), jobs_(mailbox()),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
       warp_(document_, live_, registry_, jobs_), selection_(document_) {

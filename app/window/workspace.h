@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/error.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/document/document.h"
@@ -10,7 +11,6 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/live_warp.h"
-#include "viscera/plugin/registry.h"
 #include "window/widgets/message_bar.h"
 
 namespace viscera::app {
@@ -22,7 +22,7 @@ class Workspace final : public QObject {
 
 public:
   /// `registry` holds the coordinate systems to choose from.
-  explicit Workspace(plugin::Registry registry, QObject* parent = nullptr);
+  explicit Workspace(coordinates::Registry registry, QObject* parent = nullptr);
 
   const document::Document& document() const { return document_; }
   const document::DocumentState& state() const { return document_.state(); }
@@ -33,7 +33,7 @@ public:
   live::LiveStress& stress() { return stress_; }
   /// Deforms the scan by the present pose; shared by the slices, the 3D view and the status line.
   live::LiveWarp& warp() { return warp_; }
-  const plugin::Registry& registry() const { return registry_; }
+  const coordinates::Registry& registry() const { return registry_; }
 
   [[nodiscard]] Subscription onChange(std::function<void(const document::Change&)> observer) {
     return document_.onChange(std::move(observer));
@@ -102,7 +102,7 @@ private:
 
   document::Document document_;
   document::UndoStack undo_;
-  plugin::Registry registry_;
+  coordinates::Registry registry_;
   JobQueue jobs_;
   live::LiveBinding live_;
   live::LiveStress stress_;

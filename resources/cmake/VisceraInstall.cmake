@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 # The parts of VTK that our libraries name; whoever uses them has to find the same.
 set(viscera_vtk_components)
-foreach(module IN ITEMS contour medical_io scene)
+foreach(module IN ITEMS medical_io scene)
   if(TARGET viscera_${module})
     get_target_property(libraries viscera_${module} LINK_LIBRARIES)
     list(FILTER libraries INCLUDE REGEX "^VTK::")

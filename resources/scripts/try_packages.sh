@@ -34,7 +34,7 @@ build_paraview_plugin() {
     say "There is no ParaView to build its plugin against, so there will be no viscera-paraview."
     return 0
   }
-  LD_LIBRARY_PATH=${config%/cmake/*} cmake -S "$root/modules/paraview_plugin" -B "$build/paraview_plugin" -G Ninja \
+  LD_LIBRARY_PATH=${config%/cmake/*} cmake -S "$root/modules/bindings/paraview" -B "$build/paraview_plugin" -G Ninja \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DParaView_DIR="$config" -DViscera_DIR="$build" \
     -DPython3_EXECUTABLE=/usr/bin/python3
   LD_LIBRARY_PATH=${config%/cmake/*} cmake --build "$build/paraview_plugin"
@@ -201,7 +201,7 @@ try_paraview() {
   say "== ParaView"
   # Its Python package cannot be beside python3-vtk9.
   install_inside '/packages/paraview/*.deb' python3-paraview python3-vtk9-
-  cp "$root/modules/python/examples/paraview_trace.py" "$fresh/tmp/"
+  cp "$root/modules/bindings/python/examples/paraview_trace.py" "$fresh/tmp/"
   for program in pvpython pvbatch; do
     inside 'cd /tmp && VISCERA_PLUGIN=$(dpkg --listfiles viscera-paraview | grep /Viscera.so) '"$program"' paraview_trace.py .'
   done

@@ -9,13 +9,13 @@
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/circulating_heart.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/circulating_heart.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/presentation/circulation_figure.h"
 #include "viscera/scene/surfaceless_window.h"
 
@@ -72,17 +72,17 @@ private:
     return {std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
             std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
   }
-  sequences::HeartCourse course() const {
-    return motion::heartCourse("Heartbeat", shown_.parameters, shown_.beat, shown_.indices);
+  heart::HeartCourse course() const {
+    return live::heartCourse("Heartbeat", shown_.parameters, shown_.beat, shown_.indices);
   }
 
   Progress progress_;
   document::Document document_;
   document::UndoStack undo_{document_};
-  plugin::Registry registry_ = plugin::builtInRegistry();
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
   JobQueue jobs_{[](std::function<void()> work) { work(); }};
   live::LiveBinding live_;
-  motion::CirculatingHeart heart_;
+  live::CirculatingHeart heart_;
   scene::SurfacelessWindow window_{kWidth, kHeight};
   scene::CurvePanels panels_;
   presentation::ShownCirculation shown_;

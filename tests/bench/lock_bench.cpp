@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "build_paths.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
@@ -12,9 +13,8 @@
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/live/volume_keeper.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/plugin/registry.h"
 
 /// What the first step of a drag waits for under volume locks, without a window.
 namespace viscera {
@@ -27,8 +27,7 @@ public:
     Progress progress;
     const sample_organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
                                                std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
-    const auto setup =
-        motion::setUpSequence(library, "heartbeat", sample_organs::Resolution::medium, progress);
+    const auto setup = live::setUpSequence(library, "heartbeat", sample_organs::Resolution::medium, progress);
     undo_.perform(
         document::combined("Show", {document::addOrgans(document::organsFrom(setup.organ)),
                                     document::replaceRig(setup.rig), document::setSystem(setup.system)}));
@@ -56,7 +55,7 @@ public:
 private:
   document::Document document_;
   document::UndoStack undo_{document_};
-  plugin::Registry registry_ = plugin::builtInRegistry();
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
   ManualEventLoop box_;
   JobQueue jobs_{box_.post()};
   live::LiveBinding live_{document_, registry_, jobs_, {std::numeric_limits<double>::infinity(), {}}};

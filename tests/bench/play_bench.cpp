@@ -7,17 +7,17 @@
 #include <benchmark/benchmark.h>
 
 #include "build_paths.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/cycle_curves.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/cycle_curves.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/motion/volume_record.h"
-#include "viscera/plugin/registry.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/volume_chart.h"
+#include "viscera/sequences/volume_record.h"
 
 /// What a frame of the window costs while an organ moves, but for drawing it.
 namespace viscera {
@@ -34,7 +34,7 @@ public:
     Progress progress;
     const sample_organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
                                                std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
-    const auto setup = motion::setUpSequence(library, sequence, sample_organs::Resolution::medium, progress);
+    const auto setup = live::setUpSequence(library, sequence, sample_organs::Resolution::medium, progress);
     sequence_ = setup.sequence;
     undo_.perform(
         document::combined("Show", {document::addOrgans(document::organsFrom(setup.organ)),
@@ -47,7 +47,7 @@ public:
       names.push_back(organ->name);
       lines.push_back({organ->name, organ->look.color});
     }
-    record_ = motion::VolumeRecord(names, 7200);
+    record_ = sequences::VolumeRecord(names, 7200);
     measure();
     chart_.setLines(lines);
     chart_.setTimeRange({0, 60 / rate});
@@ -56,11 +56,11 @@ public:
   /// The whole cycle, as a worker of the window measures it.
   void measure() {
     live::PosedCopy organs = live_.copy();
-    motion::MotionRunner runner(document_.state(), organs);
+    live::MotionRunner runner(document_.state(), organs);
     runner.setSequence(sequence_);
     runner.setRatePerMinute(rate_);
     Progress progress;
-    cycle_ = motion::measureCycle(runner, progress);
+    cycle_ = live::measureCycle(runner, progress);
   }
   void lock() { undo_.perform(document::setVolumeLocked(document_.organs().front()->id, true)); }
   void pose() { sequence_->poseAt(seconds_, rate_, pose_); }
@@ -98,12 +98,12 @@ private:
   std::shared_ptr<const sequences::Sequence> sequence_;
   document::Document document_;
   document::UndoStack undo_{document_};
-  plugin::Registry registry_ = plugin::builtInRegistry();
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
   JobQueue jobs_{[](std::function<void()> work) { work(); }};
   live::LiveBinding live_;
   std::vector<std::unique_ptr<scene::OrganActor>> actors_;
-  motion::VolumeRecord record_;
-  motion::CycleCurves cycle_;
+  sequences::VolumeRecord record_;
+  live::CycleCurves cycle_;
   scene::VolumeChart chart_;
   Points pose_;
   std::vector<double> row_;

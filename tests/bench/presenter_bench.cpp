@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "session_fixture.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/deformation/place_handles.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/presentation/presenter.h"
 
 /// What an event of the window costs until the picture can be drawn: a handle that is dragged, a look that
@@ -57,7 +57,7 @@ public:
 private:
   document::Document document_;
   document::UndoStack undo_{document_};
-  plugin::Registry registry_ = plugin::builtInRegistry();
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
   JobQueue jobs_{[](std::function<void()> work) { work(); }};
   live::LiveBinding live_;
   presentation::ViewState look_;

@@ -20,7 +20,7 @@ import viscera
 ROUNDS = 15
 ROUND_SECONDS = 0.1
 BENCH = sys.argv[1]
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/bindings/python/examples"))
 
 
 def blob(rings, segments):

@@ -8,13 +8,13 @@
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/geometry/plane_cut.h"
-#include "viscera/slices/sample_slice.h"
+#include "viscera/medical_io/sample_slice.h"
 
 /// What a slice of a scan costs until it is drawn: its samples, its grey levels, the organs' contours.
 namespace viscera {
 namespace {
 
-using slices::SliceFrame;
+using medical_io::SliceFrame;
 
 medical_io::Scan bigScan() {
   medical_io::Scan scan;
@@ -30,18 +30,19 @@ medical_io::Scan bigScan() {
 SliceFrame frameIn(const medical_io::Scan& scan, int direction, double forward) {
   Vec3 center = scan.indexToLps * Vec3(256, 256, 150);
   center += forward * Vec3::Ones();
-  return slices::frameAround(slices::sliceDirections()[std::size_t(direction)], center, 0.8, 512, 512);
+  return medical_io::frameAround(medical_io::sliceDirections()[std::size_t(direction)], center, 0.8, 512,
+                                 512);
 }
 
 /// The next slice of 512 x 512 pixels: samples and grey levels.
-void scroll(benchmark::State& state, int direction, slices::SampleOptions options) {
+void scroll(benchmark::State& state, int direction, medical_io::SampleOptions options) {
   const medical_io::Scan scan = bigScan();
-  slices::ValueImage image;
+  medical_io::ValueImage image;
   std::vector<std::uint8_t> grey;
   int step = 0;
   for (auto _ : state) {
-    slices::sampleSlice(scan, frameIn(scan, direction, 0.3 * (++step % 100)), options, image);
-    slices::greyOf(image, {1024, 2048}, 0, grey, options.threads);
+    medical_io::sampleSlice(scan, frameIn(scan, direction, 0.3 * (++step % 100)), options, image);
+    medical_io::greyOf(image, {1024, 2048}, 0, grey, options.threads);
     benchmark::DoNotOptimize(grey.data());
   }
 }
@@ -53,15 +54,15 @@ BENCHMARK_CAPTURE(scroll, axial_slab_of_10_mm, 0, {.slabMm = 10})
     ->UseRealTime();
 
 /// The same of a scan that lies askew, as an oblique MR does.
-void scrollOblique(benchmark::State& state, slices::SampleOptions options) {
+void scrollOblique(benchmark::State& state, medical_io::SampleOptions options) {
   medical_io::Scan scan = bigScan();
   scan.indexToLps = Eigen::AngleAxisd(0.2, Vec3(1, 2, 3).normalized()) * scan.indexToLps;
-  slices::ValueImage image;
+  medical_io::ValueImage image;
   std::vector<std::uint8_t> grey;
   int step = 0;
   for (auto _ : state) {
-    slices::sampleSlice(scan, frameIn(scan, 0, 0.3 * (++step % 100)), options, image);
-    slices::greyOf(image, {1024, 2048}, 0, grey, options.threads);
+    medical_io::sampleSlice(scan, frameIn(scan, 0, 0.3 * (++step % 100)), options, image);
+    medical_io::greyOf(image, {1024, 2048}, 0, grey, options.threads);
     benchmark::DoNotOptimize(grey.data());
   }
 }
@@ -86,7 +87,7 @@ void bend(benchmark::State& state) {
   deformation::InverseMap map(system, handles, posed(25), {}, {}, progress);
   const deformation::SamplePlane plane{frame.corner, frame.right, frame.up, frame.width, frame.height};
   deformation::RestPoints rest;
-  slices::ValueImage image;
+  medical_io::ValueImage image;
   std::vector<std::uint8_t> grey;
   double mm = 20;
   for (auto _ : state) {
@@ -94,8 +95,8 @@ void bend(benchmark::State& state) {
     map.setPose(posed(mm));
     map.restPlane(plane, rest);
     map.refinePlane(system, plane, {.toleranceMm = 0.03}, rest, progress);
-    slices::sampleSlice(scan, frame, {}, image, &rest.points);
-    slices::greyOf(image, {1024, 2048}, 0, grey);
+    medical_io::sampleSlice(scan, frame, {}, image, &rest.points);
+    medical_io::greyOf(image, {1024, 2048}, 0, grey);
     benchmark::DoNotOptimize(grey.data());
   }
   Points samples(plane.columns * plane.rows, 3);

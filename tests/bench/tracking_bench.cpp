@@ -10,8 +10,8 @@
 #include "build_paths.h"
 #include "measured_beat.h"
 #include "viscera/core/progress.h"
-#include "viscera/motion/motion_series.h"
-#include "viscera/motion/patient_motion.h"
+#include "viscera/live/motion_series.h"
+#include "viscera/live/patient_motion.h"
 
 /// How well and how fast a motion is found again (docs/patient_motion.md has the figures).
 namespace viscera {
@@ -26,7 +26,7 @@ const tests::MeasuredBeat& beat(std::size_t phases) {
   return *one;
 }
 
-void report(benchmark::State& state, const tests::MeasuredBeat& truth, const motion::PatientMotion& found) {
+void report(benchmark::State& state, const tests::MeasuredBeat& truth, const live::PatientMotion& found) {
   const char* names[] = {"outer", "lv", "rv"};
   double dice = 0, worst = 1, volume = 0, folded = 0, fit = 0;
   for (const auto& phase : found.phases) {
@@ -50,14 +50,14 @@ void report(benchmark::State& state, const tests::MeasuredBeat& truth, const mot
   state.counters["fit_mm"] = fit;
 }
 
-void run(benchmark::State& state, const tests::MeasuredBeat& truth, const motion::MotionSeries& series,
+void run(benchmark::State& state, const tests::MeasuredBeat& truth, const live::MotionSeries& series,
          double robustMm = 0) {
-  motion::TrackOptions options;
+  live::TrackOptions options;
   options.robustMm = robustMm;
-  motion::PatientMotion found;
+  live::PatientMotion found;
   for (auto _ : state) {
     Progress progress;
-    found = motion::trackMotion(series, options, progress);
+    found = live::trackMotion(series, options, progress);
   }
   report(state, truth, found);
 }
@@ -100,7 +100,7 @@ void cleanTwelve(benchmark::State& state) {
   run(state, truth, truth.voxels(kThick));
 }
 
-motion::MotionSeries without(motion::MotionSeries series, const std::vector<std::size_t>& phases) {
+live::MotionSeries without(live::MotionSeries series, const std::vector<std::size_t>& phases) {
   for (auto phase = phases.rbegin(); phase != phases.rend(); ++phase) {
     const auto at = static_cast<std::ptrdiff_t>(*phase);
     series.masks.erase(series.masks.begin() + at);
@@ -127,15 +127,15 @@ void realRightVentricle(benchmark::State& state) {
     state.SkipWithError("shared/organs/cine is absent");
     return;
   }
-  motion::SeriesRequest request;
+  live::SeriesRequest request;
   request.inputs = {folder};
   request.periodSeconds = 0.829;
-  motion::TrackOptions options;
+  live::TrackOptions options;
   options.rig.handles = static_cast<int>(state.range(0));
-  motion::PatientMotion found;
+  live::PatientMotion found;
   for (auto _ : state) {
     Progress progress;
-    found = motion::trackMotion(motion::readMotionSeries(request, progress), options, progress);
+    found = live::trackMotion(live::readMotionSeries(request, progress), options, progress);
   }
   double mean = 0, worst = 0, most = 0, flipped = 0;
   for (const auto& phase : found.phases) {

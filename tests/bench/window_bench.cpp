@@ -20,7 +20,7 @@
 #include "benched_window.h"
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/sequences/course_heartbeat.h"
+#include "viscera/heart/course_heartbeat.h"
 #include "window/session/session_files.h"
 
 /// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as
@@ -45,7 +45,7 @@ void firstPicture(benchmark::State& state) {
       qputenv("XDG_CACHE_HOME", empty.path().toLocal8Bit());
     const auto start = Clock::now();
     app::Settings settings{QString()};
-    app::MainWindow window(settings, plugin::builtInRegistry(), motion::Player::steadyClock());
+    app::MainWindow window(settings, coordinates::builtInRegistry(), live::Player::steadyClock());
     window.resize(1440, 900);
     window.setMode("play");
     window.samples().load(QStringLiteral("heart"), true);
@@ -297,7 +297,7 @@ void moveAControl(benchmark::State& state) {
   bench.window().findChild<QAbstractButton*>(QStringLiteral("scenario.rest"))->click();
   const auto& playback = bench.window().playback();
   const auto follows = [&] {
-    return dynamic_cast<const sequences::CourseHeartbeat*>(playback.sequence()) != nullptr;
+    return dynamic_cast<const heart::CourseHeartbeat*>(playback.sequence()) != nullptr;
   };
   bench.waitUntil(follows);
   bench.settle();

@@ -15,7 +15,7 @@ public:
 
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
-  motion::WantedPose pose() const override { return motion::WantedPose::document; }
+  live::WantedPose pose() const override { return live::WantedPose::document; }
   UsefulPanels panels() const override { return {}; }
   void click(const ClickedPlace* place) override;
 

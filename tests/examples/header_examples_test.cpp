@@ -28,7 +28,6 @@
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
-#include "viscera/contour/contour.h"
 #include "viscera/coordinates/corner_determinants.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -37,22 +36,23 @@
 #include "viscera/geometry/median_tree.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/lesson/lesson_plan.h"
+#include "viscera/live/cycle_curves.h"
+#include "viscera/live/motion_copy.h"
+#include "viscera/live/player.h"
 #include "viscera/localised_scc/region_layout.h"
+#include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/scan.h"
-#include "viscera/motion/cycle_curves.h"
-#include "viscera/motion/motion_copy.h"
-#include "viscera/motion/player.h"
+#include "viscera/medical_io/slice_frame.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/slice_presenter.h"
 #include "viscera/report/report_file.h"
-#include "viscera/reproduction/item.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/slice_view.h"
 #include "viscera/scene/text_font.h"
 #include "viscera/sequences/breathing.h"
-#include "viscera/slices/slice_frame.h"
+#include "viscera/thesis/item.h"
 #include "viscera/tracking/mask.h"
 
 // VTK's macros end in a semicolon too many.
@@ -74,7 +74,7 @@ Points cubeCorners() {
 // These are compiled and not run: they draw, or take seconds, or need a file or a program around them.
 
 [[maybe_unused]] void drawReport(const document::Document& document, const presentation::ViewState& viewState,
-                                 live::LiveBinding& live, const plugin::Registry& registry,
+                                 live::LiveBinding& live, const coordinates::Registry& registry,
                                  Progress& progress) {
   using namespace report; // Pictures from six sides take about a second.
   const ReportSource source{document.state(), viewState, &live, &registry};
@@ -83,8 +83,8 @@ Points cubeCorners() {
 }
 
 [[maybe_unused]] std::size_t reproduceFigure(Progress& progress) {
-  using namespace reproduction; // Up to half a minute.
-  const plugin::Registry systems = plugin::builtInRegistry();
+  using namespace thesis; // Up to half a minute.
+  const coordinates::Registry systems = coordinates::builtInRegistry();
   const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
   const auto results = makeAll(chosenItems({"3.14"}), {systems, samples}, progress);
   return results.size();
@@ -127,8 +127,8 @@ Points cubeCorners() {
 }
 
 [[maybe_unused]] void drawScene(const document::Document& document, live::LiveBinding& live,
-                                const presentation::ViewState& viewState, const plugin::Registry& systems,
-                                vtkRenderWindow* window) {
+                                const presentation::ViewState& viewState,
+                                const coordinates::Registry& systems, vtkRenderWindow* window) {
   scene::OrganView view;
   presentation::Presenter presenter(view);
   presenter.update({document.state(), live, viewState, systems});
@@ -144,9 +144,9 @@ Points cubeCorners() {
     say(quiz.answer(clicked) ? "Right" : "No");
 }
 
-[[maybe_unused]] void measureVolumes(JobQueue& jobs, motion::Player& player, live::LiveBinding& live,
-                                     const std::function<void(JobResult<motion::CycleCurves>)>& take) {
-  using namespace motion;
+[[maybe_unused]] void measureVolumes(JobQueue& jobs, live::Player& player, live::LiveBinding& live,
+                                     const std::function<void(JobResult<live::CycleCurves>)>& take) {
+  using namespace live;
   auto copy = std::make_shared<MotionCopy>(player.runner(), live.copy());
   jobs.submit<CycleCurves>(
       "Volumes", "cycle", [copy](Progress& p) { return measureCycle(copy->runner(), p); }, take);
@@ -155,17 +155,17 @@ Points cubeCorners() {
 [[maybe_unused]] void playSequence(const document::Document& document, live::LiveBinding& live,
                                    std::shared_ptr<const sequences::Sequence> sequence,
                                    document::OrganId organ) {
-  using namespace motion;
+  using namespace live;
   Player player(document.state(), live);
   player.setSequence(sequence, organ);
   player.play();
   player.advance(); // With every frame.
 }
 
-[[maybe_unused]] motion::CycleCurves curvesOf(const document::DocumentState& state, live::LiveBinding& live,
-                                              const std::shared_ptr<const sequences::Sequence>& sequence,
-                                              Progress& progress) {
-  using namespace motion;
+[[maybe_unused]] live::CycleCurves curvesOf(const document::DocumentState& state, live::LiveBinding& live,
+                                            const std::shared_ptr<const sequences::Sequence>& sequence,
+                                            Progress& progress) {
+  using namespace live;
   live::PosedCopy organs = live.copy();
   MotionRunner runner(state, organs);
   runner.setSequence(sequence);
@@ -189,7 +189,7 @@ TEST(HeaderExamples, Circulation) {
 }
 
 TEST(HeaderExamples, Contour) {
-  using namespace contour;
+  using namespace medical_io;
   const std::vector<float> values = {-1, 1, -1, 1, -1, 1, -1, 1};
   const geometry::TriangleMesh plane = contourOf(values, {2, 2, 2}, 0.0);
   const double x = plane.points(0, 0); // 0.5
@@ -198,7 +198,7 @@ TEST(HeaderExamples, Contour) {
 
 TEST(HeaderExamples, CoordinatesAndDeformation) {
   using namespace deformation;
-  const auto system = plugin::builtInRegistry().find("s-celestial");
+  const auto system = coordinates::builtInRegistry().find("s-celestial");
   const coordinates::HandleSet handles{cubeCorners(), {}, {}};
   const Points pose = 2 * handles.positions;
   const auto ball = std::make_shared<const geometry::TriangleMesh>(tests::sphere(2, 5));
@@ -226,7 +226,8 @@ TEST(HeaderExamples, CornerDeterminants) {
   handles.positions = 1.5 * cubeCorners();
   Progress progress;
   const geometry::TriangleMesh mesh = tests::sphere(2, 15);
-  const auto bound = plugin::builtInRegistry().find("s-celestial")->bind(handles, mesh.points, {}, progress);
+  const auto bound =
+      coordinates::builtInRegistry().find("s-celestial")->bind(handles, mesh.points, {}, progress);
   const Binding& binding = *bound;
   const Triangles& triangles = mesh.triangles;
   const CornerDeterminants determinants(binding, triangles);
@@ -284,7 +285,7 @@ TEST(HeaderExamples, Live) {
   using namespace live;
   tests::Session session;
   auto& [document, undo] = session;
-  const plugin::Registry registry = plugin::builtInRegistry();
+  const coordinates::Registry registry = coordinates::builtInRegistry();
   JobQueue jobs{[](std::function<void()> work) { work(); }};
   const document::OrganId organ = document.organs().front()->id;
   const Points pose = 2 * document.pose();
@@ -353,6 +354,7 @@ TEST(HeaderExamples, MedianTree) {
 }
 
 TEST(HeaderExamples, Plugin) {
+  using namespace coordinates;
   using namespace plugin;
   Registry registry = builtInRegistry();
   const auto reports = loadPlugins(pluginSearchPath({"plugins"}, {}), registry);
@@ -371,7 +373,7 @@ TEST(HeaderExamples, Sequences) {
 }
 
 TEST(HeaderExamples, Slices) {
-  using namespace slices;
+  using namespace medical_io;
   const Vec3 center(10, 20, 30);
   const SliceFrame frame = frameAround(sliceDirection("axial"), center, 0.5, 401, 301);
   const Vec3 corner = frame.at(0, 0);

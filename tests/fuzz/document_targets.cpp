@@ -10,8 +10,8 @@
 #include "viscera/document/validate.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/lesson/lesson_spec.h"
-#include "viscera/motion/sequence_file.h"
-#include "viscera/motion/volume_curve.h"
+#include "viscera/live/sequence_file.h"
+#include "viscera/sequences/volume_curve.h"
 
 /// Sessions, key sequences, curves, lessons and the definitions of organs.
 namespace viscera::fuzz {
@@ -93,21 +93,21 @@ std::vector<std::string> sessionSeeds() {
 }
 
 void openSequence(Bytes bytes) {
-  const motion::SequenceFile read = motion::readSequence(scratchFile("a.sequence.json", bytes));
+  const live::SequenceFile read = live::readSequence(scratchFile("a.sequence.json", bytes));
   require(read.track.restHandles.allFinite(), "A sequence has handles at places.");
-  const std::string text = motion::textOf(read);
+  const std::string text = live::textOf(read);
   std::ofstream(scratchFolder() / "b.sequence.json") << text;
-  require(motion::textOf(motion::readSequence(scratchFolder() / "b.sequence.json")) == text,
+  require(live::textOf(live::readSequence(scratchFolder() / "b.sequence.json")) == text,
           "A sequence that is written and read is the same.");
 }
 
 std::vector<std::string> sequenceSeeds() {
   const viscera::tests::TemporaryFolder folder;
-  return {motion::textOf(motion::sequenceFile(viscera::tests::fullContents(folder).state))};
+  return {live::textOf(live::sequenceFile(viscera::tests::fullContents(folder).state))};
 }
 
 void readCurve(Bytes bytes) {
-  const sequences::Curve curve = motion::readVolumeCurve(scratchFile("a.csv", bytes), 0.8);
+  const sequences::Curve curve = sequences::readVolumeCurve(scratchFile("a.csv", bytes), 0.8);
   for (int i = 0; i <= 16; ++i)
     require(curve.at(i / 16.0) > 0, "A volume is positive between its keys.");
 }

@@ -4,10 +4,10 @@
 #include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
+#include "viscera/live/motion_series.h"
+#include "viscera/live/retarget.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/motion/motion_series.h"
-#include "viscera/motion/retarget.h"
 
 /// Folders of surfaces as a motion, and landmarks.
 namespace viscera::fuzz {
@@ -33,11 +33,11 @@ void readSurfacePhases(Bytes bytes) {
                 choice.rest.subspan(begin, end - begin));
     begin = end + kNextPhase.size();
   }
-  motion::SeriesRequest request;
+  live::SeriesRequest request;
   request.inputs = {folder};
   request.periodSeconds = 0.8;
   Progress progress;
-  const motion::MotionSeries series = motion::readMotionSeries(request, progress);
+  const live::MotionSeries series = live::readMotionSeries(request, progress);
   require(series.phases() >= 2, "A series has phases.");
   require(std::is_sorted(series.times.seconds.begin(), series.times.seconds.end()), "Times ascend.");
   require(series.volumesMl.size() == series.phases(), "Each phase has its volumes.");
@@ -86,16 +86,16 @@ void readLandmarks(Bytes bytes) {
   const std::string& ending = kLandmarkEndings[choice.kind % kLandmarkEndings.size()];
   const std::string& sequence = kFittedSequences[choice.kind / kLandmarkEndings.size()];
   const auto read = [&](const std::filesystem::path& file) {
-    return motion::landmarksFrom(medical_io::readHandles(file), sequence, file.string());
+    return live::landmarksFrom(medical_io::readHandles(file), sequence, file.string());
   };
-  const motion::Landmarks landmarks = read(scratchFile("a" + ending, choice.rest));
+  const live::Landmarks landmarks = read(scratchFile("a" + ending, choice.rest));
   const auto written = scratchFolder() / "b.mrk.json";
-  medical_io::writeHandles(written, motion::landmarkFile(landmarks, "again"));
-  const motion::Landmarks again = read(written);
+  medical_io::writeHandles(written, live::landmarkFile(landmarks, "again"));
+  const live::Landmarks again = read(written);
   require(again.points.size() == landmarks.points.size(), "Landmarks that are written and read are as many.");
-  for (const motion::Landmark& landmark : landmarks.points) {
+  for (const live::Landmark& landmark : landmarks.points) {
     require(landmark.position.allFinite(), "A landmark has a place.");
-    const auto same = [&](const motion::Landmark& other) {
+    const auto same = [&](const live::Landmark& other) {
       return other.role == landmark.role && other.position == landmark.position;
     };
     require(std::any_of(again.points.begin(), again.points.end(), same),
@@ -107,15 +107,15 @@ std::vector<std::string> landmarkSeeds() {
   const tests::TemporaryFolder folder;
   std::vector<std::string> out;
   for (std::size_t sequence = 0; sequence < kFittedSequences.size(); ++sequence) {
-    motion::Landmarks landmarks;
-    for (const motion::LandmarkRole& role : motion::landmarkRoles(kFittedSequences[sequence]))
+    live::Landmarks landmarks;
+    for (const live::LandmarkRole& role : live::landmarkRoles(kFittedSequences[sequence]))
       for (int i = 0; i < (role.several ? 3 : 1); ++i)
         landmarks.points.push_back({role.role, Vec3(10 * i, 5, 40), false});
     if (landmarks.points.empty())
       continue; // No file of handles is without a point.
     for (std::size_t ending = 0; ending < kLandmarkEndings.size(); ++ending) {
       const auto file = folder / ("a" + kLandmarkEndings[ending]);
-      medical_io::writeHandles(file, motion::landmarkFile(landmarks, "landmarks"));
+      medical_io::writeHandles(file, live::landmarkFile(landmarks, "landmarks"));
       out.push_back(chosen(sequence * kLandmarkEndings.size() + ending, tests::contentsOf(file)));
     }
   }

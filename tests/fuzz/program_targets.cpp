@@ -43,7 +43,7 @@ std::vector<std::string> argumentSeeds() {
 }
 
 void loadAnyPlugin(Bytes bytes) {
-  plugin::Registry registry;
+  coordinates::Registry registry;
   const auto file = scratchFile("a.so", bytes);
   const std::vector<plugin::PluginReport> reports = plugin::loadPlugins({file}, registry);
   require(reports.size() == 1, "A file that is named is reported.");

@@ -19,7 +19,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/sequences/course_heartbeat.h"
+#include "viscera/heart/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
@@ -35,8 +35,8 @@ using circulation::Compartment;
 class PlayedCirculation : public PlayMode {
 protected:
   const app::CirculationModel& model() { return parts().circulation(); }
-  const sequences::CourseHeartbeat* course() {
-    return dynamic_cast<const sequences::CourseHeartbeat*>(window().playback().sequence());
+  const heart::CourseHeartbeat* course() {
+    return dynamic_cast<const heart::CourseHeartbeat*>(window().playback().sequence());
   }
   void press(const QString& name) {
     auto* button = window().findChild<QAbstractButton*>(name);
@@ -60,7 +60,7 @@ protected:
       return;
     EXPECT_EQ(course()->name(), "Heartbeat: " + present->name) << when;
     EXPECT_NEAR(course()->standardRatePerMinute(), present->parameters.rate, 1e-9) << when;
-    const motion::Player& player = window().playback().player();
+    const live::Player& player = window().playback().player();
     if (!player.showing() || !player.runner().obstacle().empty())
       return;
     const circulation::Beat& beat = present->beat;
@@ -354,7 +354,7 @@ TEST_F(PlayedCirculation, OfAPatientsHeartHasItsVentricleAndLeavesItItsMotion) {
 TEST_F(PlayedCirculation, TheCommandsMoveTheHeartOfASavedSessionAsTheWindowDoes) {
   choose("exercise");
   const presentation::ViewState view = presentation::viewFromJson(window().sessions().contents().view);
-  const plugin::Registry systems = plugin::builtInRegistry();
+  const coordinates::Registry systems = coordinates::builtInRegistry();
   const sample_organs::SampleLibrary library = sample_organs::standardLibrary();
   Progress progress;
   app::cli::CommandContext context{progress, {}, library, systems};

@@ -101,7 +101,7 @@ TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
 }
 
 TEST_F(TwoSystems, StandUnderHeadingsThatCannotBeChosen) {
-  const plugin::Registry& registry = window().workspace().registry();
+  const coordinates::Registry& registry = window().workspace().registry();
   app::SystemCombo list(registry);
   EXPECT_EQ(list.itemText(0), QStringLiteral("Recommended"));
   QString heading;

@@ -17,8 +17,8 @@
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/heart/heartbeat.h"
 #include "viscera/presentation/presenter.h"
-#include "viscera/sequences/heartbeat.h"
 #include "window/binding_messages.h"
 #include "window/compare/side_header.h"
 #include "window/language.h"
@@ -28,7 +28,7 @@ namespace viscera::tests {
 namespace {
 
 /// What the left ventricle is to hold then.
-double leftMlOf(const sequences::CavityHeartbeat& heart, double seconds, double ratePerMinute) {
+double leftMlOf(const heart::CavityHeartbeat& heart, double seconds, double ratePerMinute) {
   return heart.cycle().at(seconds, ratePerMinute).volumes.leftMl;
 }
 
@@ -152,7 +152,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   const auto& monitor = window().volumes();
   const std::size_t alone = monitor.lines().size();
   compareRates();
-  const auto* heart = dynamic_cast<const sequences::CavityHeartbeat*>(window().playback().sequence());
+  const auto* heart = dynamic_cast<const heart::CavityHeartbeat*>(window().playback().sequence());
   ASSERT_NE(heart, nullptr);
   EXPECT_EQ(parts().comparison().playback().player().ratePerMinute(), 150);
   window().playback().toStart();
@@ -251,12 +251,12 @@ TEST_F(TwoViews, ATitleKeepsItsRoomBesideLongNamesOfPhases) {
 
 TEST_F(TwoViews, ShowTheInstantThatTheirReadoutsNameAlsoAfterAPauseAnUndoAndAnotherMode) {
   compareRates();
-  const auto* heart = dynamic_cast<const sequences::CavityHeartbeat*>(window().playback().sequence());
+  const auto* heart = dynamic_cast<const heart::CavityHeartbeat*>(window().playback().sequence());
   ASSERT_NE(heart, nullptr);
   const auto expectTrue = [&](const char* when) {
     settle();
-    const motion::Player& a = window().playback().player();
-    const motion::Player& b = parts().comparison().playback().player();
+    const live::Player& a = window().playback().player();
+    const live::Player& b = parts().comparison().playback().player();
     EXPECT_NEAR(volumeOf("LV"), leftMlOf(*heart, a.secondsInCycle(), a.ratePerMinute()), 0.5) << when;
     EXPECT_NEAR(volumeIn(second(), "LV"), leftMlOf(*heart, b.secondsInCycle(), b.ratePerMinute()), 0.5)
         << when;
@@ -348,7 +348,7 @@ TEST_F(TwoViews, TheSecondOneNamesTheOrganUnderTheMouse) {
 
 TEST_F(TwoViews, ASecondViewThatGoesTakesItsOffersAlong) {
   auto bar = std::make_unique<app::MessageBar>();
-  auto second = std::make_unique<app::Workspace>(plugin::builtInRegistry());
+  auto second = std::make_unique<app::Workspace>(coordinates::builtInRegistry());
   auto messages = std::make_unique<app::BindingMessages>(*second, bar.get());
   second->undo().perform(document::addOrgans({ball("Ball", 30, 3)}));
   second->undo().perform(

@@ -27,8 +27,8 @@ using State = live::BindingStatus::State;
 /// Handles mode with a ball, and the coordinates that look at groups, from their plugin.
 class Groups : public WindowTest {
 protected:
-  plugin::Registry registry() const override {
-    plugin::Registry systems = plugin::builtInRegistry();
+  coordinates::Registry registry() const override {
+    coordinates::Registry systems = coordinates::builtInRegistry();
     plugin::loadPlugins({VISCERA_BINARY_DIR "/lib/viscera/plugins/localised_scc_plugin.so"}, systems);
     return systems;
   }

@@ -23,11 +23,11 @@
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
+#include "viscera/coordinates/registry.h"
+#include "viscera/heart/clinical_numbers.h"
+#include "viscera/live/retarget.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/live/stress_quantity.h"
-#include "viscera/motion/clinical_numbers.h"
-#include "viscera/motion/retarget.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/sequences/keyframes.h"
 #include "window/language.h"
 #include "window/modes/stress_mode.h"
@@ -188,16 +188,16 @@ TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
     expect(parameter.title);
   for (const auto& system : anatomy::organSystems())
     expect(system);
-  const plugin::Registry systems = plugin::builtInRegistry();
-  for (const plugin::Registry::Entry& entry : systems.list())
+  const coordinates::Registry systems = coordinates::builtInRegistry();
+  for (const coordinates::Registry::Entry& entry : systems.list())
     for (const coordinates::Parameter& parameter : entry.system->parameters()) {
       std::string label = parameter.name;
       label[0] = static_cast<char>(std::toupper(label[0]));
       expect(label);
     }
-  for (const auto& sample : motion::sampleSequences()) {
+  for (const auto& sample : live::sampleSequences()) {
     expect(sample.name);
-    for (const auto& role : motion::landmarkRoles(sample.id)) {
+    for (const auto& role : live::landmarkRoles(sample.id)) {
       expect(role.name);
       expect(role.help);
     }
@@ -238,7 +238,7 @@ TEST_P(Translations, HaveTheNamesOfSampleOrgansAndTheirNormalRanges) {
   for (const char* organ : {"Digestive system", "Heart", "Kidney left", "Kidney right", "Liver", "Stomach",
                             "Stomach and bowel"}) {
     EXPECT_FALSE(translator.translate("viscera::presentation", organ).isEmpty()) << organ;
-    for (const motion::NormalRange& range : motion::normalRanges(organ))
+    for (const heart::NormalRange& range : heart::normalRanges(organ))
       EXPECT_FALSE(translator.translate("viscera::presentation", range.name.c_str()).isEmpty()) << range.name;
   }
 }
@@ -251,7 +251,7 @@ TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {
   texts.close();
   ASSERT_EQ(
       QProcess::execute(QStringLiteral(VISCERA_LRELEASE), {QStringLiteral("-silent"), texts.fileName()}), 0);
-  plugin::Registry systems = plugin::builtInRegistry();
+  coordinates::Registry systems = coordinates::builtInRegistry();
   systems.add(std::make_shared<ForeignSystem>(),
               folder.filePath(QStringLiteral("least_squares.so")).toStdString());
   {

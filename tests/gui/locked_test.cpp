@@ -267,7 +267,7 @@ TEST_F(LockedDeform, MarkedHandlesCompensateWhileTheDraggedOneFollowsTheCursor) 
 TEST_F(LockedDeform, TheChartHasTheVolumesOfTheLastDrags) {
   const QPoint from = onScreen(handleInView(handle_));
   drag(from, from + QPoint(60, 20));
-  const motion::VolumeRecord& drags = window().volumes().drags();
+  const sequences::VolumeRecord& drags = window().volumes().drags();
   ASSERT_GE(drags.rows(), 2u);
   EXPECT_NE(drags.milliliters(0, 0), drags.milliliters(drags.rows() - 1, 0));
   EXPECT_NEAR(drags.milliliters(drags.rows() - 1, 0), window().workspace().live().volume(organ_).nowMl, 1e-9);

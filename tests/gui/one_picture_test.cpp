@@ -23,8 +23,8 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/stress_mark_commands.h"
 #include "viscera/document/system_commands.h"
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/motion_recipe.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/scene/picture.h"
 #include "window/session/session_files.h"
@@ -109,8 +109,8 @@ void showThePeak(app::MainWindow& window) {
 /// A window of 900 x 600 pixels, whose picture is compared with others of the same document.
 class PictureTest : public WindowTest {
 protected:
-  plugin::Registry registry() const override {
-    plugin::Registry systems = plugin::builtInRegistry();
+  coordinates::Registry registry() const override {
+    coordinates::Registry systems = coordinates::builtInRegistry();
     plugin::loadPlugins({kPlugin}, systems);
     return systems;
   }
@@ -257,15 +257,15 @@ protected:
     window().setTheme(app::themeFromName(QString::fromStdString(theme_)));
     setViewSize(window(), kWidth, kHeight);
     Progress progress;
-    auto setup = motion::setUpSequence(sample_organs::standardLibrary(), sequence,
-                                       sample_organs::Resolution::low, progress);
+    auto setup = live::setUpSequence(sample_organs::standardLibrary(), sequence,
+                                     sample_organs::Resolution::low, progress);
     auto organs = document::organsFrom(setup.organ);
     document::UndoStack& undo = window().workspace().undo();
     undo.perform(document::combined("Sample", {document::setSystem(setup.system), document::addOrgans(organs),
                                                document::replaceRig(setup.rig)}));
     window().workspace().selection().setOrgan(document().organs().front()->id);
     window().playback().setSequence(setup.sequence, document().organs().front()->id,
-                                    motion::sampleRecipe(sequence, sample_organs::Resolution::low));
+                                    live::sampleRecipe(sequence, sample_organs::Resolution::low));
     waitForPeace();
   }
 

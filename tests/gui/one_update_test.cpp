@@ -12,8 +12,8 @@
 
 #include "phantom_scan.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/medical_io/slice_frame.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "viscera/slices/slice_frame.h"
 #include "window/compare/comparison.h"
 #include "window/modes/play_mode.h"
 #include "window/slices/scan_actions.h"

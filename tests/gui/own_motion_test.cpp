@@ -74,7 +74,7 @@ TEST_F(OwnMotion, KeysOfPosesBecomeASequenceThatPlays) {
 }
 
 TEST_F(OwnMotion, TheChartOfDragsFollowsPosesThatComeAndGoBesideIt) {
-  const motion::VolumeRecord& drags = window().volumes().drags();
+  const sequences::VolumeRecord& drags = window().volumes().drags();
   const auto last = [&] { return drags.milliliters(drags.rows() - 1, 0); };
   key(Qt::Key_3);
   pose(1.1);

@@ -29,17 +29,16 @@ using app::InstalledLanguage;
 using app::messageInWords;
 
 /// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
-constexpr const char* kSpeaking[] = {
-    "circulation",  "contour", "coordinates",   "core",       "deformation", "document", "geometry",
-    "lesson",       "live",    "localised_scc", "medical_io", "motion",      "anatomy",  "plugin",
-    "presentation", "report",  "sample_organs", "scene",      "sequences",   "slices",   "tracking"};
+constexpr const char* kSpeaking[] = {"anatomy",  "coordinates",  "core",          "deformation",   "document",
+                                     "geometry", "live",         "localised_scc", "medical_io",    "motion",
+                                     "plugin",   "presentation", "publish",       "sample_organs", "scene"};
 
 /// Files of these modules that no window shows: measurements for the documentation and the command line,
 /// TetGen's own program, what only authors of organ definitions read, and files in a language of their own
 /// (HTML, commands of a shell with their comments, words of files' names for organs; what the systems of
 /// organs are called has a test of its own).
 constexpr const char* kSilent[] = {
-    "/coordinates/src/measure/",      "/motion/src/taught_quantities.cpp",
+    "/coordinates/src/measure/",      "/live/src/taught_quantities.cpp",
     "/circulation/src/published.cpp", "/presentation/src/circulation_figure.cpp",
     "/deformation/tetgen_worker/",    "/sample_organs/src/definition/",
     "/sample_organs/src/surface/",    "/report/src/page_markup.cpp",

@@ -505,7 +505,7 @@ TEST_F(PlayMode, APoseThatIsChangedBehindTheSequenceIsNoDragOfItsVolumes) {
   pose.row(0) *= 1.01;
   ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   settle();
-  const motion::VolumeRecord& drags = window().volumes().drags();
+  const sequences::VolumeRecord& drags = window().volumes().drags();
   ASSERT_EQ(drags.rows(), rows + 2);
   EXPECT_NEAR(drags.milliliters(drags.rows() - 1, 0), volumeOf(document().organs().front()->name.c_str()),
               1e-9);

@@ -84,7 +84,7 @@ TEST_F(RealSeries, TakesThePlaceOfTheSampleAndShowsWhatWasMeasured) {
   auto& table = find<QTableWidget>("residuals");
   EXPECT_EQ(table.rowCount(), int(kPhases));
   double mean = 0;
-  for (const motion::TrackedPhase& phase : measured().present()->motion->phases)
+  for (const live::TrackedPhase& phase : measured().present()->motion->phases)
     mean += phase.quality.meanMm / kPhases;
   EXPECT_LT(mean, 0.7);
   const auto indices = window().volumes().indices(0);

@@ -130,7 +130,7 @@ inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& play
   if (!playback.showing())
     return fraction == 0 ? std::string()
                          : "the timeline stands at " + std::to_string(fraction) + ", nothing follows it; ";
-  motion::MotionRunner runner(workspace.state(), workspace.live());
+  live::MotionRunner runner(workspace.state(), workspace.live());
   runner.setSequence(playback.sharedSequence());
   runner.setRatePerMinute(playback.player().ratePerMinute());
   runner.prescribe(playback.player().runner().prescribed());

@@ -27,7 +27,7 @@ protected:
   void TearDown() override;
 
   /// The coordinate systems that the window offers.
-  virtual plugin::Registry registry() const { return plugin::builtInRegistry(); }
+  virtual coordinates::Registry registry() const { return coordinates::builtInRegistry(); }
 
   /// The size of the view; empty for tests of its size. It is small because the time of the software renderer
   /// depends on the number of pixels, and few tests check the picture.

@@ -11,7 +11,7 @@
 #include "picture_check.h"
 #include "view_fixture.h"
 
-namespace viscera::motion {
+namespace viscera::live {
 namespace {
 
 using geometry::TriangleMesh;
@@ -66,4 +66,4 @@ TEST(MeasuredHeart, LooksLikeTheHeartThatItsVoxelsWereMadeOf) {
 }
 
 } // namespace
-} // namespace viscera::motion
+} // namespace viscera::live

@@ -19,7 +19,7 @@ set(launcher)
 if(ccache)
   set(launcher -D "CMAKE_CXX_COMPILER_LAUNCHER=${ccache}")
 endif()
-run("Configuring the plugin" COMMAND ${CMAKE_COMMAND} -S "${SOURCE_DIR}/modules/paraview_plugin" -B "${WORK_DIR}/plugin"
+run("Configuring the plugin" COMMAND ${CMAKE_COMMAND} -S "${SOURCE_DIR}/modules/bindings/paraview" -B "${WORK_DIR}/plugin"
   -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${CXX_COMPILER}" -D CMAKE_BUILD_TYPE=Release ${launcher}
   -D "ParaView_DIR=${config}" -D "Viscera_DIR=${BUILD_DIR}" -D "Python3_EXECUTABLE=${PYTHON}")
 set(ENV{LD_LIBRARY_PATH} "${paraview}/usr/lib/${CMAKE_HOST_SYSTEM_PROCESSOR}-linux-gnu")

@@ -194,7 +194,7 @@ class Plugin(unittest.TestCase):
         self.assertTrue((BUILD / "exported/posed.pvtp").is_file())
 
     def test_example_trace_runs(self):
-        trace = HERE.parents[1] / "modules/python/examples/paraview_trace.py"
+        trace = HERE.parents[1] / "modules/bindings/python/examples/paraview_trace.py"
         done = finished(command(1, "pvpython", trace, str(BUILD)), VISCERA_PLUGIN=str(PLUGIN))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("volume", done.stdout)

@@ -203,7 +203,7 @@ class Handles(unittest.TestCase):
 
 class Description(unittest.TestCase):
     def test_paraviews_lists_name_every_system_that_needs_no_groups(self):
-        file = pathlib.Path(__file__).parents[2] / "modules/paraview_plugin/plugin/viscera.xml"
+        file = pathlib.Path(__file__).parents[2] / "modules/bindings/paraview/plugin/viscera.xml"
         lists = [each for each in xml.etree.ElementTree.parse(file).iter("StringListDomain") if each.get("name") == "systems"]
         self.assertEqual(len(lists), 2)
         known = [each.id for each in viscera.systems() if not each.traits["uses_groups"]]

@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/bindings/python/examples"))
 from _example import kidney  # noqa: E402
 
 from viscera.paraview import cut  # noqa: E402

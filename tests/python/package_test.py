@@ -16,10 +16,10 @@ import numpy as np
 import viscera
 from viscera import _core
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/bindings/python/examples"))
 from _example import kidney  # noqa: E402
 
-SOURCE = pathlib.Path(__file__).parents[2] / "modules/python/viscera"
+SOURCE = pathlib.Path(__file__).parents[2] / "modules/bindings/python/viscera"
 
 
 def volume_of(points, triangles):

@@ -14,7 +14,7 @@ import numpy as np
 import viscera
 
 PLUGINS = pathlib.Path(sys.argv.pop(1))
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/bindings/python/examples"))
 from _example import kidney  # noqa: E402
 
 

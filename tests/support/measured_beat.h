@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sequence_scene.h"
-#include "viscera/motion/patient_motion.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/patient_motion.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/tracking/surface_distance.h"
 
 /// The sample heart's own beat as simulated measurements, so that a tracked motion can be compared with the
@@ -26,7 +26,7 @@ class MeasuredBeat {
 public:
   MeasuredBeat(std::size_t phases, sample_organs::Resolution resolution)
       : scene_([&](Progress& progress) {
-          return motion::setUpSequence(cachedLibrary(), "heartbeat", resolution, progress);
+          return live::setUpSequence(cachedLibrary(), "heartbeat", resolution, progress);
         }) {
     times = tracking::PhaseTimes::even(phases, kPeriod);
     for (const std::string name : {"outer", "lv", "rv"}) {
@@ -42,8 +42,8 @@ public:
   }
 
   /// As surfaces with the same triangles in all phases.
-  motion::MotionSeries surfaces() const {
-    motion::MotionSeries series = begin();
+  live::MotionSeries surfaces() const {
+    live::MotionSeries series = begin();
     series.corresponding = truth;
     for (std::size_t phase = 0; phase < times.count(); ++phase)
       for (std::size_t i = 0; i < truth.size(); ++i)
@@ -52,8 +52,8 @@ public:
   }
 
   /// As voxels: their centres inside.
-  motion::MotionSeries voxels(const Vec3& spacing, const Spoilt& spoilt = {}) const {
-    motion::MotionSeries series = begin();
+  live::MotionSeries voxels(const Vec3& spacing, const Spoilt& spoilt = {}) const {
+    live::MotionSeries series = begin();
     const tracking::Mask grid = gridAround(spacing);
     std::mt19937 random(5);
     for (std::size_t phase = 0; phase < times.count(); ++phase) {
@@ -87,7 +87,7 @@ public:
   }
 
   /// A found motion's surface where it is in a phase.
-  static Points foundAt(const motion::PatientMotion& found, std::size_t surface, std::size_t phase) {
+  static Points foundAt(const live::PatientMotion& found, std::size_t surface, std::size_t phase) {
     Progress progress;
     const auto& parameters = found.sequence.system->parameters.all();
     const tracking::MotionRig rig({*found.sequence.organs[surface].mesh}, found.sequence.track.restHandles,
@@ -107,7 +107,7 @@ public:
   }
 
   /// How far a found motion's surface is from the true one on average, over all phases, mm.
-  double distanceTo(const motion::PatientMotion& found, std::size_t surface) const {
+  double distanceTo(const live::PatientMotion& found, std::size_t surface) const {
     const auto& organ = *found.sequence.organs[surface].mesh;
     double sum = 0;
     for (std::size_t key = 0; key < found.sequence.track.keys.size(); ++key) {
@@ -126,8 +126,8 @@ public:
 private:
   static constexpr double kPeriod = 0.8;
 
-  motion::MotionSeries begin() const {
-    motion::MotionSeries series;
+  live::MotionSeries begin() const {
+    live::MotionSeries series;
     series.names = {"outer", "lv", "rv"};
     series.times = times;
     series.volumesMl.resize(times.count());

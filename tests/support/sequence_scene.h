@@ -15,7 +15,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/sequence_setup.h"
 
 namespace viscera::tests {
 
@@ -28,14 +28,14 @@ inline sample_organs::SampleLibrary cachedLibrary() {
 /// Every surface of a sequence's organ, bound, in the pose of one moment: what the window shows, without it.
 class SequenceScene {
 public:
-  explicit SequenceScene(const std::function<motion::SequenceSetup(Progress&)>& make)
+  explicit SequenceScene(const std::function<live::SequenceSetup(Progress&)>& make)
       : setup_(make(progress_)) {
     for (const sample_organs::SampleSurface& surface : setup_.organ.surfaces)
       add(surface);
   }
   virtual ~SequenceScene() = default;
 
-  const motion::SequenceSetup& setup() const { return setup_; }
+  const live::SequenceSetup& setup() const { return setup_; }
 
   /// Binds another surface to the same handles.
   void add(const sample_organs::SampleSurface& surface) {
@@ -93,7 +93,7 @@ private:
   }
 
   Progress progress_;
-  motion::SequenceSetup setup_;
+  live::SequenceSetup setup_;
   std::map<std::string, Surface> surfaces_;
   Points pose_;
 };

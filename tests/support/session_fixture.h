@@ -63,7 +63,7 @@ struct Session {
 
 /// The same, bound at once by the coordinates that there are without plugins.
 struct BoundSession : Session {
-  plugin::Registry registry = plugin::builtInRegistry();
+  coordinates::Registry registry = coordinates::builtInRegistry();
   ManualEventLoop box;
   JobQueue jobs{box.post()};
   live::LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {}}};

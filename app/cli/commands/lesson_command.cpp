@@ -22,8 +22,8 @@
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
 #include "viscera/lesson/lesson_plan.h"
-#include "viscera/motion/sequence_file.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/sequence_file.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -33,15 +33,15 @@ constexpr int kMostLessonHandles = 60;
 constexpr double kErrorToTell = 0.05; ///< mm; a larger error is reported.
 
 bool isSequence(const std::string& name) {
-  const auto& known = motion::sampleSequences();
-  return motion::isSequenceFile(name) ||
+  const auto& known = live::sampleSequences();
+  return live::isSequenceFile(name) ||
          std::any_of(known.begin(), known.end(), [&](const auto& sequence) { return sequence.id == name; });
 }
 
 /// Whether it is a sequence of the program on the sample organ that it is made for.
 bool isOnItsOwnOrgan(const std::string& sequence, const std::string& organ) {
-  const auto& known = motion::sampleSequences();
-  return std::any_of(known.begin(), known.end(), [&](const motion::SampleSequence& sample) {
+  const auto& known = live::sampleSequences();
+  return std::any_of(known.begin(), known.end(), [&](const live::SampleSequence& sample) {
     return sample.id == sequence &&
            (organ.empty() || (isSample(organ) && sampleReference(organ).organ == sample.organ));
   });
@@ -169,7 +169,7 @@ Outcome LessonCommand::writeReady(CommandContext& context) {
     throw CannotCreateError("the folder cannot be made", output_, "choose another one");
   Outcome all;
   all.json = {{"folder", output_}, {"lessons", nlohmann::ordered_json::array()}};
-  for (const motion::SampleSequence& sequence : motion::sampleSequences()) {
+  for (const live::SampleSequence& sequence : live::sampleSequences()) {
     request_.sequence = sequence.id;
     Outcome one = write(std::filesystem::path(output_) / (sequence.id + ".html"), context);
     all.json["lessons"].push_back(std::move(one.json));

@@ -17,16 +17,16 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
+#include "viscera/heart/beating_heart.h"
+#include "viscera/heart/clinical_numbers.h"
+#include "viscera/live/cycle_curves.h"
+#include "viscera/live/motion_runner.h"
+#include "viscera/live/sequence_setup.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/motion/clinical_numbers.h"
-#include "viscera/motion/cycle_curves.h"
-#include "viscera/motion/motion_runner.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/motion/volume_curve.h"
-#include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
-#include "viscera/sequences/beating_heart.h"
+#include "viscera/sequences/volume_curve.h"
+#include "viscera/sequences/volume_record.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -54,7 +54,7 @@ public:
   }
 
   /// The pose that is shown, with these valves.
-  void addFrame(const std::optional<sequences::ValveInstants>& valves) {
+  void addFrame(const std::optional<heart::ValveInstants>& valves) {
     show(valves);
     const vtkSmartPointer<vtkImageData> picture = stage_.picture();
     for (const auto& writer : writers_)
@@ -73,13 +73,13 @@ public:
   }
 
 private:
-  void show(const std::optional<sequences::ValveInstants>& valves) {
+  void show(const std::optional<heart::ValveInstants>& valves) {
     presentation::Scene scene{played_.state(), played_.organs(), view_, systems_};
     scene.valves = valves;
     stage_.presenter().update(scene);
   }
 
-  const plugin::Registry& systems_;
+  const coordinates::Registry& systems_;
   BoundDocument& played_;
   presentation::ViewState view_;
   presentation::Stage stage_;
@@ -90,7 +90,7 @@ private:
 
 std::string sequenceNames() {
   std::string names;
-  for (const motion::SampleSequence& sequence : motion::sampleSequences())
+  for (const live::SampleSequence& sequence : live::sampleSequences())
     names += (names.empty() ? "" : " or ") + sequence.id;
   return names;
 }
@@ -115,7 +115,7 @@ struct KeptVolume {
 struct Walls {
   KeptVolume chambers; ///< Chambers from outside less both cavities: muscle, and the atria with their blood.
   KeptVolume muscle;   ///< The left ventricle from outside less its cavity.
-  std::optional<sequences::WallMotion> motion;
+  std::optional<heart::WallMotion> motion;
 };
 
 void addWalls(const Walls& walls, nlohmann::ordered_json& json, Listing& listing) {
@@ -127,21 +127,21 @@ void addWalls(const Walls& walls, nlohmann::ordered_json& json, Listing& listing
       .add("LV muscle", walls.muscle.text() + ", " + fixed(kGramsPerMl * walls.muscle.restMl, 0) + " g");
   if (!walls.motion)
     return;
-  const sequences::WallMotion& motion = *walls.motion;
+  const heart::WallMotion& motion = *walls.motion;
   json["wallMotion"] = {{"mapseMm", motion.mapseMm},
                         {"tapseMm", motion.tapseMm},
                         {"twistDegrees", motion.twistDegrees},
                         {"thickeningPercent", motion.thickeningPercent},
                         {"thinnestWallMm", motion.thinnestWallMm},
                         {"thickestWallMm", motion.thickestWallMm}};
-  for (const sequences::WallMotionRange& range : sequences::wallMotionRanges())
+  for (const heart::WallMotionRange& range : heart::wallMotionRanges())
     listing.add(range.name, fixed(motion.*range.value, 1) + ' ' + range.unit + " (" + fixed(range.low, 0) +
                                 " to " + fixed(range.high, 0) + ")");
 }
 
 /// Measures at the keys of a key sequence: there the volumes are what was recorded.
-void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, double rate,
-                 motion::VolumeRecord& record) {
+void measureKeys(const PlayedSequence& played, live::MotionRunner& runner, double rate,
+                 sequences::VolumeRecord& record) {
   const double stretch = played.sequence->standardRatePerMinute() / rate;
   for (const double key : played.sequence->keys()) {
     const double seconds = stretch * key;
@@ -172,12 +172,12 @@ int ventricleOf(const PlayedSequence& played) {
 }
 
 /// Adds the results of fitting the sequence to an organ.
-void addFit(const motion::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
+void addFit(const live::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
   json["retargeted"] = {{"scale", fitted.scale},
                         {"handles", fitted.rig.handles.size()},
                         {"landmarks", nlohmann::ordered_json::array()}};
   std::string computed;
-  for (const motion::Landmark& landmark : fitted.landmarks.points) {
+  for (const live::Landmark& landmark : fitted.landmarks.points) {
     const Vec3& p = landmark.position;
     json["retargeted"]["landmarks"].push_back(
         {{"name", landmark.role}, {"positionMm", {p.x(), p.y(), p.z()}}, {"computed", landmark.computed}});
@@ -275,7 +275,7 @@ public:
     const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
     const Measured measured = play(played, rate, frames, context);
     if (!csv_.empty())
-      motion::writeVolumeTable(csv_, measured.volumes);
+      sequences::writeVolumeTable(csv_, measured.volumes);
     Outcome outcome = report(played, measured, rate);
     outcome.warnings = std::move(played.warnings);
     if (!measured.obstacle.empty())
@@ -287,10 +287,10 @@ public:
 private:
   /// The measurements of a played sequence.
   struct Measured {
-    motion::VolumeRecord volumes; ///< At the frames.
-    motion::VolumeRecord atKeys;  ///< Of a key sequence: at its keys, which frames may miss.
-    motion::CycleCurves cycle;    ///< The whole cycle, so that no extreme depends on the frames.
-    std::optional<Walls> walls;   ///< Of the sample heart.
+    sequences::VolumeRecord volumes; ///< At the frames.
+    sequences::VolumeRecord atKeys;  ///< Of a key sequence: at its keys, which frames may miss.
+    live::CycleCurves cycle;         ///< The whole cycle, so that no extreme depends on the frames.
+    std::optional<Walls> walls;      ///< Of the sample heart.
     /// Of a session: where its locked volumes could not be kept first, in words; else empty.
     std::string obstacle = {};
 
@@ -329,12 +329,12 @@ private:
     if (!played.retargeted)
       throw UsageError("There are no landmarks of this motion", "--write-landmarks",
                        "name another organ without chambers with --organ");
-    medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
+    medical_io::writeHandles(landmarksOut_, live::landmarkFile(played.retargeted->landmarks, "Landmarks"));
   }
 
   /// A runner with the volume that is prescribed: "FILE" for the outer surface, "NAME=FILE" for another one.
-  motion::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const {
-    motion::MotionRunner runner(played.document->state(), played.document->organs(), threads);
+  live::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const {
+    live::MotionRunner runner(played.document->state(), played.document->organs(), threads);
     runner.setSequence(played.sequence);
     runner.setRatePerMinute(rate);
     runner.prescribe(played.prescribed);
@@ -343,8 +343,8 @@ private:
     const std::size_t equal = volumeCurve_.find('=');
     const int named = equal == std::string::npos ? -1 : played.find(volumeCurve_.substr(0, equal));
     const std::string file = named < 0 ? volumeCurve_ : volumeCurve_.substr(equal + 1);
-    runner.prescribe(motion::PrescribedVolume{played.surfaces[std::max(named, 0)].organ,
-                                              motion::readVolumeCurve(file, 60 / rate)});
+    runner.prescribe(live::PrescribedVolume{played.surfaces[std::max(named, 0)].organ,
+                                            sequences::readVolumeCurve(file, 60 / rate)});
     runner.requireReachable();
     return runner;
   }
@@ -375,7 +375,7 @@ private:
   }
 
   /// A volume that cannot be met ends a play with a curve; locked ones leave the organs as they were.
-  void noteObstacle(const motion::MotionRunner& runner, double seconds, Measured& measured) const {
+  void noteObstacle(const live::MotionRunner& runner, double seconds, Measured& measured) const {
     if (runner.obstacle().empty())
       return;
     const std::string place = " at " + fixed(seconds, 3) + " s: " + runner.obstacle();
@@ -391,7 +391,7 @@ private:
     std::vector<std::string> names;
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
-    Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}, {}};
+    Measured measured{sequences::VolumeRecord(names), sequences::VolumeRecord(names), {}, {}};
     std::optional<FrameRenderer> recording;
     if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
       recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, context);
@@ -406,7 +406,7 @@ private:
                          "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
       recording->keep();
     }
-    motion::MotionRunner runner = runnerOf(played, rate, context.threads);
+    live::MotionRunner runner = runnerOf(played, rate, context.threads);
     if (played.hasWalls)
       measured.walls = wallsAtRest(played);
     for (int frame = 0; frame < frames; ++frame) {
@@ -420,12 +420,12 @@ private:
       row.resize(played.surfaces.size());
       measured.volumes.add(seconds, row);
       if (recording)
-        recording->addFrame(sequences::valvesAt(*played.sequence, seconds, rate));
+        recording->addFrame(heart::valvesAt(*played.sequence, seconds, rate));
       context.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);
     Progress quiet;
-    measured.cycle = motion::measureCycle(runner, quiet);
+    measured.cycle = live::measureCycle(runner, quiet);
     if (measured.walls)
       measured.walls->motion = measured.cycle.wall;
     if (recording)
@@ -447,7 +447,7 @@ private:
       const bool isVentricle = static_cast<int>(i) == ventricle;
       if ((!isVentricle && !hasKeys) || !(*std::min_element(values.begin(), values.end()) > 0))
         continue;
-      const motion::CardiacIndices indices = motion::cardiacIndices(values, rate);
+      const heart::CardiacIndices indices = heart::cardiacIndices(values, rate);
       if (hasKeys)
         outcome.json["indices"][played.surfaces[i].name] = {
             {"endDiastolicMl", indices.endDiastolicMl},
@@ -467,7 +467,7 @@ private:
   }
 
   Outcome report(const PlayedSequence& played, const Measured& measured, double rate) const {
-    const motion::VolumeRecord& volumes = measured.volumes;
+    const sequences::VolumeRecord& volumes = measured.volumes;
     Outcome outcome;
     outcome.json = {{"sequence", played.sequence->id()},
                     {"ratePerMinute", rate},

@@ -16,7 +16,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
-#include "viscera/reproduction/measured_scenes.h"
+#include "viscera/thesis/measured_scenes.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -205,12 +205,12 @@ constexpr auto kOrgan = "liver";
 
 std::vector<coordinates::Scene> scenesFor(int points, CommandContext& context) {
   std::vector<coordinates::Scene> scenes;
-  for (const int handles : reproduction::kLineHandles)
-    scenes.push_back(reproduction::lineScene(handles));
+  for (const int handles : thesis::kLineHandles)
+    scenes.push_back(thesis::lineScene(handles));
   scenes.push_back(coordinates::cloudScene(points));
   context.progress.report(0, "organ");
   Progress quiet;
-  scenes.push_back(reproduction::organScene(kOrgan, kOrganHandles, points, context.samples, quiet));
+  scenes.push_back(thesis::organScene(kOrgan, kOrganHandles, points, context.samples, quiet));
   return scenes;
 }
 
@@ -241,7 +241,7 @@ public:
     for (const std::string& id : systems_)
       systems.push_back(context.systems.find(id));
     if (systems.empty())
-      for (const plugin::Registry::Entry& entry : context.systems.list())
+      for (const coordinates::Registry::Entry& entry : context.systems.list())
         systems.push_back(entry.system);
     const auto variants = variantsOf(systems, parameters_);
     const auto scenes = scenesFor(points_, context);

@@ -5,12 +5,12 @@
 #include "cli/commands/all_commands.h"
 #include "cli/listing.h"
 #include "viscera/core/text.h"
-#include "viscera/motion/taught_quantities.h"
+#include "viscera/live/taught_quantities.h"
 
 namespace viscera::app::cli {
 namespace {
 
-using motion::TaughtQuantity;
+using live::TaughtQuantity;
 using nlohmann::ordered_json;
 
 ordered_json bound(double value) {
@@ -50,7 +50,7 @@ public:
   Outcome run(CommandContext& context) override {
     const anatomy::Person person{anatomy::sexFromId(sex_), surfaceM2_};
     const std::vector<TaughtQuantity> rows =
-        motion::taughtQuantities(context.samples, context.progress, context.threads);
+        live::taughtQuantities(context.samples, context.progress, context.threads);
     Outcome outcome;
     outcome.json = {{"sex", sex_}, {"bodySurfaceM2", surfaceM2_}, {"rows", ordered_json::array()}};
     Listing listing;
@@ -59,9 +59,9 @@ public:
       outcome.json["rows"].push_back(jsonOf(row, range));
       listing.add(row.norm->subject + ", " + row.norm->quantity,
                   significant(row.here, 3) + " " + row.norm->unit + " (" + row.where + "); healthy adults " +
-                      motion::rangeText(range));
+                      live::rangeText(range));
     }
-    outcome.text = markdown_ ? motion::markdownTable(rows, person) : listing.text();
+    outcome.text = markdown_ ? live::markdownTable(rows, person) : listing.text();
     return outcome;
   }
 

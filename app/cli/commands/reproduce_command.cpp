@@ -6,30 +6,30 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
-#include "viscera/reproduction/item.h"
-#include "viscera/reproduction/result.h"
+#include "viscera/thesis/item.h"
+#include "viscera/thesis/result.h"
 
 namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using reproduction::Result;
+using thesis::Result;
 
 ordered_json jsonOf(const Result& result) {
-  const reproduction::Verdict verdict = result.verdict();
+  const thesis::Verdict verdict = result.verdict();
   ordered_json findings = ordered_json::array(), pictures = ordered_json::array(),
                tables = ordered_json::array();
-  for (const reproduction::Finding& finding : result.findings)
+  for (const thesis::Finding& finding : result.findings)
     findings.push_back(
         {{"criterion", finding.criterion}, {"measured", finding.measured}, {"met", finding.met}});
-  for (const reproduction::Picture& picture : result.pictures)
+  for (const thesis::Picture& picture : result.pictures)
     pictures.push_back(picture.name + ".svg");
-  for (const reproduction::Table& table : result.tables)
+  for (const thesis::Table& table : result.tables)
     tables.push_back(table.name + ".csv");
   return {{"id", result.id},
           {"title", result.title},
           {"claim", result.claim},
-          {"verdict", reproduction::nameOf(verdict.judgement)},
+          {"verdict", thesis::nameOf(verdict.judgement)},
           {"because", verdict.because},
           {"findings", findings},
           {"pictures", pictures},
@@ -51,10 +51,9 @@ public:
   }
 
   Outcome run(CommandContext& context) override {
-    const reproduction::Bench bench{context.systems, context.samples, context.threads};
-    const std::vector<Result> results =
-        reproduction::makeAll(reproduction::chosenItems(only_), bench, context.progress);
-    reproduction::writePage(output_, results);
+    const thesis::Bench bench{context.systems, context.samples, context.threads};
+    const std::vector<Result> results = thesis::makeAll(thesis::chosenItems(only_), bench, context.progress);
+    thesis::writePage(output_, results);
     Outcome outcome;
     outcome.json["figures"] = ordered_json::array();
     outcome.json["tables"] = ordered_json::array();

@@ -71,7 +71,7 @@ public:
   Outcome run(CommandContext& context) override {
     Outcome outcome;
     outcome.json["systems"] = ordered_json::array();
-    for (const plugin::Registry::Entry& entry : context.systems.list()) {
+    for (const coordinates::Registry::Entry& entry : context.systems.list()) {
       const coordinates::CoordinateSystem& system = *entry.system;
       ordered_json parameters = ordered_json::array();
       Listing listing;

@@ -14,10 +14,10 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
+#include "viscera/live/patient_motion.h"
+#include "viscera/live/textbook_motion.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/motion/patient_motion.h"
-#include "viscera/motion/textbook_motion.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -32,13 +32,13 @@ public:
 
 private:
   /// The request from the options, checked. Throws `UsageError`.
-  motion::SeriesRequest request() const;
+  live::SeriesRequest request() const;
   /// The series, or the one that a single image has while it beats as the textbook's.
-  motion::MotionSeries read(const motion::SeriesRequest& asked, Progress& progress, Threads threads) const;
-  motion::TrackOptions trackOptions(std::vector<std::string>& warnings) const;
+  live::MotionSeries read(const live::SeriesRequest& asked, Progress& progress, Threads threads) const;
+  live::TrackOptions trackOptions(std::vector<std::string>& warnings) const;
   /// Writes the sequence and what else is asked for: all of it, or nothing.
-  void write(const motion::PatientMotion& found) const;
-  Outcome report(const motion::PatientMotion& found) const;
+  void write(const live::PatientMotion& found) const;
+  Outcome report(const live::PatientMotion& found) const;
 
   std::vector<std::string> phases_;
   std::string output_;
@@ -56,7 +56,7 @@ private:
   double smoothing_ = -1;
   double robustMm_ = 0;
   bool textbook_ = false;
-  double ejection_ = motion::TextbookBeat().ejectionFraction;
+  double ejection_ = live::TextbookBeat().ejectionFraction;
 };
 
 using nlohmann::ordered_json;
@@ -67,9 +67,9 @@ constexpr int kFewestHandles = 12, kMostHandles = 1000;
 constexpr std::size_t kMostWarningsOfAKind = 12;
 
 /// "LV=1,2" taken apart.
-motion::LabelledSurface surfaceOf(const std::string& text) {
+live::LabelledSurface surfaceOf(const std::string& text) {
   const std::size_t equal = text.find('=');
-  motion::LabelledSurface surface{text.substr(0, equal), {}};
+  live::LabelledSurface surface{text.substr(0, equal), {}};
   if (equal != std::string::npos)
     for (std::size_t at = equal + 1; at <= text.size();) {
       const std::size_t end = std::min(text.find(',', at), text.size());
@@ -98,7 +98,7 @@ ordered_json optionalNumber(const std::optional<double>& number) {
   return number ? ordered_json(*number) : ordered_json(nullptr);
 }
 
-ordered_json rowOf(const motion::TrackedPhase& phase, const std::vector<motion::SequenceOrgan>& organs) {
+ordered_json rowOf(const live::TrackedPhase& phase, const std::vector<live::SequenceOrgan>& organs) {
   ordered_json surfaces;
   for (std::size_t i = 0; i < organs.size(); ++i) {
     const tracking::SurfaceQuality& surface = phase.quality.surfaces[i];
@@ -129,9 +129,9 @@ struct Overall {
   int flipped = 0;
 };
 
-Overall overallOf(const motion::PatientMotion& found, std::size_t surface) {
+Overall overallOf(const live::PatientMotion& found, std::size_t surface) {
   Overall overall;
-  for (const motion::TrackedPhase& phase : found.phases) {
+  for (const live::TrackedPhase& phase : found.phases) {
     const tracking::SurfaceQuality& quality = phase.quality.surfaces[surface];
     overall.mean += quality.meanMm / static_cast<double>(found.phases.size());
     overall.worst = std::max(overall.worst, quality.meanMm);
@@ -200,8 +200,8 @@ void TrackCommand::addOptions(CLI::App& options) {
       ->needs(textbook);
 }
 
-motion::SeriesRequest TrackCommand::request() const {
-  motion::SeriesRequest request;
+live::SeriesRequest TrackCommand::request() const {
+  live::SeriesRequest request;
   request.inputs.assign(phases_.begin(), phases_.end());
   for (const std::string& surface : surfaces_)
     request.surfaces.push_back(surfaceOf(surface));
@@ -220,19 +220,19 @@ motion::SeriesRequest TrackCommand::request() const {
   return request;
 }
 
-motion::MotionSeries TrackCommand::read(const motion::SeriesRequest& asked, Progress& progress,
-                                        Threads threads) const {
+live::MotionSeries TrackCommand::read(const live::SeriesRequest& asked, Progress& progress,
+                                      Threads threads) const {
   if (!textbook_)
-    return motion::readMotionSeries(asked, progress);
-  motion::TextbookBeat beat;
+    return live::readMotionSeries(asked, progress);
+  live::TextbookBeat beat;
   beat.ejectionFraction = ejection_;
   if (asked.periodSeconds)
     beat.ratePerMinute = kSecondsPerMinute / *asked.periodSeconds;
-  return motion::textbookSeries(motion::readOnePhase(asked, progress), beat, progress, threads);
+  return live::textbookSeries(live::readOnePhase(asked, progress), beat, progress, threads);
 }
 
-motion::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings) const {
-  motion::TrackOptions options;
+live::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings) const {
+  live::TrackOptions options;
   options.rig.handles = handles_;
   options.keepVolumes = !freeVolumes_;
   options.robustMm = robustMm_;
@@ -248,20 +248,20 @@ motion::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnin
 
 Outcome TrackCommand::run(CommandContext& context) {
   const auto begin = std::chrono::steady_clock::now();
-  if (!motion::isSequenceFile(output_))
+  if (!live::isSequenceFile(output_))
     throw UsageError("The name of a sequence file ends in .sequence.json", "-o " + output_,
                      "as in -o beat.sequence.json");
   for (const std::string* target : {&output_, &handlesOut_})
     if (!target->empty())
       const AtomicFile writable(*target); // Fails before the work, not after it.
-  const motion::SeriesRequest asked = request();
+  const live::SeriesRequest asked = request();
   std::vector<std::string> warnings;
-  const motion::TrackOptions options = trackOptions(warnings);
-  motion::MotionSeries series;
+  const live::TrackOptions options = trackOptions(warnings);
+  live::MotionSeries series;
   runPart(context.progress, 0, 0.1, [&](Progress& part) { series = read(asked, part, context.threads); });
-  motion::PatientMotion found;
+  live::PatientMotion found;
   runPart(context.progress, 0.1, 1,
-          [&](Progress& part) { found = motion::trackMotion(series, options, part, context.threads); });
+          [&](Progress& part) { found = live::trackMotion(series, options, part, context.threads); });
   found.warnings.insert(found.warnings.begin(), warnings.begin(), warnings.end());
   write(found);
   Outcome outcome = report(found);
@@ -269,29 +269,29 @@ Outcome TrackCommand::run(CommandContext& context) {
   return outcome;
 }
 
-void TrackCommand::write(const motion::PatientMotion& found) const {
+void TrackCommand::write(const live::PatientMotion& found) const {
   namespace fs = std::filesystem;
   if (!organsOut_.empty()) {
     std::error_code error;
     fs::create_directories(organsOut_, error);
     if (error || !fs::is_directory(organsOut_, error))
       throw CannotCreateError("the folder cannot be made", organsOut_, "choose another one");
-    for (const motion::SequenceOrgan& organ : found.sequence.organs)
+    for (const live::SequenceOrgan& organ : found.sequence.organs)
       medical_io::writeSurface(fs::path(organsOut_) / fileNameOf(organ.name), *organ.mesh,
                                {.name = organ.name});
   }
   if (!handlesOut_.empty())
-    medical_io::writeHandles(handlesOut_, document::handleFile(motion::rigOf(found.sequence)));
-  motion::writeSequence(output_, found.sequence);
+    medical_io::writeHandles(handlesOut_, document::handleFile(live::rigOf(found.sequence)));
+  live::writeSequence(output_, found.sequence);
 }
 
-Outcome TrackCommand::report(const motion::PatientMotion& found) const {
+Outcome TrackCommand::report(const live::PatientMotion& found) const {
   Outcome outcome;
   Listing listing;
   const auto& track = found.sequence.track;
   outcome.json["phases"] = ordered_json::array();
   int folded = 0;
-  for (const motion::TrackedPhase& phase : found.phases) {
+  for (const live::TrackedPhase& phase : found.phases) {
     outcome.json["phases"].push_back(rowOf(phase, found.sequence.organs));
     folded += phase.quality.folded;
   }

@@ -12,7 +12,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
-#include "viscera/motion/motion_recipe.h"
+#include "viscera/live/motion_recipe.h"
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
 #include "window/widgets/flow_layout.h"
@@ -192,7 +192,7 @@ ValueSlider* CirculationBox::makeControl(const circulation::ParameterInfo& info,
 
 bool CirculationBox::movedOtherwise() const {
   const Playback::Motion motion = playback_.motion();
-  return motion.sequence && !motion::sampleHeartOf(motion.recipe) && model_.hasHeart();
+  return motion.sequence && !live::sampleHeartOf(motion.recipe) && model_.hasHeart();
 }
 
 /// Marks what moves the heart: neither of the two where that is another motion, or where there is no heart.

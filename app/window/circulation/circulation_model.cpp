@@ -6,7 +6,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
-#include "viscera/motion/motion_recipe.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/mailbox.h"
 
@@ -20,9 +20,9 @@ constexpr int kControlRestMilliseconds = 200;
 /// Instants at which the heart must be able to beat similarly where it beats on.
 constexpr Eigen::Index kTriedOfSimilar = 8;
 
-sequences::HeartCourse courseOf(const CirculationModel::Shown& shown) {
-  return motion::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices,
-                             circulation::leftMuscleOf(shown.name));
+heart::HeartCourse courseOf(const CirculationModel::Shown& shown) {
+  return live::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices,
+                           circulation::leftMuscleOf(shown.name));
 }
 
 } // namespace
@@ -166,12 +166,11 @@ CirculationModel::ShownBeat CirculationModel::shownBeat() const {
 
 /// For a worker. The heart must be able to take the shape in which it will be drawn first; where it beats on,
 /// others as well: it would stand still while the time goes on.
-std::shared_ptr<const sequences::CourseHeartbeat>
-CirculationModel::ShownBeat::similar(const Shown& shown) const {
+std::shared_ptr<const heart::CourseHeartbeat> CirculationModel::ShownBeat::similar(const Shown& shown) const {
   if (!beat)
     return nullptr;
   try {
-    auto found = std::make_shared<const sequences::CourseHeartbeat>(*beat, courseOf(shown));
+    auto found = std::make_shared<const heart::CourseHeartbeat>(*beat, courseOf(shown));
     const auto tryAt = [&](double part) {
       Points pose;
       found->poseAt(part * shown.beat.period, found->standardRatePerMinute(), pose);
@@ -188,7 +187,7 @@ CirculationModel::ShownBeat::similar(const Shown& shown) const {
   }
 }
 
-bool CirculationModel::showSimilar(const std::shared_ptr<const sequences::CourseHeartbeat>& beat) {
+bool CirculationModel::showSimilar(const std::shared_ptr<const heart::CourseHeartbeat>& beat) {
   const auto motion = heartMotion();
   if (!beat || !motion || !followed_.sequence || motion->sequence != followed_.sequence)
     return false;
@@ -204,7 +203,7 @@ bool CirculationModel::followsOne(const Playback::Motion& motion) const {
 }
 
 void CirculationModel::give(const Playback::Motion& motion,
-                            std::shared_ptr<const sequences::CourseHeartbeat> beat) {
+                            std::shared_ptr<const heart::CourseHeartbeat> beat) {
   if (!followsOne(motion))
     followers_[motion.organ].textbook = motion.sequence;
   followers_[motion.organ].given = beat;
@@ -214,7 +213,7 @@ void CirculationModel::give(const Playback::Motion& motion,
 
 std::optional<Playback::Motion> CirculationModel::heartMotion() const {
   for (const Playback::Motion& motion : playback_.motions())
-    if (motion::sampleHeartOf(motion.recipe))
+    if (live::sampleHeartOf(motion.recipe))
       return motion;
   return {};
 }
@@ -232,11 +231,11 @@ void CirculationModel::follow() {
   jobs_.submit<Followed>(
       tr("Heart of the circulation").toStdString(), {},
       [by = present ? nullptr : solved_, keptBy = kept ? nullptr : kept_, known = followed_,
-       resolution = *motion::sampleHeartOf(motion->recipe),
+       resolution = *live::sampleHeartOf(motion->recipe),
        library = sample_organs::standardLibrary()](Progress& progress) {
         Followed next{resolution, known.heart, nullptr, nullptr};
         if (!next.heart || known.resolution != resolution)
-          next.heart = std::make_shared<const motion::CirculatingHeart>(library, resolution, progress);
+          next.heart = std::make_shared<const live::CirculatingHeart>(library, resolution, progress);
         const auto beatOf = [&](const Shown& shown) { return next.heart->follow(courseOf(shown), progress); };
         if (by)
           next.sequence = beatOf(by->shown);

@@ -9,9 +9,9 @@
 
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/core/job_queue.h"
-#include "viscera/motion/circulating_heart.h"
+#include "viscera/heart/course_heartbeat.h"
+#include "viscera/live/circulating_heart.h"
 #include "viscera/presentation/circulation_figure.h"
-#include "viscera/sequences/course_heartbeat.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -69,23 +69,23 @@ private:
     SolvedPointer present, kept; ///< Null: as before.
     /// The heart's beat under the present circulation, derived from the beat before; null where there was
     /// none.
-    std::shared_ptr<const sequences::CourseHeartbeat> similarBeat;
+    std::shared_ptr<const heart::CourseHeartbeat> similarBeat;
   };
   /// The heart that follows, and its beat.
   struct Followed {
     sample_organs::Resolution resolution{};
-    std::shared_ptr<const motion::CirculatingHeart> heart;
-    std::shared_ptr<const sequences::CourseHeartbeat> sequence; ///< Of what is present; null: as before.
-    std::shared_ptr<const sequences::CourseHeartbeat> keptBeat; ///< Of what was kept; null: as before.
+    std::shared_ptr<const live::CirculatingHeart> heart;
+    std::shared_ptr<const heart::CourseHeartbeat> sequence; ///< Of what is present; null: as before.
+    std::shared_ptr<const heart::CourseHeartbeat> keptBeat; ///< Of what was kept; null: as before.
   };
 
   /// The present beat of the heart and the circulation it belongs to, from which the next beat is derived.
   struct ShownBeat {
-    std::shared_ptr<const sequences::CourseHeartbeat> beat; ///< Null: none is shown.
+    std::shared_ptr<const heart::CourseHeartbeat> beat; ///< Null: none is shown.
     double fraction = 0;
     bool playing = false; ///< Other instants follow soon.
 
-    std::shared_ptr<const sequences::CourseHeartbeat> similar(const Shown& shown) const;
+    std::shared_ptr<const heart::CourseHeartbeat> similar(const Shown& shown) const;
   };
 
   static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
@@ -96,9 +96,9 @@ private:
   bool solve();
   void take(const JobResult<Solutions>& result);
   ShownBeat shownBeat() const;
-  bool showSimilar(const std::shared_ptr<const sequences::CourseHeartbeat>& beat);
+  bool showSimilar(const std::shared_ptr<const heart::CourseHeartbeat>& beat);
   bool followsOne(const Playback::Motion& motion) const;
-  void give(const Playback::Motion& motion, std::shared_ptr<const sequences::CourseHeartbeat> beat);
+  void give(const Playback::Motion& motion, std::shared_ptr<const heart::CourseHeartbeat> beat);
   void follow();
   /// What was to be followed, and with what the heart beat when that began.
   struct Following {

@@ -261,7 +261,7 @@ void Comparison::showSameOrgan() {
   second_->picture->setOfSameOrgans(true);
   what_ = presentation::Compared::What::rate;
   mirror();
-  const motion::Player& first = first_.playback.player();
+  const live::Player& first = first_.playback.player();
   if (first_.playback.sequence()) {
     const double fastest = first_.playback.sequence()->highestRatePerMinute();
     const double slowest = first_.playback.sequence()->lowestRatePerMinute();
@@ -519,7 +519,7 @@ QStringList Comparison::phasesOf(const Playback& playback) {
 void Comparison::syncHeaders() {
   if (!on() || !firstHeader_ || !secondHeader_)
     return;
-  const motion::Player& first = first_.playback.player();
+  const live::Player& first = first_.playback.player();
   const auto systemName = [](const Workspace& workspace) {
     return inWords(workspace.registry().find(workspace.document().system().id)->name());
   };

@@ -12,9 +12,9 @@
 #include <set>
 
 #include "viscera/document/measured_values.h"
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/sequence_file.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/motion_recipe.h"
+#include "viscera/live/sequence_file.h"
+#include "viscera/live/sequence_setup.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/style/icon.h"
@@ -49,14 +49,14 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
   column->addWidget(target_);
   sequence_->setObjectName(QStringLiteral("fitSequence"));
   sequence_->setAccessibleName(tr("Sequence to fit"));
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
+  for (const live::SampleSequence& sample : live::sampleSequences())
     sequence_->addItem(inWords(sample.name), text(sample.id));
   column->addWidget(sequence_);
   ejection_->setObjectName(QStringLiteral("fitEjection"));
   ejection_->setRange(kLeastEjection, kMostEjection);
   ejection_->setDecimals(0);
   ejection_->setSuffix(tr(" %"));
-  ejection_->setValue(kPercent * motion::TextbookBeat().ejectionFraction);
+  ejection_->setValue(kPercent * live::TextbookBeat().ejectionFraction);
   ejection_->setToolTip(
       tr("Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume"));
   auto* ejection = new QFormLayout(ejectionBox_);
@@ -99,7 +99,7 @@ void FitBox::rebuildRows() {
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(2);
   workspace_.guarded([&] {
-    for (const motion::LandmarkRole& role : motion::landmarkRoles(sequenceId())) {
+    for (const live::LandmarkRole& role : live::landmarkRoles(sequenceId())) {
       Row row;
       row.pick = new QToolButton(rowsBox_);
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
@@ -153,10 +153,10 @@ void FitBox::onClick(const QPointF& place) {
 
 void FitBox::setLandmark(const std::string& role, const Vec3& position) {
   bool several = false;
-  for (const motion::LandmarkRole& known : motion::landmarkRoles(sequenceId()))
+  for (const live::LandmarkRole& known : live::landmarkRoles(sequenceId()))
     several = several || (known.role == role && known.several);
   auto& points = landmarks_.points;
-  std::erase_if(points, [&](const motion::Landmark& point) {
+  std::erase_if(points, [&](const live::Landmark& point) {
     return point.computed || (!several && point.role == role);
   });
   points.push_back({role, position, false});
@@ -181,7 +181,7 @@ bool FitBox::isMarked(const document::Organ& organ) const {
 void FitBox::syncMarks() {
   marks_.clear();
   std::set<std::string> named; // Of a line of points only the first.
-  for (const motion::Landmark& point : landmarks_.points) {
+  for (const live::Landmark& point : landmarks_.points) {
     if (!organ_)
       break;
     const auto row = rows_.find(point.role);
@@ -213,9 +213,8 @@ void FitBox::syncGlyphs() {
 
 std::shared_ptr<const document::Organ> FitBox::hollowHeart() const {
   const auto organ = workspace_.currentOrgan();
-  return organ && sequenceId() == kHeartbeat
-             ? motion::heartWithCavities(workspace_.document().organs(), *organ)
-             : nullptr;
+  return organ && sequenceId() == kHeartbeat ? live::heartWithCavities(workspace_.document().organs(), *organ)
+                                             : nullptr;
 }
 
 std::shared_ptr<const document::Organ> FitBox::target() const {
@@ -250,8 +249,8 @@ void FitBox::syncTarget() {
 }
 
 void FitBox::chooseMatchingSequence(const document::Organ& organ) {
-  for (const motion::SampleSequence& sample : motion::sampleSequences()) {
-    if (motion::matchesOrgan(sample, organ.name) != motion::SequenceMatch::yes || sample.id == sequenceId())
+  for (const live::SampleSequence& sample : live::sampleSequences()) {
+    if (live::matchesOrgan(sample, organ.name) != live::SequenceMatch::yes || sample.id == sequenceId())
       continue;
     sequence_->setCurrentIndex(sequence_->findData(text(sample.id)));
     rebuildRows();
@@ -270,50 +269,50 @@ void FitBox::fitChosen() {
   const auto organ = target();
   if (!organ)
     return;
-  motion::Landmarks given = landmarks_;
-  std::erase_if(given.points, [](const motion::Landmark& point) { return point.computed; });
+  live::Landmarks given = landmarks_;
+  std::erase_if(given.points, [](const live::Landmark& point) { return point.computed; });
   if (hollowHeart())
     return fitHeart(*organ, given);
-  workspace_.inBackground<motion::RetargetedSequence>(
+  workspace_.inBackground<live::RetargetedSequence>(
       tr("Fitting %1").arg(sequence_->currentText()), "fit",
       [id = sequenceId(), organ, given](Progress& progress) {
-        return motion::retargetSequence(id, *organ, given, progress);
+        return live::retargetSequence(id, *organ, given, progress);
       },
-      [this, id = organ->id, sequence = sequenceId(), given](const motion::RetargetedSequence& fitted) {
+      [this, id = organ->id, sequence = sequenceId(), given](const live::RetargetedSequence& fitted) {
         take(fitted, id, sequence, given);
       });
 }
 
-void FitBox::fitHeart(const document::Organ& heart, const motion::Landmarks& given) {
-  motion::TextbookBeat beat;
+void FitBox::fitHeart(const document::Organ& heart, const live::Landmarks& given) {
+  live::TextbookBeat beat;
   beat.ejectionFraction = ejection_->value() / kPercent;
   beat.given = given;
-  workspace_.inBackground<motion::PatientMotion>(
+  workspace_.inBackground<live::PatientMotion>(
       tr("Fitting %1").arg(sequence_->currentText()), "fit",
       [organs = workspace_.document().organs(), heart, beat](Progress& progress) {
-        return motion::textbookMotion(organs, heart, beat, progress);
+        return live::textbookMotion(organs, heart, beat, progress);
       },
-      [this, id = heart.id, mesh = heart.mesh](const motion::PatientMotion& found) {
+      [this, id = heart.id, mesh = heart.mesh](const live::PatientMotion& found) {
         // Only on the surface for which it was found.
         if (const auto organ = workspace_.document().organ(id); organ && organ->mesh == mesh)
           takeHeart(found, *organ);
       });
 }
 
-void FitBox::takeHeart(const motion::PatientMotion& found, const document::Organ& heart) {
+void FitBox::takeHeart(const live::PatientMotion& found, const document::Organ& heart) {
   const std::string name = tr("Fit the textbook's beat to %1").arg(inWords(heart.name)).toStdString();
-  if (!workspace_.perform(document::combined(name, {motion::openSequence(found.sequence)})))
+  if (!workspace_.perform(document::combined(name, {live::openSequence(found.sequence)})))
     return;
   for (const std::string& warning : found.warnings)
     workspace_.say({Message::Severity::warning, asSentence(warning), {}, 0});
   playback_.play();
 }
 
-void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId organ,
-                  const std::string& sequence, const motion::Landmarks& given) {
-  if (!workspace_.document().organ(organ) || !workspace_.perform(motion::useRetargeted(fitted)))
+void FitBox::take(const live::RetargetedSequence& fitted, document::OrganId organ,
+                  const std::string& sequence, const live::Landmarks& given) {
+  if (!workspace_.document().organ(organ) || !workspace_.perform(live::useRetargeted(fitted)))
     return;
-  playback_.setSequence(fitted.sequence, organ, motion::fittedRecipe(sequence, given));
+  playback_.setSequence(fitted.sequence, organ, live::fittedRecipe(sequence, given));
   if (organ_ && organ_->id == organ)
     landmarks_ = fitted.landmarks;
   syncRows();

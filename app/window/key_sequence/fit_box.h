@@ -6,8 +6,8 @@
 #include <string>
 
 #include "viscera/document/measurement.h"
-#include "viscera/motion/retarget.h"
-#include "viscera/motion/textbook_motion.h"
+#include "viscera/live/retarget.h"
+#include "viscera/live/textbook_motion.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
@@ -36,7 +36,7 @@ public:
   ~FitBox() override;
 
   /// The landmarks of the current organ, mm, at rest.
-  const motion::Landmarks& landmarks() const { return landmarks_; }
+  const live::Landmarks& landmarks() const { return landmarks_; }
   /// The glyphs that show the landmarks in the view.
   const scene::MeasurementGlyphs& glyphs() const { return glyphs_; }
   /// Fits the sequence of that id to the current organ, and plays it.
@@ -75,10 +75,10 @@ private:
   void syncTarget();
   void chooseMatchingSequence(const document::Organ& organ);
   void fitChosen();
-  void fitHeart(const document::Organ& heart, const motion::Landmarks& given);
-  void takeHeart(const motion::PatientMotion& found, const document::Organ& heart);
-  void take(const motion::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
-            const motion::Landmarks& given);
+  void fitHeart(const document::Organ& heart, const live::Landmarks& given);
+  void takeHeart(const live::PatientMotion& found, const document::Organ& heart);
+  void take(const live::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
+            const live::Landmarks& given);
 
   Workspace& workspace_;
   Playback& playback_;
@@ -91,7 +91,7 @@ private:
   QWidget* ejectionBox_;
   QDoubleSpinBox* ejection_;
   QPushButton* fit_;
-  motion::Landmarks landmarks_;
+  live::Landmarks landmarks_;
   std::shared_ptr<const document::Organ> organ_; ///< The organ that the landmarks belong to; null without
                                                  ///< organs.
   std::vector<Mark> marks_;

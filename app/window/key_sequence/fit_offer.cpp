@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/sequence_setup.h"
 #include "window/language.h"
 #include "window/sample_loader.h"
 #include "window/widgets/ready_made.h"
@@ -61,7 +61,7 @@ QPushButton* FitOffer::makeButton(const char* name) {
 
 void FitOffer::ask(const QString& sequence) {
   const auto organ = workspace_.currentOrgan();
-  const auto& all = motion::sampleSequences();
+  const auto& all = live::sampleSequences();
   const auto sample =
       std::find_if(all.begin(), all.end(), [&](const auto& one) { return text(one.id) == sequence; });
   if (!organ || sample == all.end())
@@ -69,7 +69,7 @@ void FitOffer::ask(const QString& sequence) {
   sequence_ = sequence;
   asked_ = organ;
   const QString name = inWords(organ->name), kind = SampleLoader::nameInWords(text(sample->organ));
-  const bool odd = motion::matchesOrgan(*sample, organ->name) == motion::SequenceMatch::no;
+  const bool odd = live::matchesOrgan(*sample, organ->name) == live::SequenceMatch::no;
   question_->setText(odd ? tr("%1 is made for a %2, but the name %3 suggests another organ.")
                                .arg(inWords(sample->name), kind, name)
                          : tr("%1: fit it to %2?").arg(inWords(sample->name), name));

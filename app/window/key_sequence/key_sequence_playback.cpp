@@ -5,7 +5,7 @@
 #include "viscera/document/key_sequence.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/motion/sequence_file.h"
+#include "viscera/live/sequence_file.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -77,16 +77,15 @@ bool KeySequencePlayback::takePose(document::KeyId key) {
 }
 
 void KeySequencePlayback::save(const QString& file) {
-  const bool done = workspace_.guarded([&] {
-    motion::writeSequence(file.toStdString(), motion::sequenceFile(workspace_.document().state()));
-  });
+  const bool done = workspace_.guarded(
+      [&] { live::writeSequence(file.toStdString(), live::sequenceFile(workspace_.document().state())); });
   if (done)
     workspace_.note(tr("Sequence saved as %1").arg(file));
 }
 
 void KeySequencePlayback::open(const QString& file) {
   workspace_.guarded(
-      [&] { workspace_.undo().perform(motion::openSequence(motion::readSequence(file.toStdString()))); });
+      [&] { workspace_.undo().perform(live::openSequence(live::readSequence(file.toStdString()))); });
 }
 
 } // namespace viscera::app

@@ -32,7 +32,7 @@ lesson::LessonSource LessonExport::source() const {
   source.state = window_.workspace.state();
   source.camera = presentation::cameraOf(window_.picture.view());
   source.slides = window_.view.state().slides;
-  const motion::Player& player = window_.playback.player();
+  const live::Player& player = window_.playback.player();
   if (!player.movable())
     return source;
   source.sequence = window_.playback.sharedSequence();

@@ -1,12 +1,12 @@
 #include "window/measure/slice_measuring.h"
 
-#include "viscera/slices/slice_frame.h"
+#include "viscera/medical_io/slice_frame.h"
 #include "window/slices/slice_panes.h"
 
 namespace viscera::app {
 
 int SliceMeasuring::axisOf(int direction) {
-  return slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  return medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
 }
 
 document::MeasuredPoint SliceMeasuring::pointAt(int direction, const Eigen::Vector2d& pixel) const {

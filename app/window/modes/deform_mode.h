@@ -18,7 +18,7 @@ public:
   presentation::Shown shown() const override {
     return {.handles = true, .movable = true, .compensating = true, .tools = true};
   }
-  motion::WantedPose pose() const override { return motion::WantedPose::document; }
+  live::WantedPose pose() const override { return live::WantedPose::document; }
   UsefulPanels panels() const override { return {true, false, dragged_}; }
 
 private:

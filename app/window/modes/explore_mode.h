@@ -23,7 +23,7 @@ public:
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
-  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
+  live::WantedPose pose() const override { return live::WantedPose::sequence; }
   UsefulPanels panels() const override { return {false, parts_.playback.sequence() != nullptr, false}; }
   QString hint() const override;
   void enter() override { tool_.setEnabled(true); }

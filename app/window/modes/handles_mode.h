@@ -18,7 +18,7 @@ public:
   presentation::Shown shown() const override {
     return {.rest = true, .handles = true, .movable = true, .regions = true};
   }
-  motion::WantedPose pose() const override { return motion::WantedPose::rest; }
+  live::WantedPose pose() const override { return live::WantedPose::rest; }
   UsefulPanels panels() const override { return {true, false, false}; }
   /// Shows in the view how long each binding took while this mode is on.
   void enter() override;

@@ -89,7 +89,7 @@ public:
 
   /// What the view shows while the mode is on; `shownChanged` is emitted when that changes.
   virtual presentation::Shown shown() const = 0;
-  virtual motion::WantedPose pose() const = 0;
+  virtual live::WantedPose pose() const = 0;
   /// Asked when the mode begins, and when another sequence is there or none; `panelsChanged` tells that it is
   /// otherwise.
   virtual UsefulPanels panels() const = 0;

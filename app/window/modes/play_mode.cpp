@@ -8,9 +8,9 @@
 
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/sequence_setup.h"
-#include "viscera/sequences/beating_heart.h"
+#include "viscera/heart/beating_heart.h"
+#include "viscera/live/motion_recipe.h"
+#include "viscera/live/sequence_setup.h"
 #include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
@@ -40,7 +40,7 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 bool holdsSampleHeart(const Playback& playback) {
   const auto motions = playback.motions();
   return std::any_of(motions.begin(), motions.end(),
-                     [](const auto& motion) { return motion::sampleHeartOf(motion.recipe).has_value(); });
+                     [](const auto& motion) { return live::sampleHeartOf(motion.recipe).has_value(); });
 }
 
 QString keyRemark(const document::SequenceKey& key) {
@@ -137,7 +137,7 @@ void PlayMode::makeValvesAction(Actions& actions) {
 QString PlayMode::whyNoValves() const {
   const auto tells = [](const Playback& playback) {
     const sequences::Sequence* sequence = playback.sequence();
-    return sequence && sequences::valvesAt(*sequence, 0, playback.player().ratePerMinute()).has_value();
+    return sequence && heart::valvesAt(*sequence, 0, playback.player().ratePerMinute()).has_value();
   };
   const bool here = hasSampleHeart();
   const bool beside = comparison_->on() && holdsSampleHeart(comparison_->playback());
@@ -267,7 +267,7 @@ void PlayMode::chooseScenario(const QString& id) {
 
 bool PlayMode::playSampleHeart() {
   for (const Playback::Motion& motion : parts_.playback.motions())
-    if (motion::sampleHeartOf(motion.recipe)) {
+    if (live::sampleHeartOf(motion.recipe)) {
       parts_.playback.choose(motion.sequence.get());
       parts_.playback.play();
       return true;
@@ -334,7 +334,7 @@ void PlayMode::chooseSequence(const QString& id) {
     parts_.playback.play();
     return;
   }
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
+  for (const live::SampleSequence& sample : live::sampleSequences())
     if (text(sample.id) == id)
       parts_.samples.load(text(sample.organ), true);
 }

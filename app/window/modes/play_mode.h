@@ -36,7 +36,7 @@ public:
   QWidget* makeChart() override;
   bool chartWanted() const override;
   presentation::Shown shown() const override { return {}; }
-  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
+  live::WantedPose pose() const override { return live::WantedPose::sequence; }
   UsefulPanels panels() const override { return {false, true, parts_.playback.sequence() != nullptr}; }
   void setTheme(const Theme& theme) override;
   /// Shows what is recorded and what the second view does in the status bar.

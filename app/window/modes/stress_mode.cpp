@@ -44,7 +44,7 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
     Q_EMIT shownChanged(); // Dragging the timeline shows it too.
   });
   subscription_ = workspace_.onChange([this, &playback](const document::Change& change) {
-    if (change.pose() && playback.wantedPose() == motion::WantedPose::document)
+    if (change.pose() && playback.wantedPose() == live::WantedPose::document)
       posed_ = !document::atRest(change.after);
   });
   syncActions();

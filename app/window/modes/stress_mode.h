@@ -25,7 +25,7 @@ public:
   QWidget* makeChart() override;
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
-  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
+  live::WantedPose pose() const override { return live::WantedPose::sequence; }
   /// The chart needs a sequence that is shown.
   UsefulPanels panels() const override {
     return {false, parts_.playback.sequence() != nullptr, parts_.playback.showing()};

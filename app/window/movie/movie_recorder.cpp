@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
-#include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
+#include "viscera/sequences/volume_record.h"
 #include "window/heap.h"
 #include "window/mailbox.h"
 
@@ -82,7 +82,7 @@ std::vector<double> showAt(const Take& take, double seconds) {
 /// go when this returns or throws.
 int record(Take take, Progress& progress) {
   const auto writer = openMovie(take.plan);
-  motion::VolumeRecord volumes(take.names);
+  sequences::VolumeRecord volumes(take.names);
   for (int frame = 0; frame < take.frames; ++frame) {
     progress.throwIfCancelled();
     const double seconds = frame * take.secondsAFrame;
@@ -100,7 +100,7 @@ int record(Take take, Progress& progress) {
     writer->finish(closing);
   }
   if (take.plan.table || !writer)
-    motion::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes);
+    sequences::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes);
   return take.frames;
 }
 

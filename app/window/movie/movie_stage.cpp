@@ -8,8 +8,8 @@
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
+#include "viscera/heart/beating_heart.h"
 #include "viscera/presentation/presenter.h"
-#include "viscera/sequences/beating_heart.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 
@@ -28,7 +28,7 @@ MovieStage::MovieStage(const Source& source, const QSize& size, bool caption)
   view_.camera = presentation::cameraOf(source.picture.view());
   if (const auto& values = source.picture.presenter().stressValues(); values.ready())
     view_.stress.range = values.range();
-  const motion::MotionRunner& played = source.playback.player().runner();
+  const live::MotionRunner& played = source.playback.player().runner();
   if (source.playback.sequence()) {
     runner_.setSequence(played.sequence());
     runner_.setRatePerMinute(played.ratePerMinute());
@@ -93,7 +93,7 @@ vtkSmartPointer<vtkImageData> MovieStage::picture() {
   scene.stressRange = stressRange_;
   scene.stressLegend = stressLegend_;
   if (runner_.sequence())
-    scene.valves = sequences::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+    scene.valves = heart::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
   stage_->presenter().update(scene);
   if (captionWanted_)
     writeCaption();

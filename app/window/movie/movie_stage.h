@@ -12,8 +12,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include "viscera/live/motion_runner.h"
 #include "viscera/live/posed_organs.h"
-#include "viscera/motion/motion_runner.h"
 #include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
@@ -49,11 +49,11 @@ private:
   void addCaption();
   void writeCaption();
 
-  plugin::Registry systems_;
+  coordinates::Registry systems_;
   document::DocumentState state_;
   live::PosedCopy organs_;
   live::StressCopy stress_;
-  motion::MotionRunner runner_;
+  live::MotionRunner runner_;
   presentation::ViewState view_;
   std::optional<scene::ValueRange> stressRange_; ///< Range of both views at the start.
   bool stressLegend_;

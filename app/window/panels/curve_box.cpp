@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "viscera/motion/volume_curve.h"
 #include "viscera/presentation/presenter.h"
+#include "viscera/sequences/volume_curve.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -51,9 +51,9 @@ void CurveBox::choose() {
 
 void CurveBox::load(const QString& file) {
   const document::OrganId organ{organ_->currentData().toLongLong()};
-  std::optional<motion::PrescribedVolume> volume;
+  std::optional<live::PrescribedVolume> volume;
   workspace_.guarded([&] {
-    volume = {organ, motion::readVolumeCurve(file.toStdString(), playback_.player().periodSeconds()),
+    volume = {organ, sequences::readVolumeCurve(file.toStdString(), playback_.player().periodSeconds()),
               QFileInfo(file).fileName().toStdString()};
   });
   if (volume && playback_.prescribe(volume))

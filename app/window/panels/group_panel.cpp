@@ -36,8 +36,8 @@ document::GroupId groupOf(const QTreeWidgetItem* item) {
 }
 
 /// The first system that looks at groups, or null.
-std::shared_ptr<const coordinates::CoordinateSystem> groupedSystem(const plugin::Registry& registry) {
-  for (const plugin::Registry::Entry& entry : registry.list())
+std::shared_ptr<const coordinates::CoordinateSystem> groupedSystem(const coordinates::Registry& registry) {
+  for (const coordinates::Registry::Entry& entry : registry.list())
     if (entry.system->traits().usesGroups)
       return entry.system;
   return nullptr;

@@ -124,7 +124,7 @@ void PlayPage::makeTable() {
   stroke_ = addFact(tr("Stroke volume"));
   output_ = addFact(tr("Cardiac output"));
   output_->setObjectName(QStringLiteral("cardiacOutput"));
-  for (const sequences::WallMotionRange& range : sequences::wallMotionRanges()) {
+  for (const heart::WallMotionRange& range : heart::wallMotionRanges()) {
     walls_.push_back(addFact(inWords(range.name)));
     walls_.back()->setObjectName(QStringLiteral("wall%1").arg(QLatin1String(range.name)));
   }
@@ -198,7 +198,7 @@ void PlayPage::makeOwnMotions(const ModeParts& parts) {
 }
 
 void PlayPage::syncState() {
-  const motion::Player& player = playback_.player();
+  const live::Player& player = playback_.player();
   const sequences::Sequence* sequence = playback_.sequence();
   rate_->setText(sequence ? tr("%1 / min, one cycle %2 s")
                                 .arg(formatNumber(player.ratePerMinute(), 0))
@@ -261,9 +261,9 @@ void PlayPage::syncTable() {
 /// Measured on the surfaces of the sample heart; beside the number the normal range.
 void PlayPage::syncWalls() {
   const auto wall = volumes_.wall();
-  const auto& ranges = sequences::wallMotionRanges();
+  const auto& ranges = heart::wallMotionRanges();
   for (std::size_t i = 0; i < walls_.size(); ++i) {
-    const sequences::WallMotionRange& range = ranges[i];
+    const heart::WallMotionRange& range = ranges[i];
     setFactShown(walls_[i], wall || !fraction_->isHidden());
     walls_[i]->setText(wall ? tr("%1 %2 (%3\u2013%4)")
                                   .arg(formatNumber((*wall).*range.value, 1))
@@ -296,8 +296,8 @@ void PlayPage::syncIndices() {
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const motion::NormalRange& range : volumes_.normals(best, view_.state().person)) {
-      const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
+    for (const heart::NormalRange& range : volumes_.normals(best, view_.state().person)) {
+      const bool percent = range.quantity == heart::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2\u2013%3 %4")
                            .arg(inWords(range.name))
                            .arg(formatNumber(range.low, 0))

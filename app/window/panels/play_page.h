@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/motion/clinical_numbers.h"
+#include "viscera/heart/clinical_numbers.h"
 #include "window/actions.h"
 #include "window/key_sequence/fit_offer.h"
 #include "window/modes/play_mode.h"
@@ -51,12 +51,12 @@ private:
   QLabel* fraction_ = nullptr;
   QLabel* stroke_ = nullptr;
   QLabel* output_ = nullptr;
-  std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
+  std::vector<QLabel*> walls_; ///< In the order of `heart::wallMotionRanges`.
   QLabel* normal_ = nullptr;
   QAbstractButton* patient_ = nullptr; ///< The button "Circulation of this heart".
   QLabel* patientFit_ = nullptr;
   /// The left ventricle of an organ with a tracked motion; empty while there is none.
-  std::optional<motion::CardiacIndices> ventricle_;
+  std::optional<heart::CardiacIndices> ventricle_;
   MovieBox* record_ = nullptr;
   Subscription subscription_;
 };

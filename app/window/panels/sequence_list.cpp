@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/live/sequence_setup.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 
@@ -74,11 +74,11 @@ std::vector<SequenceList::Item> SequenceList::wanted() const {
   };
   const auto organ = workspace_.currentOrgan();
   const bool own = organ && organ->origin.sample.empty();
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
-    if (own && motion::matchesOrgan(sample, organ->name) == motion::SequenceMatch::yes)
+  for (const live::SampleSequence& sample : live::sampleSequences())
+    if (own && live::matchesOrgan(sample, organ->name) == live::SequenceMatch::yes)
       add(text(sample.id), inWords(sample.name),
           tr("%1: can be fitted to %2").arg(inWords(sample.name), inWords(organ->name)));
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
+  for (const live::SampleSequence& sample : live::sampleSequences())
     add(text(sample.id), inWords(sample.name),
         tr("%1: shows the sample organ and plays").arg(inWords(sample.name)));
   for (const Playback::Motion& motion : playback_.motions())

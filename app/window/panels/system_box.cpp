@@ -142,7 +142,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     row->addWidget(new QLabel(name, box), 1);
     row->addWidget(combo);
     combo->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
-    const plugin::Registry& registry = workspace_.registry();
+    const coordinates::Registry& registry = workspace_.registry();
     for (const std::string& choice :
          parameter.choices) // Systems are called what the list of them calls them.
       combo->addItem(inWords(registry.contains(choice) ? registry.find(choice)->name() : choice));

@@ -21,7 +21,7 @@ struct Material {
   report::ReportSource source;
   live::PosedCopy organs;
   live::StressCopy stress;
-  plugin::Registry systems;
+  coordinates::Registry systems;
 };
 
 } // namespace
@@ -80,7 +80,7 @@ void ReportExport::write(const QString& file) {
   source.organs = &material->organs;
   source.systems = &material->systems;
   source.file = window_.files.file().toStdString();
-  const motion::Player& player = window_.playback.player();
+  const live::Player& player = window_.playback.player();
   if (player.movable()) {
     source.sequence = window_.playback.sharedSequence();
     source.ratePerMinute = player.ratePerMinute();

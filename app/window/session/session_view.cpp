@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viscera/motion/motion_recipe.h"
-#include "viscera/motion/volume_curve.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
+#include "viscera/sequences/volume_curve.h"
 #include "window/compare/comparison.h"
 #include "window/language.h"
 #include "window/lecture/slides.h"
@@ -92,7 +92,7 @@ void SessionView::recallMeasured(const std::string& text) {
 }
 
 void SessionView::gatherMotions(presentation::ViewState& state) const {
-  const motion::Player& player = window_.playback.player();
+  const live::Player& player = window_.playback.player();
   int present = -1;
   for (const Playback::Motion& motion : window_.playback.motions()) {
     if (motion.recipe.empty())
@@ -179,7 +179,7 @@ void SessionView::makeMotions(Wanted wanted) {
         Wanted made = *wanted;
         for (Wanted::Motion& item : made.motions)
           if (item.organ)
-            item.sequence = motion::makeMotion(item.recipe, *item.organ, library, progress);
+            item.sequence = live::makeMotion(item.recipe, *item.organ, library, progress);
         return made;
       },
       [this, wanted = making_](const JobResult<Wanted>& made) {
@@ -234,7 +234,7 @@ void SessionView::play(const Wanted& wanted) {
       playback.seek(playing.fraction);
       if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
         warnAboutChangedMotion(wanted.shownPose);
-    } else if (playing.fraction > 0 && playback.wantedPose() != motion::WantedPose::sequence) {
+    } else if (playing.fraction > 0 && playback.wantedPose() != live::WantedPose::sequence) {
       playback.setPlace(playing.fraction);
     }
   }
@@ -245,7 +245,7 @@ void SessionView::prescribe(const presentation::Prescribed& prescribed) {
   if (!window_.workspace.document().organ(prescribed.organ))
     return; // Its file is missing, for which another message is shown.
   window_.workspace.guarded([&] {
-    waiting_ = Waiting{{prescribed.organ, motion::volumeCurve(prescribed.curve), prescribed.file},
+    waiting_ = Waiting{{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file},
                        window_.playback.sharedSequence()};
   });
   if (!window_.workspace.live().busy())

@@ -73,7 +73,7 @@ private:
 
   /// A prescribed volume that is applied once the organs are bound, and its sequence.
   struct Waiting {
-    motion::PrescribedVolume volume;
+    live::PrescribedVolume volume;
     std::shared_ptr<const sequences::Sequence> sequence;
   };
 

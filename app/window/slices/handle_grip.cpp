@@ -1,8 +1,8 @@
 #include "window/slices/handle_grip.h"
 
+#include "viscera/medical_io/slice_frame.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "viscera/slices/slice_frame.h"
 #include "window/slices/slice_panes.h"
 #include "window/view/picture.h"
 
@@ -14,7 +14,7 @@ bool HandleGrip::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyboard
     return false;
   start_ = picture_.view().handles()->GetPosition(row);
   offset_ = panes_.presenter().frame(direction).pixelOf(start_) - pixel;
-  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   picture_.view().handleWidget()->Grab(row, (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) != 0,
                                        Vec3(Vec3::Unit(axis)));
   return true;
@@ -24,7 +24,7 @@ bool HandleGrip::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyboard
 void HandleGrip::drag(int direction, const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d middle = pixel + offset_;
   Vec3 place = panes_.presenter().frame(direction).at(middle.x(), middle.y());
-  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   place[axis] = start_[axis];
   picture_.view().handleWidget()->DragTo(place);
 }

@@ -10,7 +10,7 @@ namespace viscera::app {
 
 /// The interface of tools that drag things on slices (handles, measured points); they get the left button
 /// before the slice itself. Pixels are those of the slice's picture, `direction` is one of
-/// `slices::sliceDirections`.
+/// `medical_io::sliceDirections`.
 class SliceGrip {
 public:
   virtual ~SliceGrip() = default;

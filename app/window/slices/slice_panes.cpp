@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "viscera/document/scan_item.h"
+#include "viscera/medical_io/slice_frame.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/slices/slice_frame.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/view/picture.h"
@@ -34,8 +34,9 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
   presenter_.setDecimalMark(decimalMark());
   for (int i = 0; i < 3; ++i) {
     auto* widget = new SliceWidget;
-    widget->setObjectName(QStringLiteral("slice.%1")
-                              .arg(QLatin1String(slices::sliceDirections()[static_cast<std::size_t>(i)].id)));
+    widget->setObjectName(
+        QStringLiteral("slice.%1")
+            .arg(QLatin1String(medical_io::sliceDirections()[static_cast<std::size_t>(i)].id)));
     widgets_[static_cast<std::size_t>(i)] = widget;
     connectWidget(i);
     connectGrips(i);
@@ -140,7 +141,7 @@ void SlicePanes::arrange() {
   if (!document.scan && document.organs->empty())
     return area_.arrange(true, {});
   const std::string& layout = model_.state().scan.layout;
-  const auto directions = slices::sliceDirections();
+  const auto directions = medical_io::sliceDirections();
   std::array<bool, 3> shown{};
   for (std::size_t i = 0; i < 3; ++i)
     shown[i] = layout == "four" || layout == directions[i].id;
@@ -195,14 +196,14 @@ void SlicePanes::followWarp() {
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
-  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   Vec3 place = presenter_.frame(direction).at(pixel.x(), pixel.y());
   place[axis] = presentation::focusOf(workspace_.state(), model_.state().scan)[axis];
   model_.change([&place](ViewState& view) { view.scan.focus = place; });
 }
 
 void SlicePanes::scroll(int direction, double steps) {
-  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   const double towards = axis == 2 ? 1 : -1; // LPS: z grows to the head; front and right are negative.
   Vec3 place = presentation::focusOf(workspace_.state(), model_.state().scan);
   const Bounds box = presentation::boxOfSlices(workspace_.state());
@@ -223,7 +224,7 @@ void SlicePanes::dragWindow(const QPointF& by) {
 }
 
 void SlicePanes::pan(int direction, const QPointF& by) {
-  const slices::SliceFrame& frame = presenter_.frame(direction);
+  const medical_io::SliceFrame& frame = presenter_.frame(direction);
   const double mm = frame.right.norm() * widget(direction).devicePixelRatioF();
   model_.change([&](ViewState& view) {
     presentation::SliceFraming& framing = view.scan.framings[static_cast<std::size_t>(direction)];
@@ -234,7 +235,7 @@ void SlicePanes::pan(int direction, const QPointF& by) {
 
 /// The place at `around` stays there.
 void SlicePanes::zoom(int direction, double factor, const Eigen::Vector2d& around) {
-  const slices::SliceFrame& frame = presenter_.frame(direction);
+  const medical_io::SliceFrame& frame = presenter_.frame(direction);
   const double mm = frame.right.norm();
   const Eigen::Vector2d middle(0.5 * (frame.width - 1), 0.5 * (frame.height - 1));
   model_.change([&](ViewState& view) {
@@ -249,7 +250,7 @@ void SlicePanes::zoom(int direction, double factor, const Eigen::Vector2d& aroun
 
 /// A double click shows one slice alone, and another one all four again.
 void SlicePanes::isolate(int direction) {
-  const char* id = slices::sliceDirections()[static_cast<std::size_t>(direction)].id;
+  const char* id = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].id;
   model_.change([id](ViewState& view) { view.scan.layout = view.scan.layout == id ? "four" : id; });
 }
 

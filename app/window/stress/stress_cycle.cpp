@@ -32,11 +32,11 @@ void StressCycle::setWanted(std::optional<live::CycleParts> wanted) {
 /// None while there is nothing to compute, or organs are still being bound.
 std::optional<StressCycle::Cause> StressCycle::presentCause() const {
   const live::LiveStress& stress = workspace_.stress();
-  const motion::Player& player = playback_.player();
+  const live::Player& player = playback_.player();
   if (stress.status().state != live::StressStatus::State::ready || !player.movable() ||
       workspace_.live().busy())
     return std::nullopt;
-  return Cause{motion::causeOf(player.runner()), stress.gradients()};
+  return Cause{live::causeOf(player.runner()), stress.gradients()};
 }
 
 void StressCycle::retry() {
@@ -68,7 +68,7 @@ void StressCycle::bringUpToDate() {
   cause_ = std::move(cause);
   parts_ = *wanted_;
   workspace_.guarded([&] {
-    workspace_.stress().findCycle(motion::posedCycle(playback_.player().runner(), workspace_.live().copy()),
+    workspace_.stress().findCycle(live::posedCycle(playback_.player().runner(), workspace_.live().copy()),
                                   parts_);
   });
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "viscera/motion/motion_copy.h"
+#include "viscera/live/motion_copy.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -30,7 +30,7 @@ public:
 private:
   /// All that the stress over a cycle depends on.
   struct Cause {
-    motion::MotionCause motion;
+    live::MotionCause motion;
     std::shared_ptr<const deformation::WitnessGradients> gradients; ///< For these witness points and handles.
     bool operator==(const Cause&) const = default;
   };

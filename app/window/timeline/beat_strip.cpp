@@ -19,7 +19,7 @@ constexpr int kTracingSamples = 400;
 constexpr double kLowestMv = -0.4, kHighestMv = 1.2;
 
 /// The electrocardiogram of a circulation at that rate whose atria contract when the textbook's do.
-std::vector<double> tracingOf(const sequences::CardiacBeat& beat) {
+std::vector<double> tracingOf(const heart::CardiacBeat& beat) {
   circulation::Parameters parameters;
   parameters.rate = 60 / beat.times().cycle;
   parameters.conduction = beat.times().atrialSystole;
@@ -44,12 +44,12 @@ BeatStrip::BeatStrip(QWidget* parent) : QWidget(parent) {
                 "each valve while it is open. The lamp is lit while the valve is open."));
 }
 
-void BeatStrip::setBeat(const std::optional<sequences::CardiacBeat>& beat) {
+void BeatStrip::setBeat(const std::optional<heart::CardiacBeat>& beat) {
   tracing_.clear();
   sounds_.clear();
   valves_.clear();
   if (beat) {
-    const sequences::VentricleClock &left = beat->left(), &right = beat->right();
+    const heart::VentricleClock &left = beat->left(), &right = beat->right();
     const double cycle = beat->times().cycle;
     tracing_ = tracingOf(*beat);
     sounds_ = {{tr("S1"), left.inletShuts / cycle}, {tr("S2"), left.outletShuts / cycle}};

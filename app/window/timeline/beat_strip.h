@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/sequences/cardiac_cycle.h"
+#include "viscera/heart/cardiac_cycle.h"
 
 namespace viscera::app {
 
@@ -20,7 +20,7 @@ public:
   explicit BeatStrip(QWidget* parent = nullptr);
 
   /// Sets the beat; empty: nothing is drawn.
-  void setBeat(const std::optional<sequences::CardiacBeat>& beat);
+  void setBeat(const std::optional<heart::CardiacBeat>& beat);
   bool hasBeat() const { return !valves_.empty(); }
   /// `fraction` of the cycle in [0, 1].
   void setFraction(double fraction);

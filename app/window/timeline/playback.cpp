@@ -5,7 +5,7 @@
 
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/sequences/beating_heart.h"
+#include "viscera/heart/beating_heart.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -22,7 +22,7 @@ bool anyLocked(const document::OrganList& organs) {
 
 } // namespace
 
-Playback::Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent)
+Playback::Playback(Workspace& workspace, live::Player::Clock clock, QObject* parent)
     : QObject(parent), workspace_(workspace),
       player_(workspace.state(), workspace.live(), std::move(clock), &workspace.jobs()) {
   watch();
@@ -166,9 +166,9 @@ bool Playback::start() {
     offerOwnHandles();
     return false;
   }
-  if (player_.pose() != motion::WantedPose::sequence)
+  if (player_.pose() != live::WantedPose::sequence)
     Q_EMIT playModeWanted();
-  return player_.pose() == motion::WantedPose::sequence;
+  return player_.pose() == live::WantedPose::sequence;
 }
 
 void Playback::offerOwnHandles() {
@@ -207,10 +207,10 @@ void Playback::setSpeed(double speed) {
     Q_EMIT stateChanged();
 }
 
-std::optional<sequences::ValveInstants> Playback::valves() const {
+std::optional<heart::ValveInstants> Playback::valves() const {
   if (!showing())
     return std::nullopt;
-  return sequences::valvesAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
+  return heart::valvesAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
 }
 
 void Playback::seek(double fraction) {

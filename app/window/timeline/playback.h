@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "viscera/motion/player.h"
-#include "viscera/sequences/heart_valves.h"
+#include "viscera/heart/heart_valves.h"
+#include "viscera/live/player.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -33,7 +33,7 @@ public:
   };
 
   /// For the first view. `clock` returns seconds; tests and pictures pass a clock of their own.
-  Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent = nullptr);
+  Playback(Workspace& workspace, live::Player::Clock clock, QObject* parent = nullptr);
   /// For another view, in the time of `first`.
   Playback(Workspace& workspace, Playback& first, QObject* parent = nullptr);
 
@@ -61,21 +61,21 @@ public:
   Motion motion() const { return sequence() ? present_ : Motion{}; }
   /// The same with shared ownership, for a worker; null when there is none.
   std::shared_ptr<const sequences::Sequence> sharedSequence() const { return motion().sequence; }
-  const motion::Player& player() const { return player_; }
+  const live::Player& player() const { return player_; }
   /// The valves of the heart that is shown beating; nothing when none is.
-  std::optional<sequences::ValveInstants> valves() const;
+  std::optional<heart::ValveInstants> valves() const;
   /// Whether the organs show the sequence's pose.
   bool showing() const { return player_.showing(); }
 
   /// The pose that the mode wants to show.
-  motion::WantedPose wantedPose() const { return player_.pose(); }
+  live::WantedPose wantedPose() const { return player_.pose(); }
   /// Sets the pose to show; pauses the sequence unless its own pose is to be shown.
-  void setPose(motion::WantedPose pose) {
+  void setPose(live::WantedPose pose) {
     changePlayer([&] { player_.setPose(pose); });
   }
   /// Prescribes the volume of an organ while the present sequence moves it; none: no volume is prescribed.
   /// Returns false and shows a message if the volume cannot be reached.
-  bool prescribe(const std::optional<motion::PrescribedVolume>& volume) {
+  bool prescribe(const std::optional<live::PrescribedVolume>& volume) {
     return changePlayer([&] { player_.prescribe(volume); });
   }
 
@@ -133,7 +133,7 @@ private:
   void onState();
 
   Workspace& workspace_;
-  motion::Player player_;
+  live::Player player_;
   std::vector<Motion> known_; ///< Includes motions of removed organs, which undo may restore.
   Motion present_;
   bool showPending_ = false; ///< The document or the sequence has changed, and the view was not updated yet.

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/sequences/beating_heart.h"
+#include "viscera/heart/beating_heart.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -34,7 +34,7 @@ void showRate(QSpinBox& box, const sequences::Sequence& sequence, double ratePer
   box.setValue(shown);
   box.setEnabled(box.minimum() < box.maximum());
   const QString unit = TimelineBar::tr("/ min");
-  const sequences::BeatingHeart* heart = sequence.heart();
+  const heart::BeatingHeart* heart = sequence.heart();
   const bool ofCirculation = heart && !heart->textbookBeat(ratePerMinute);
   if (ofCirculation)
     box.setToolTip(TimelineBar::tr("%1: %2 %3. The heart rate of the circulation sets it.")
@@ -160,7 +160,7 @@ void TimelineBar::sync() {
 }
 
 void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
-  const motion::Player& player = playback_.player();
+  const live::Player& player = playback_.player();
   const QSignalBlocker quietSlider(rateSlider_);
   rate_->setSuffix(QLatin1Char(' ') + tr("/ min"));
   showRate(*rate_, sequence, player.ratePerMinute());
@@ -181,7 +181,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   phase_->setMinimumWidth(widest + 4);
   leaveOut();
   scrubber_->setPhases(phases, player.periodSeconds());
-  const sequences::BeatingHeart* heart = sequence.heart();
+  const heart::BeatingHeart* heart = sequence.heart();
   signs_->setBeat(heart ? heart->textbookBeat(player.ratePerMinute()) : std::nullopt);
   syncSigns();
   syncInstant();
@@ -206,7 +206,7 @@ void TimelineBar::clearSequence() {
 }
 
 void TimelineBar::syncInstant() {
-  const motion::Player& player = playback_.player();
+  const live::Player& player = playback_.player();
   if (const sequences::Sequence* sequence = playback_.sequence())
     scrubber_->setMarks(sequence->travelling(player.secondsInCycle(), player.ratePerMinute()));
   else

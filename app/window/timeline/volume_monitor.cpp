@@ -115,8 +115,8 @@ void VolumeMonitor::rebuild() {
   std::vector<std::string> names;
   for (const Line& line : lines_)
     names.push_back(line.label);
-  record_ = motion::VolumeRecord(names, kRows);
-  drags_ = motion::VolumeRecord(std::move(names), kDragRows);
+  record_ = sequences::VolumeRecord(names, kRows);
+  drags_ = sequences::VolumeRecord(std::move(names), kDragRows);
   dragsBehind_ = false;
   refresh();
   Q_EMIT linesChanged();
@@ -152,7 +152,7 @@ void VolumeMonitor::followFrame() {
 }
 
 void VolumeMonitor::measureSoon(const Side& side) {
-  const bool seen = side.playback->wantedPose() == motion::WantedPose::sequence;
+  const bool seen = side.playback->wantedPose() == live::WantedPose::sequence;
   measureSoon_.start(seen ? 0 : kUnseenDelayMilliseconds);
 }
 
@@ -165,7 +165,7 @@ void VolumeMonitor::measureCycles() {
 void VolumeMonitor::measure(int index) {
   Side& side = sides_[index];
   Workspace& workspace = *side.workspace;
-  const motion::MotionRunner& runner = side.playback->player().runner();
+  const live::MotionRunner& runner = side.playback->player().runner();
   if (!side.playback->player().movable() || workspace.live().busy()) {
     workspace.jobs().cancelSlot(kCycleSlot);
     ++side.ticket;
@@ -175,20 +175,20 @@ void VolumeMonitor::measure(int index) {
     side.curves.reset();
     return;
   }
-  const motion::MotionCause cause = motion::causeOf(runner);
+  const live::MotionCause cause = live::causeOf(runner);
   if (side.cause == cause)
     return;
   side.cause = cause;
   side.curves.reset();
   ++cycles_;
-  auto work =
-      [ahead = std::make_shared<motion::MotionCopy>(runner, workspace.live().copy())](Progress& progress) {
-        // A lock that is set has the cycle measured anew, just when a drag under it begins.
-        motion::CycleCurves curves;
-        inBackground([&] { curves = motion::measureCycle(ahead->runner(), progress); });
-        return curves;
-      };
-  auto done = [self = QPointer(this), index, mine = ++side.ticket](JobResult<motion::CycleCurves> result) {
+  auto work = [ahead =
+                   std::make_shared<live::MotionCopy>(runner, workspace.live().copy())](Progress& progress) {
+    // A lock that is set has the cycle measured anew, just when a drag under it begins.
+    live::CycleCurves curves;
+    inBackground([&] { curves = live::measureCycle(ahead->runner(), progress); });
+    return curves;
+  };
+  auto done = [self = QPointer(this), index, mine = ++side.ticket](JobResult<live::CycleCurves> result) {
     if (!self || self->sides_[index].ticket != mine)
       return;
     Side& measured = self->sides_[index];
@@ -200,8 +200,8 @@ void VolumeMonitor::measure(int index) {
       measured.workspace->report(*result.error);
     Q_EMIT self->updated();
   };
-  workspace.jobs().submit<motion::CycleCurves>(tr("Volumes over the cycle").toStdString(), kCycleSlot,
-                                               std::move(work), std::move(done));
+  workspace.jobs().submit<live::CycleCurves>(tr("Volumes over the cycle").toStdString(), kCycleSlot,
+                                             std::move(work), std::move(done));
 }
 
 void VolumeMonitor::sample() {
@@ -239,7 +239,7 @@ void VolumeMonitor::sampleDrag(bool goesOn) {
   // cycle.
   const Playback& playback = *sides_[0].playback;
   const bool beginsNone =
-      drags_.rows() == 0 && playback.sequence() && playback.wantedPose() == motion::WantedPose::sequence;
+      drags_.rows() == 0 && playback.sequence() && playback.wantedPose() == live::WantedPose::sequence;
   if (dragsBehind_ || beginsNone)
     return;
   if (goesOn && !begins && sinceDragged_.elapsed() < kVolumeUpdateMilliseconds)
@@ -305,26 +305,26 @@ bool VolumeMonitor::beats(std::size_t line) const {
   return measured || sequence->heart() != nullptr;
 }
 
-std::vector<motion::NormalRange> VolumeMonitor::normals(std::size_t line,
-                                                        const anatomy::Person& person) const {
-  std::vector<motion::NormalRange> ranges = motion::normalRanges(lines_[line].label, person);
+std::vector<heart::NormalRange> VolumeMonitor::normals(std::size_t line,
+                                                       const anatomy::Person& person) const {
+  std::vector<heart::NormalRange> ranges = heart::normalRanges(lines_[line].label, person);
   if (!beats(line))
-    std::erase_if(ranges, [](const motion::NormalRange& range) {
-      return range.quantity != motion::NormalRange::Quantity::volumeMl;
+    std::erase_if(ranges, [](const heart::NormalRange& range) {
+      return range.quantity != heart::NormalRange::Quantity::volumeMl;
     });
   return ranges;
 }
 
-std::optional<sequences::WallMotion> VolumeMonitor::wall() const {
+std::optional<heart::WallMotion> VolumeMonitor::wall() const {
   const Side& side = sides_[0];
   return side.curves && side.playback->sequence() ? side.curves->wall : std::nullopt;
 }
 
-std::optional<motion::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
+std::optional<heart::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
   const Curve curve = cycle(line);
   if (!lines_[line].cavity || curve.milliliters.empty())
     return std::nullopt;
-  return motion::cardiacIndices(curve.milliliters, playbackOf(line).player().ratePerMinute());
+  return heart::cardiacIndices(curve.milliliters, playbackOf(line).player().ratePerMinute());
 }
 
 } // namespace viscera::app

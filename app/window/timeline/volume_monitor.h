@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "viscera/motion/clinical_numbers.h"
-#include "viscera/motion/cycle_curves.h"
-#include "viscera/motion/motion_copy.h"
-#include "viscera/motion/volume_record.h"
+#include "viscera/heart/clinical_numbers.h"
+#include "viscera/live/cycle_curves.h"
+#include "viscera/live/motion_copy.h"
 #include "viscera/scene/color_map.h"
+#include "viscera/sequences/volume_record.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -58,11 +58,11 @@ public:
   /// A line's name; with two views, preceded by the number of its view.
   QString nameOf(const Line& line) const;
   /// The record of the sequence as played; one column for each line, the time is the first view's.
-  const motion::VolumeRecord& record() const { return record_; }
+  const sequences::VolumeRecord& record() const { return record_; }
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
   /// between them. A pose that changes while a sequence is shown instead is recorded once it is shown. One
   /// column for each line.
-  const motion::VolumeRecord& drags() const { return drags_; }
+  const sequences::VolumeRecord& drags() const { return drags_; }
   /// Whether the mouse holds what changes the pose.
   bool dragging() const { return dragging_; }
   /// A volume over one cycle.
@@ -78,17 +78,17 @@ public:
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
   /// The indices of a cavity, from `cycle`; none while that is empty.
-  std::optional<motion::CardiacIndices> indices(std::size_t line) const;
+  std::optional<heart::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
   /// Whether a line's organ has a heartbeat to follow: the textbook's, one that was fitted, computed by a
   /// circulation or measured. Keys that were recorded by hand are none.
   bool beats(std::size_t line) const;
   /// The normal ranges of a line for that person; ranges for a beating heart only if `beats`.
-  std::vector<motion::NormalRange> normals(std::size_t line, const anatomy::Person& person) const;
+  std::vector<heart::NormalRange> normals(std::size_t line, const anatomy::Person& person) const;
   /// How the walls of the first view's heart move over the cycle; none for other organs, and while the cycle
   /// is being measured.
-  std::optional<sequences::WallMotion> wall() const;
+  std::optional<heart::WallMotion> wall() const;
   /// Measures the volumes now.
   void refresh();
   void update();
@@ -107,8 +107,8 @@ private:
   struct Side {
     Workspace* workspace = nullptr;
     Playback* playback = nullptr;
-    std::optional<motion::MotionCause> cause;  ///< The cause of the present or pending measurement.
-    std::optional<motion::CycleCurves> curves; ///< None while it is being measured.
+    std::optional<live::MotionCause> cause;  ///< The cause of the present or pending measurement.
+    std::optional<live::CycleCurves> curves; ///< None while it is being measured.
     std::vector<Subscription> subscriptions = {};
     int ticket = 0; ///< Number of the newest measurement; results of older ones are ignored.
   };
@@ -130,8 +130,8 @@ private:
   std::array<Side, 2> sides_;
   int cycles_ = 0;
   std::vector<Line> lines_;
-  motion::VolumeRecord record_;
-  motion::VolumeRecord drags_;
+  sequences::VolumeRecord record_;
+  sequences::VolumeRecord drags_;
   QPointer<const MeasuredMotion> measured_;
   QElapsedTimer sinceDragged_; ///< Time since the last row of the present drag.
   bool dragging_ = false;

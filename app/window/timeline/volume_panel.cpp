@@ -14,7 +14,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "viscera/motion/clinical_numbers.h"
+#include "viscera/heart/clinical_numbers.h"
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/timeline/chart_cursor.h"
@@ -35,9 +35,9 @@ constexpr int kTileGap = 8; ///< Between two columns.
 constexpr int kLineSwatch = 10;
 constexpr int kVolumeChartHeight = 160; ///< Above a table.
 
-using Quantity = motion::NormalRange::Quantity;
+using Quantity = heart::NormalRange::Quantity;
 
-bool inMilliliters(const motion::NormalRange& range) {
+bool inMilliliters(const heart::NormalRange& range) {
   return range.quantity != Quantity::ejectionPercent;
 }
 
@@ -47,7 +47,7 @@ QIcon swatch(const Vec3& color) {
   return pixmap;
 }
 
-QString rangeText(const motion::NormalRange& range) {
+QString rangeText(const heart::NormalRange& range) {
   return QStringLiteral("%1\u2013%2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
 }
 
@@ -57,7 +57,7 @@ QString shortSource(const QString& source) {
 }
 
 /// Short enough to stand in the chart.
-QString shortName(const motion::NormalRange& range) {
+QString shortName(const heart::NormalRange& range) {
   switch (range.quantity) {
   case Quantity::endDiastolicMl:
     return VolumePanel::tr("normal at the end of diastole");
@@ -217,7 +217,7 @@ void VolumePanel::rebuild() {
   chart_->setLines(lines);
   charted_ = 0;
   const auto hasNormals = [](const VolumeMonitor::Line& line) {
-    return !motion::normalRanges(line.label).empty();
+    return !heart::normalRanges(line.label).empty();
   };
   const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
@@ -264,7 +264,7 @@ void VolumePanel::setMeasured(MeasuredMotion& measured, QWidget* table) {
 
 /// The table belongs to the sequence: it is there where that is looked at, also at rest, as after an undo.
 void VolumePanel::syncMeasured() {
-  const bool wanted = measured_->present() && playback_.wantedPose() == motion::WantedPose::sequence;
+  const bool wanted = measured_->present() && playback_.wantedPose() == live::WantedPose::sequence;
   if (wanted == !table_->isHidden())
     return;
   table_->setVisible(wanted);
@@ -346,7 +346,7 @@ void VolumePanel::syncNormals() {
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const motion::NormalRange& range : monitor_.normals(line, person_))
+      for (const heart::NormalRange& range : monitor_.normals(line, person_))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -366,7 +366,7 @@ QStringList VolumePanel::normalsForms() const {
   const VolumeMonitor::Line& line = monitor_.lines()[normalsOf_];
   QStringList parts;
   QString from, source;
-  for (const motion::NormalRange& range : monitor_.normals(normalsOf_, person_)) {
+  for (const heart::NormalRange& range : monitor_.normals(normalsOf_, person_)) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
@@ -396,7 +396,7 @@ QString VolumePanel::detailOf(std::size_t line) const {
 
 /// Sets the contents of the chart: one cycle, the sequence as played, or the drags. Other contents begin with
 /// an empty chart.
-void VolumePanel::take(const motion::VolumeRecord* record) {
+void VolumePanel::take(const sequences::VolumeRecord* record) {
   if (std::exchange(shown_, record) == record)
     return;
   chart_->clear();
@@ -484,7 +484,7 @@ void VolumePanel::drawCycle() {
 
 void VolumePanel::drawRecord() {
   const bool drags = dragsShown();
-  const motion::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
+  const sequences::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
   take(&record);
   chart_->setAxes((drags ? tr("Time while dragging") : tr("Time")).toStdString(), "s",
                   tr("Volume").toStdString(), "ml");

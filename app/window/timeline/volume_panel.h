@@ -77,7 +77,7 @@ private:
   bool cycleDrawn() const { return cycleShown_ && !dragsShown(); }
   /// Whether the chart shows the last drags, because no sequence is shown.
   bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
-  void take(const motion::VolumeRecord* record);
+  void take(const sequences::VolumeRecord* record);
   void draw();
   void drawCycle();
   void drawRecord();
@@ -105,10 +105,10 @@ private:
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
-  const motion::VolumeRecord* shown_ = nullptr; ///< The record in the chart; null: one cycle.
-  int drawnCycles_ = -1;                        ///< Value of the monitor's `cycles` when the chart was drawn.
-  std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
-  bool normalsBeat_ = false;                    ///< Whether that line had a beat when they were drawn.
+  const sequences::VolumeRecord* shown_ = nullptr; ///< The record in the chart; null: one cycle.
+  int drawnCycles_ = -1;       ///< Value of the monitor's `cycles` when the chart was drawn.
+  std::size_t normalsOf_ = 0;  ///< The line whose normal ranges are drawn.
+  bool normalsBeat_ = false;   ///< Whether that line had a beat when they were drawn.
   std::size_t prescribed_ = 0; ///< The line whose prescribed volume is drawn; behind the last one: none.
   /// A line of measured volumes in the chart.
   struct Dots {

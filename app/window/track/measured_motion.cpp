@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/motion/measured_record.h"
-#include "viscera/motion/sequence_file.h"
+#include "viscera/live/measured_record.h"
+#include "viscera/live/sequence_file.h"
 #include "viscera/scene/color_map.h"
 #include "window/heart_look.h"
 #include "window/language.h"
@@ -25,7 +25,7 @@ constexpr double kLeastReach = 0.5; ///< Of the colours, mm.
 constexpr int kSaidSeconds = 12;
 
 /// The surfaces on their way into the document: cavities within the outer one.
-std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
+std::vector<document::NewOrgan> organsOf(const live::PatientMotion& motion) {
   const auto& surfaces = motion.sequence.organs;
   std::vector<document::NewOrgan> organs;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -41,11 +41,11 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
 
 /// The verdict on the worst phase of a motion, and the mean distance of its surfaces.
 QString summaryOf(const MeasuredMotion::Found& found) {
-  const motion::PatientMotion& motion = *found.motion;
+  const live::PatientMotion& motion = *found.motion;
   QStringList parts;
   for (std::size_t i = 0; i < motion.sequence.organs.size(); ++i) {
     double mean = 0;
-    for (const motion::TrackedPhase& phase : motion.phases)
+    for (const live::TrackedPhase& phase : motion.phases)
       mean += phase.quality.surfaces[i].meanMm / static_cast<double>(motion.phases.size());
     parts.push_back(
         MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
@@ -86,7 +86,7 @@ void MeasuredMotion::cancel() {
   workspace_.jobs().cancelSlot(kTrackSlot);
 }
 
-void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::TrackOptions& options) {
+void MeasuredMotion::find(const live::SeriesRequest& request, const live::TrackOptions& options) {
   struct Result {
     Found found;
     std::vector<document::NewOrgan> organs;
@@ -94,12 +94,11 @@ void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::Tr
   auto work = [request, options](Progress& progress) {
     Result result{{request, options, {}, {}}, {}};
     runPart(progress, 0, 0.15, [&](Progress& part) {
-      result.found.series =
-          std::make_shared<const motion::MotionSeries>(motion::readMotionSeries(request, part));
+      result.found.series = std::make_shared<const live::MotionSeries>(live::readMotionSeries(request, part));
     });
     runPart(progress, 0.15, 1, [&](Progress& part) {
-      result.found.motion = std::make_shared<const motion::PatientMotion>(
-          motion::trackMotion(*result.found.series, options, part));
+      result.found.motion =
+          std::make_shared<const live::PatientMotion>(live::trackMotion(*result.found.series, options, part));
     });
     result.organs = organsOf(*result.found.motion);
     return result;
@@ -128,18 +127,18 @@ void MeasuredMotion::know(const Found& found) {
 std::string MeasuredMotion::record() const {
   if (!present_)
     return {};
-  motion::MeasuredRecord record{{}, {}, *present_->motion};
+  live::MeasuredRecord record{{}, {}, *present_->motion};
   record.series.names = present_->series->names;
   record.series.times = present_->series->times;
-  for (const motion::SequenceOrgan& surface : present_->motion->sequence.organs)
+  for (const live::SequenceOrgan& surface : present_->motion->sequence.organs)
     for (const auto& organ : workspace_.document().organs())
       if (organ->mesh == surface.mesh)
         record.organs.push_back(organ->id);
-  return motion::toJson(record);
+  return live::toJson(record);
 }
 
 void MeasuredMotion::recall(const std::string& text) {
-  motion::MeasuredRecord record = motion::measuredRecordFrom(text);
+  live::MeasuredRecord record = live::measuredRecordFrom(text);
   for (std::size_t i = 0; i < record.organs.size(); ++i) {
     const auto organ = workspace_.document().organ(record.organs[i]);
     if (!organ)
@@ -148,8 +147,8 @@ void MeasuredMotion::recall(const std::string& text) {
   }
   know({{},
         {},
-        std::make_shared<const motion::MotionSeries>(std::move(record.series)),
-        std::make_shared<const motion::PatientMotion>(std::move(record.motion))});
+        std::make_shared<const live::MotionSeries>(std::move(record.series)),
+        std::make_shared<const live::PatientMotion>(std::move(record.motion))});
   sync();
 }
 
@@ -175,7 +174,7 @@ void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrg
       undo.perform(document::removeAllOrgans());
     undo.perform(document::replaceRig({}));
     undo.perform(document::addOrgans(organs));
-    undo.perform(motion::openSequence(found.motion->sequence));
+    undo.perform(live::openSequence(found.motion->sequence));
     step.finish();
   });
   sync();
@@ -189,10 +188,10 @@ void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrg
 
 /// Shows a message with the result, doubts about it, and offers. It ends with the organs of the motion.
 void MeasuredMotion::say(const Found& found) {
-  const motion::PatientMotion& motion = *found.motion;
+  const live::PatientMotion& motion = *found.motion;
   Message message{Message::Severity::info, summaryOf(found), {}, kSaidSeconds};
   const auto doubtful =
-      std::count_if(motion.phases.begin(), motion.phases.end(), [](const motion::TrackedPhase& phase) {
+      std::count_if(motion.phases.begin(), motion.phases.end(), [](const live::TrackedPhase& phase) {
         return phase.verdict.light != tracking::FitLight::good;
       });
   if (doubtful > 0) {
@@ -202,7 +201,7 @@ void MeasuredMotion::say(const Found& found) {
                                           static_cast<int>(doubtful));
   }
   if (!motion.outliers.empty()) {
-    motion::SeriesRequest fewer = found.request;
+    live::SeriesRequest fewer = found.request;
     QStringList numbers;
     for (const std::size_t phase : motion.outliers) {
       const std::size_t number = numberInSeries(phase, found.request.leftOut);
@@ -250,7 +249,7 @@ void MeasuredMotion::sync() {
   const auto& organs = workspace_.document().organs();
   const auto isThere = [&](const Found& found) {
     const auto& surfaces = found.motion->sequence.organs;
-    return std::all_of(surfaces.begin(), surfaces.end(), [&](const motion::SequenceOrgan& surface) {
+    return std::all_of(surfaces.begin(), surfaces.end(), [&](const live::SequenceOrgan& surface) {
       return std::any_of(organs.begin(), organs.end(),
                          [&](const auto& organ) { return organ->mesh == surface.mesh; });
     });
@@ -333,45 +332,45 @@ void MeasuredMotion::clearView() {
 }
 
 /// Of label maps a worker makes it, and the picture follows when it is there.
-const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
+const live::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
   if (phases_[phase])
     return phases_[phase].get();
   const auto series = present_->series;
   if (series->masks.empty()) {
-    phases_[phase] = std::make_unique<motion::MeasuredPhase>();
+    phases_[phase] = std::make_unique<live::MeasuredPhase>();
     workspace_.guarded([&] {
       Progress progress;
-      *phases_[phase] = motion::measuredPhase(*series, phase, progress);
+      *phases_[phase] = live::measuredPhase(*series, phase, progress);
     });
     return phases_[phase].get();
   }
   if (making_)
     return nullptr;
   making_ = true;
-  workspace_.jobs().submit<motion::MeasuredPhase>(
+  workspace_.jobs().submit<live::MeasuredPhase>(
       tr("Surface of phase %1").arg(phase + 1).toStdString(), kPhaseSlot,
-      [series, phase](Progress& progress) { return motion::measuredPhase(*series, phase, progress); },
-      [this, series, phase](JobResult<motion::MeasuredPhase> result) {
+      [series, phase](Progress& progress) { return live::measuredPhase(*series, phase, progress); },
+      [this, series, phase](JobResult<live::MeasuredPhase> result) {
         making_ = false;
         if (present_ && present_->series == series && !result.cancelled()) {
           if (result.error && !std::exchange(reported_, true))
             workspace_.report(*result.error);
           // Stores an empty phase after an error, so that it is not computed again.
-          phases_[phase] = std::make_unique<motion::MeasuredPhase>(result.value ? std::move(*result.value)
-                                                                                : motion::MeasuredPhase());
+          phases_[phase] = std::make_unique<live::MeasuredPhase>(result.value ? std::move(*result.value)
+                                                                              : live::MeasuredPhase());
         }
         followSoon();
       });
   return nullptr;
 }
 
-presentation::SurfaceMap MeasuredMotion::distanceMap(const motion::MeasuredPhase& measured) const {
+presentation::SurfaceMap MeasuredMotion::distanceMap(const live::MeasuredPhase& measured) const {
   presentation::SurfaceMap map;
   map.colors = scene::viridis();
   map.title = tr("Distance from the measured surface").toStdString();
   map.unit = "mm";
   double reach = kLeastReach; // The same in all phases, so that a colour means the same.
-  for (const motion::TrackedPhase& phase : present_->motion->phases)
+  for (const live::TrackedPhase& phase : present_->motion->phases)
     reach = std::max(reach, std::ceil(2 * phase.quality.p95Mm) / 2);
   map.range = {0, reach};
   for (const auto& organ : workspace_.document().organs()) {
@@ -387,7 +386,7 @@ void MeasuredMotion::follow() {
   if (!surfacesKnown() || !playback_.showing() || (!ghost_ && !distances_))
     return clearView();
   const std::size_t phase = phaseNow();
-  const motion::MeasuredPhase* shown = measured(phase);
+  const live::MeasuredPhase* shown = measured(phase);
   if (!shown)
     return; // What was drawn stays until it is there.
   if (shown->surfaces.empty())

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "viscera/document/organ_commands.h"
-#include "viscera/motion/motion_series.h"
-#include "viscera/motion/patient_motion.h"
+#include "viscera/live/motion_series.h"
+#include "viscera/live/patient_motion.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
@@ -26,10 +26,10 @@ class MeasuredMotion final : public QObject {
 public:
   /// A tracked motion, with the series and the options from which it was found.
   struct Found {
-    motion::SeriesRequest request;
-    motion::TrackOptions options;
-    std::shared_ptr<const motion::MotionSeries> series;
-    std::shared_ptr<const motion::PatientMotion> motion;
+    live::SeriesRequest request;
+    live::TrackOptions options;
+    std::shared_ptr<const live::MotionSeries> series;
+    std::shared_ptr<const live::PatientMotion> motion;
   };
 
   MeasuredMotion(Workspace& workspace, Playback& playback, Picture& picture, QObject* parent = nullptr);
@@ -37,7 +37,7 @@ public:
 
   /// Begins to track the motion of a series on a worker, and cancels a search under way. `ended` is emitted
   /// with the outcome.
-  void find(const motion::SeriesRequest& request, const motion::TrackOptions& options);
+  void find(const live::SeriesRequest& request, const live::TrackOptions& options);
   void cancel();
 
   /// The motion whose organs are in the document; null without one.
@@ -85,16 +85,16 @@ private:
   void followSoon();
   void follow();
   void clearView();
-  const motion::MeasuredPhase* measured(std::size_t phase);
-  presentation::SurfaceMap distanceMap(const motion::MeasuredPhase& measured) const;
+  const live::MeasuredPhase* measured(std::size_t phase);
+  presentation::SurfaceMap distanceMap(const live::MeasuredPhase& measured) const;
 
   Workspace& workspace_;
   Playback& playback_;
   Picture& picture_;
   std::vector<Found> known_; ///< The latest is last; undo may make an earlier one present again.
   const Found* present_ = nullptr;
-  std::vector<std::unique_ptr<motion::MeasuredPhase>> phases_; ///< Phases of the present motion; null: not
-                                                               ///< requested.
+  std::vector<std::unique_ptr<live::MeasuredPhase>> phases_; ///< Phases of the present motion; null: not
+                                                             ///< requested.
   QString said_; ///< The message with the present motion's result.
   int searches_ = 0;
   bool making_ = false;   ///< A worker computes a measured phase.

@@ -39,11 +39,11 @@ constexpr int kFewestTrackedHandles = 12, kMostTrackedHandles = 1000;
 constexpr double kMostRobustMm = 20;
 constexpr int kDialogWidth = 500;
 
-QString partName(motion::SeriesPart part, bool labels) {
+QString partName(live::SeriesPart part, bool labels) {
   switch (part) {
-  case motion::SeriesPart::cavity:
+  case live::SeriesPart::cavity:
     return MotionDialog::tr("Cavity");
-  case motion::SeriesPart::tissue:
+  case live::SeriesPart::tissue:
     return labels ? MotionDialog::tr("Tissue around cavities") : MotionDialog::tr("Use");
   default:
     return MotionDialog::tr("Leave out");
@@ -209,10 +209,10 @@ void MotionDialog::look(const QStringList& files) {
   fillItems();
   say({}, false);
   sync();
-  workspace_.jobs().submit<motion::SeriesContents>(
+  workspace_.jobs().submit<live::SeriesContents>(
       tr("Reading the series").toStdString(), kLookSlot,
-      [paths](Progress& progress) { return motion::lookIntoSeries(paths, progress); },
-      [this, self = QPointer<MotionDialog>(this)](JobResult<motion::SeriesContents> result) {
+      [paths](Progress& progress) { return live::lookIntoSeries(paths, progress); },
+      [this, self = QPointer<MotionDialog>(this)](JobResult<live::SeriesContents> result) {
         if (!self)
           return;
         looking_ = false;
@@ -226,7 +226,7 @@ void MotionDialog::look(const QStringList& files) {
       });
 }
 
-void MotionDialog::take(const motion::SeriesContents& contents) {
+void MotionDialog::take(const live::SeriesContents& contents) {
   contents_ = contents;
   if (contents.periodSeconds)
     period_->setValue(kMsPerSecond * *contents.periodSeconds);
@@ -244,7 +244,7 @@ void MotionDialog::fillItems() {
   items_->setHorizontalHeaderLabels({contents_.labels ? tr("Label") : tr("Surface"), tr("Role")});
   items_->setRowCount(static_cast<int>(contents_.items.size()));
   for (int row = 0; row < items_->rowCount(); ++row) {
-    motion::SeriesItem& item = contents_.items[static_cast<std::size_t>(row)];
+    live::SeriesItem& item = contents_.items[static_cast<std::size_t>(row)];
     auto* name = new QTableWidgetItem(text(item.name));
     name->setFlags(contents_.labels ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::ItemIsEnabled);
     name->setToolTip(contents_.labels
@@ -253,14 +253,14 @@ void MotionDialog::fillItems() {
     items_->setItem(row, kItemName, name);
     auto* part = new QComboBox(items_);
     if (contents_.labels)
-      part->addItem(partName(motion::SeriesPart::cavity, true), int(motion::SeriesPart::cavity));
-    part->addItem(partName(motion::SeriesPart::tissue, contents_.labels), int(motion::SeriesPart::tissue));
-    part->addItem(partName(motion::SeriesPart::unused, contents_.labels), int(motion::SeriesPart::unused));
+      part->addItem(partName(live::SeriesPart::cavity, true), int(live::SeriesPart::cavity));
+    part->addItem(partName(live::SeriesPart::tissue, contents_.labels), int(live::SeriesPart::tissue));
+    part->addItem(partName(live::SeriesPart::unused, contents_.labels), int(live::SeriesPart::unused));
     part->setCurrentIndex(part->findData(int(item.part)));
     part->setAccessibleName(tr("Role of %1").arg(text(item.name)));
     connect(part, QOverload<int>::of(&QComboBox::activated), this, [this, row, part] {
       contents_.items[static_cast<std::size_t>(row)].part =
-          static_cast<motion::SeriesPart>(part->currentData().toInt());
+          static_cast<live::SeriesPart>(part->currentData().toInt());
     });
     items_->setCellWidget(row, kItemPart, part);
   }
@@ -300,15 +300,15 @@ QString MotionDialog::missing() const {
   return period_->value() > 0 ? QString() : tr("Enter the duration of one cycle first");
 }
 
-motion::SeriesRequest MotionDialog::request() const {
-  motion::SeriesRequest request;
+live::SeriesRequest MotionDialog::request() const {
+  live::SeriesRequest request;
   for (const QString& file : files_)
     request.inputs.emplace_back(file.toStdString());
   const bool heart = std::any_of(contents_.items.begin(), contents_.items.end(), [](const auto& item) {
-    return item.part == motion::SeriesPart::cavity && anatomy::chamberNamed(item.name);
+    return item.part == live::SeriesPart::cavity && anatomy::chamberNamed(item.name);
   });
   request.surfaces =
-      motion::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());
+      live::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());
   // The files' own times are kept as long as the period is theirs.
   const double seconds = period_->value() / kMsPerSecond;
   if (!contents_.periodSeconds ||
@@ -327,8 +327,8 @@ motion::SeriesRequest MotionDialog::request() const {
   return request;
 }
 
-motion::TrackOptions MotionDialog::options() const {
-  motion::TrackOptions options;
+live::TrackOptions MotionDialog::options() const {
+  live::TrackOptions options;
   options.rig.handles = handles_->value() < kFewestTrackedHandles ? 0 : handles_->value();
   options.keepVolumes = keepVolumes_->isChecked();
   options.robustMm = robust_->value();
@@ -339,7 +339,7 @@ void MotionDialog::start() {
   if (!start_->isEnabled())
     return;
   try {
-    const motion::SeriesRequest asked = request();
+    const live::SeriesRequest asked = request();
     finding_ = true;
     say({}, false);
     sync();

@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "viscera/motion/series_contents.h"
+#include "viscera/live/series_contents.h"
 #include "window/settings.h"
 #include "window/track/measured_motion.h"
 
@@ -43,21 +43,21 @@ private:
   QWidget* makeMore();
   void chooseFolder();
   void chooseFiles();
-  void take(const motion::SeriesContents& contents);
+  void take(const live::SeriesContents& contents);
   void fillItems();
   void onEnded(const QString& refusal);
   void say(const QString& what, bool refused);
   void sync();
   QString missing() const;
   /// The request from the input of the dialog. Throws `UsageError`.
-  motion::SeriesRequest request() const;
-  motion::TrackOptions options() const;
+  live::SeriesRequest request() const;
+  live::TrackOptions options() const;
 
   Workspace& workspace_;
   MeasuredMotion& measured_;
   Settings& settings_;
   QStringList files_;
-  motion::SeriesContents contents_;
+  live::SeriesContents contents_;
   bool looking_ = false;
   bool finding_ = false;
   QLabel* what_ = nullptr;

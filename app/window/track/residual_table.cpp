@@ -45,18 +45,18 @@ struct Compared {
   const char* unit;
   int digits;
   double scale;
-  double motion::CardiacIndices::*value;
+  double heart::CardiacIndices::*value;
 };
 const Compared kCompareds[] = {{QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "largest volume"), "ml", 1,
-                                1, &motion::CardiacIndices::endDiastolicMl},
+                                1, &heart::CardiacIndices::endDiastolicMl},
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "smallest volume"), "ml", 1,
-                                1, &motion::CardiacIndices::endSystolicMl},
+                                1, &heart::CardiacIndices::endSystolicMl},
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "stroke volume"), "ml", 1, 1,
-                                &motion::CardiacIndices::strokeVolumeMl},
+                                &heart::CardiacIndices::strokeVolumeMl},
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "ejection fraction"), "%", 1,
-                                kPercent, &motion::CardiacIndices::ejectionFraction},
+                                kPercent, &heart::CardiacIndices::ejectionFraction},
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "cardiac output"), "l/min",
-                                2, 1, &motion::CardiacIndices::cardiacOutputLPerMinute}};
+                                2, 1, &heart::CardiacIndices::cardiacOutputLPerMinute}};
 
 /// Sets the properties that both tables have in common.
 void makePlain(QTableWidget& table) {
@@ -195,7 +195,7 @@ void ResidualTable::fill() {
   summary_->clear();
   if (!found)
     return;
-  const motion::PatientMotion& motion = *found->motion;
+  const live::PatientMotion& motion = *found->motion;
   fillDifferences();
   stack_->setCurrentWidget(surface() == kCompared ? differences_ : table_);
   const bool one = surface() >= 0;
@@ -234,7 +234,7 @@ void ResidualTable::syncSwitches() {
             : tip);
 }
 
-void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
+void ResidualTable::fillRow(int row, const live::TrackedPhase& phase) {
   const tracking::PhaseQuality& all = phase.quality;
   tracking::SurfaceQuality own{all.meanMm, all.p95Mm, all.maxMm, 0, 0, 0, all.dice, 0};
   if (surface() >= 0)

@@ -33,7 +33,7 @@ private:
   void rebuild();
   void fill();
   void syncSwitches();
-  void fillRow(int row, const motion::TrackedPhase& phase);
+  void fillRow(int row, const live::TrackedPhase& phase);
   void fillDifferences();
   void markPhase();
   /// The surface that is shown; -1: all together; -2: the differences from the series before.

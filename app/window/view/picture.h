@@ -59,7 +59,7 @@ public:
   bool stressLegend() const { return stressLegend_; }
   /// A function that returns the valves of the beating heart, called whenever the picture is brought up to
   /// date.
-  using Valves = std::function<std::optional<sequences::ValveInstants>()>;
+  using Valves = std::function<std::optional<heart::ValveInstants>()>;
   void setValves(Valves valves);
   /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, warped
   /// slices.

@@ -42,12 +42,12 @@ QString headingOf(int kind) {
 
 } // namespace
 
-SystemCombo::SystemCombo(const plugin::Registry& registry, QWidget* parent) : QComboBox(parent) {
+SystemCombo::SystemCombo(const coordinates::Registry& registry, QWidget* parent) : QComboBox(parent) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* model = new QStandardItemModel(this);
   for (int kind = 0; kind < kKinds; ++kind) {
     bool first = true;
-    for (const plugin::Registry::Entry& entry : registry.list()) {
+    for (const coordinates::Registry::Entry& entry : registry.list()) {
       if (kindOf(entry.system->traits()) != kind)
         continue;
       if (std::exchange(first, false)) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "viscera/plugin/registry.h"
+#include "viscera/coordinates/registry.h"
 
 namespace viscera::app {
 
@@ -15,7 +15,7 @@ class SystemCombo final : public QComboBox {
   Q_OBJECT
 
 public:
-  explicit SystemCombo(const plugin::Registry& registry, QWidget* parent = nullptr);
+  explicit SystemCombo(const coordinates::Registry& registry, QWidget* parent = nullptr);
 
   /// The id at a place; empty for a heading.
   std::string systemAt(int index) const;

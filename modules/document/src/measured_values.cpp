@@ -13,7 +13,7 @@ namespace {
 constexpr double kDegreesPerRadian = 180 / M_PI;
 
 /// The mean, or NaN where nothing was measured.
-double meanOf(const std::optional<slices::RegionStatistics>& region) {
+double meanOf(const std::optional<medical_io::RegionStatistics>& region) {
   return region && region->count > 0 ? region->mean : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -30,8 +30,8 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
   return place;
 }
 
-std::optional<slices::RegionStatistics> RegionMemory::of(const Measurement& measurement,
-                                                         const DocumentState& state) {
+std::optional<medical_io::RegionStatistics> RegionMemory::of(const Measurement& measurement,
+                                                             const DocumentState& state) {
   const auto region = regionOf(measurement);
   if (!region || !state.scan)
     return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<slices::RegionStatistics> RegionMemory::of(const Measurement& meas
     if (renamed == measurement)
       return known->second.statistics;
   }
-  const slices::RegionStatistics statistics = slices::statisticsOf(*state.scan->scan, *region);
+  const medical_io::RegionStatistics statistics = medical_io::statisticsOf(*state.scan->scan, *region);
   kept_[measurement.id] = {measurement, state.scan->scan, statistics};
   return statistics;
 }
@@ -75,15 +75,15 @@ MeasuredValues measure(const Measurement& measurement, const DocumentState& stat
   return values;
 }
 
-std::optional<slices::Region> regionOf(const Measurement& measurement) {
+std::optional<medical_io::Region> regionOf(const Measurement& measurement) {
   if (!isRegion(measurement.kind))
     return std::nullopt;
   const Vec3 first = measurement.points.at(0).rest, second = measurement.points.at(1).rest;
   if (measurement.kind == MeasurementKind::sphere)
-    return slices::SphereRegion{first, (second - first).norm()};
+    return medical_io::SphereRegion{first, (second - first).norm()};
   const Eigen::Index along = (measurement.axis + 1) % 3, across = (measurement.axis + 2) % 3;
-  return slices::RectangleRegion{first, (second - first)[along] * Vec3::Unit(along),
-                                 (second - first)[across] * Vec3::Unit(across)};
+  return medical_io::RectangleRegion{first, (second - first)[along] * Vec3::Unit(along),
+                                     (second - first)[across] * Vec3::Unit(across)};
 }
 
 std::string unitOf(const Measurement& measurement, const DocumentState& state) {

@@ -8,7 +8,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/validate.h"
-#include "viscera/slices/slice_frame.h"
+#include "viscera/medical_io/slice_frame.h"
 
 namespace viscera::document {
 namespace {
@@ -104,7 +104,7 @@ ordered_json keySequenceJson(const KeySequence& keySequence) {
 namespace {
 
 std::string sliceOf(int axis) {
-  for (const slices::SliceDirection& direction : slices::sliceDirections())
+  for (const medical_io::SliceDirection& direction : medical_io::sliceDirections())
     if (direction.axis == axis)
       return direction.id;
   return {};
@@ -380,7 +380,7 @@ void SessionReader::readMeasurementKind(const ordered_json& item, const std::str
   if (measurement.kind != MeasurementKind::rectangle)
     return;
   try {
-    measurement.axis = slices::sliceDirection(textOf(item, "slice", place)).axis;
+    measurement.axis = medical_io::sliceDirection(textOf(item, "slice", place)).axis;
   } catch (const UsageError& error) {
     fail(error.problem(), place + ".slice");
   }

@@ -66,10 +66,10 @@ void writeRegion(std::ostream& out, const MeasurementRow& row) {
     out << (region && known ? ",,,,0" : ",,,,");
   out << ',';
   if (region && row.measurement.kind == MeasurementKind::rectangle)
-    out << std::get<slices::RectangleRegion>(*region).areaMm2();
+    out << std::get<medical_io::RectangleRegion>(*region).areaMm2();
   out << ',';
   if (region && row.measurement.kind == MeasurementKind::sphere)
-    out << std::get<slices::SphereRegion>(*region).volumeMl();
+    out << std::get<medical_io::SphereRegion>(*region).volumeMl();
 }
 
 void writeRow(std::ostream& out, const MeasurementRow& row) {

@@ -51,7 +51,7 @@ bool usesGivenCage(const BindingTarget& target) {
   return needsCage(target) && target.handles.cage.rows() > 0;
 }
 
-BindingTarget makeTarget(const document::DocumentState& state, const plugin::Registry& registry) {
+BindingTarget makeTarget(const document::DocumentState& state, const coordinates::Registry& registry) {
   BindingTarget target;
   target.parameters = state.system->parameters;
   target.handles = document::handleSet(*state.rig);

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/pose_together.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/plugin/registry.h"
 
 /// Binds one organ of a document to its handles and poses it, for `LiveBinding`.
 namespace viscera::live {
@@ -27,7 +27,7 @@ struct BindingTarget {
   std::vector<document::HandleId> ids; ///< Of the rows of `handles.positions`.
 };
 
-BindingTarget makeTarget(const document::DocumentState& state, const plugin::Registry& registry);
+BindingTarget makeTarget(const document::DocumentState& state, const coordinates::Registry& registry);
 
 /// Whether bindings to both are equal. Groups and cages only count if the system uses them.
 bool sameBinding(const BindingTarget& a, const BindingTarget& b);

@@ -25,14 +25,14 @@ enum class Shown { document, rest, given };
 } // namespace
 
 struct LiveBinding::Impl : BoundOrgans {
-  Impl(document::Document& documentIn, const plugin::Registry& registryIn, JobQueue& jobsIn,
+  Impl(document::Document& documentIn, const coordinates::Registry& registryIn, JobQueue& jobsIn,
        Options optionsIn)
       : document(documentIn), registry(registryIn), jobs(jobsIn), options(optionsIn) {
     threads = options.threads;
   }
 
   document::Document& document;
-  const plugin::Registry& registry;
+  const coordinates::Registry& registry;
   JobQueue& jobs;
   Options options;
   std::map<std::string, double> secondsOfSystem; ///< Measured, per (vertex x handle).
@@ -238,7 +238,7 @@ void LiveBinding::Impl::show() {
   tellShown(true);
 }
 
-LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
+LiveBinding::LiveBinding(document::Document& document, const coordinates::Registry& registry, JobQueue& jobs,
                          Options options)
     : impl_(std::make_unique<Impl>(document, registry, jobs, options)) {
   impl_->matchTarget();
@@ -251,7 +251,7 @@ LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& r
       document.onDerive([this](const document::Change& change) { impl_->onChange(change); });
 }
 
-LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs)
+LiveBinding::LiveBinding(document::Document& document, const coordinates::Registry& registry, JobQueue& jobs)
     : LiveBinding(document, registry, jobs, Options{}) {}
 
 LiveBinding::~LiveBinding() {

@@ -55,13 +55,13 @@ BoundWitnesses bindTo(const BindingTarget& target, const Points& points, Threads
 } // namespace
 
 struct LiveStress::Impl {
-  Impl(document::Document& documentIn, const plugin::Registry& registryIn, LiveBinding& liveIn,
+  Impl(document::Document& documentIn, const coordinates::Registry& registryIn, LiveBinding& liveIn,
        JobQueue& jobsIn, Options optionsIn)
       : document(documentIn), registry(registryIn), live(liveIn), jobs(jobsIn),
         options(std::move(optionsIn)) {}
 
   document::Document& document;
-  const plugin::Registry& registry;
+  const coordinates::Registry& registry;
   LiveBinding& live;
   JobQueue& jobs;
   Options options;
@@ -349,7 +349,7 @@ void LiveStress::Impl::tell() {
     document.announce(events.emission(event));
 }
 
-LiveStress::LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+LiveStress::LiveStress(document::Document& document, const coordinates::Registry& registry, LiveBinding& live,
                        JobQueue& jobs, Options options)
     : impl_(std::make_unique<Impl>(document, registry, live, jobs, std::move(options))) {
   impl_->subscriptions.push_back(document.onDerive([this](const document::Change& change) {
@@ -365,7 +365,7 @@ LiveStress::LiveStress(document::Document& document, const plugin::Registry& reg
   }));
 }
 
-LiveStress::LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+LiveStress::LiveStress(document::Document& document, const coordinates::Registry& registry, LiveBinding& live,
                        JobQueue& jobs)
     : LiveStress(document, registry, live, jobs, Options{}) {}
 

@@ -40,7 +40,7 @@ BoundMap bindMap(const BindingTarget& target, const Points& pose, Threads thread
 struct LiveWarp::Impl {
   const document::Document& document;
   LiveBinding& live;
-  const plugin::Registry& registry;
+  const coordinates::Registry& registry;
   JobQueue& jobs;
   Options options;
   Signal<> changed = {};
@@ -123,8 +123,8 @@ void LiveWarp::Impl::take(const JobResult<BoundMap>& result) {
   changed.emit();
 }
 
-LiveWarp::LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
-                   JobQueue& jobs, Options options)
+LiveWarp::LiveWarp(const document::Document& document, LiveBinding& live,
+                   const coordinates::Registry& registry, JobQueue& jobs, Options options)
     : impl_(new Impl{document, live, registry, jobs, options}) {
   impl_->subscription = live.onDerive([this] { impl_->follow(); });
 }

@@ -8,13 +8,13 @@
 
 #include "file_bytes.h"
 #include "label_smoothing.h"
-#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/decimate_surface.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/plausible_size.h"
 #include "voxel_pieces.h"
 
@@ -34,7 +34,7 @@ constexpr double kMostStep = 0.25;
 
 /// The steps between the voxels, in mm LPS, outward.
 TriangleMesh stepsBetween(const VoxelBox& box, const LabelMap& map) {
-  TriangleMesh mesh = contour::contourOf(box.inside, box.size, 0.5);
+  TriangleMesh mesh = contourOf(box.inside, box.size, 0.5);
   const Vec3 low(box.low[0], box.low[1], box.low[2]);
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
     mesh.points.row(v) = (map.indexToLps * (mesh.points.row(v).transpose() + low)).transpose();

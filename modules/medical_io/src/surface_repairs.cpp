@@ -11,7 +11,6 @@
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
 
-#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
@@ -24,6 +23,7 @@
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/plausible_size.h"
 #include "vtk_poly_data.h"
 
@@ -182,7 +182,7 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
   geometry::smoothen(grid, kSmoothingRounds, threads);
   progress.throwIfCancelled();
   const TriangleMesh zeroLevel =
-      withoutCrumbs(contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing));
+      withoutCrumbs(contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing));
   if (zeroLevel.triangles.rows() == 0)
     throw nothingEnclosed(mesh, spacing);
   return smoothAndThin(zeroLevel, options.triangles, progress, threads);
@@ -196,7 +196,7 @@ TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {
   decimation->SetTargetReduction(1 - static_cast<double>(triangles) / double(mesh.triangles.rows()));
   decimation->VolumePreservationOn();
   decimation->Update();
-  return geometry::cleanSurface(contour::meshOf(*decimation->GetOutput())).mesh;
+  return geometry::cleanSurface(meshOf(*decimation->GetOutput())).mesh;
 }
 
 TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, Progress& progress, Threads threads) {

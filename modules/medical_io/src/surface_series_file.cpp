@@ -10,7 +10,7 @@
 namespace viscera::medical_io {
 namespace {
 
-Points pointsOf(const RawSurface& raw, const std::filesystem::path& file) {
+Points pointsIn(const RawSurface& raw, const std::filesystem::path& file) {
   const auto count = static_cast<Eigen::Index>(raw.pointCount());
   Points points = Eigen::Map<const Points>(raw.coordinates.data(), count, 3);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -67,7 +67,7 @@ SurfaceSeriesFile readSurfaceSeries(const std::vector<std::filesystem::path>& fi
       series.differs = i;
     }
     if (i == 0 || series.correspond)
-      series.phases.push_back(pointsOf(raw, files[i]));
+      series.phases.push_back(pointsIn(raw, files[i]));
     if (i == 0) {
       first = std::move(raw);
       series.triangles = trianglesOf(first, series.phases.front(), files[i]);

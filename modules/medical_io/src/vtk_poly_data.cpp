@@ -9,7 +9,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
-#include "viscera/contour/contour.h"
+#include "viscera/medical_io/contour.h"
 
 namespace viscera::medical_io {
 
@@ -49,7 +49,7 @@ geometry::TriangleMesh smoothSurface(const geometry::TriangleMesh& mesh, int ite
   filter->FeatureEdgeSmoothingOff();
   filter->NonManifoldSmoothingOn();
   filter->Update();
-  return contour::meshOf(*filter->GetOutput());
+  return meshOf(*filter->GetOutput());
 }
 
 } // namespace viscera::medical_io

@@ -108,7 +108,7 @@ std::string objection(const QJsonObject& metaData, const PluginManifest& manifes
 }
 
 /// Adds the systems of the plugin; if one is refused, the others are still added.
-void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, PluginReport& report) {
+void addSystems(const CoordinateSystemPlugin& plugin, coordinates::Registry& registry, PluginReport& report) {
   for (const auto& system : plugin.systems()) {
     try {
       const std::string file = report.file.string();
@@ -123,7 +123,7 @@ void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, Plugin
   }
 }
 
-PluginReport loadOne(const fs::path& file, Registry& registry) {
+PluginReport loadOne(const fs::path& file, coordinates::Registry& registry) {
   PluginReport report;
   report.file = file;
   try {
@@ -178,7 +178,8 @@ std::vector<fs::path> pluginSearchPath(const std::vector<fs::path>& given, const
   return path;
 }
 
-std::vector<PluginReport> loadPlugins(const std::vector<fs::path>& searchPath, Registry& registry) {
+std::vector<PluginReport> loadPlugins(const std::vector<fs::path>& searchPath,
+                                      coordinates::Registry& registry) {
   std::vector<PluginReport> reports;
   for (const auto& place : searchPath) {
     std::error_code ignored;

@@ -391,8 +391,9 @@ std::string describeSpread(const document::Measurement& measurement, const docum
   const auto region = document::regionOf(measurement);
   if (!region || !values.region || values.region->count == 0)
     return {};
-  const auto* rectangle = std::get_if<slices::RectangleRegion>(&*region);
-  const double size = rectangle ? rectangle->areaMm2() : std::get<slices::SphereRegion>(*region).volumeMl();
+  const auto* rectangle = std::get_if<medical_io::RectangleRegion>(&*region);
+  const double size =
+      rectangle ? rectangle->areaMm2() : std::get<medical_io::SphereRegion>(*region).volumeMl();
   const auto number = [decimalMark](const char* format, double value) {
     char text[32];
     std::snprintf(text, sizeof text, format, value);

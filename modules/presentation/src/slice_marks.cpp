@@ -25,7 +25,7 @@ const Vec3 kDark(0.08, 0.08, 0.08);
 /// Everything that one slice's marks are made with.
 struct Sheet {
   const SliceScene& scene;
-  const slices::SliceFrame& frame;
+  const medical_io::SliceFrame& frame;
   int axis;
   scene::SlicePicture& picture;
   SliceGrips& grips;
@@ -70,7 +70,7 @@ struct Outline {
   Vec3 label = Vec3::Zero();
 };
 
-Outline circleOf(const Sheet& sheet, const slices::SphereRegion& sphere) {
+Outline circleOf(const Sheet& sheet, const medical_io::SphereRegion& sphere) {
   const double height = sheet.height(sphere.center);
   const double square = sphere.radius * sphere.radius - height * height;
   Outline outline;
@@ -196,8 +196,8 @@ void addMeasured(Sheet& sheet, document::RegionMemory& memory, const SliceLangua
 
 } // namespace
 
-SliceGrips addMarks(const SliceScene& scene, const slices::SliceDirection& direction,
-                    const slices::SliceFrame& frame, document::RegionMemory& memory,
+SliceGrips addMarks(const SliceScene& scene, const medical_io::SliceDirection& direction,
+                    const medical_io::SliceFrame& frame, document::RegionMemory& memory,
                     const SliceLanguage& language, scene::SlicePicture& picture) {
   SliceGrips grips;
   Sheet sheet{scene, frame, direction.axis, picture, grips};

@@ -30,7 +30,7 @@ std::string formatted(const char* format, double a, double b) {
   return text;
 }
 
-bool equal(const slices::SliceFrame& a, const slices::SliceFrame& b) {
+bool equal(const medical_io::SliceFrame& a, const medical_io::SliceFrame& b) {
   return a.corner == b.corner && a.right == b.right && a.up == b.up && a.width == b.width &&
          a.height == b.height;
 }
@@ -38,7 +38,7 @@ bool equal(const slices::SliceFrame& a, const slices::SliceFrame& b) {
 /// The inputs with which a slice was sampled.
 struct SampledWith {
   std::shared_ptr<const document::ScanItem> scan;
-  slices::SliceFrame frame;
+  medical_io::SliceFrame frame;
   double slabMm = 0;
   bool maximum = false;
   bool smooth = true;
@@ -52,7 +52,7 @@ struct SampledWith {
 
 /// One slice, kept.
 struct Slice {
-  slices::SliceFrame frame;
+  medical_io::SliceFrame frame;
   SampledWith with;
   SliceValues values;
   medical_io::ValueWindow window{0, 0};
@@ -61,21 +61,21 @@ struct Slice {
   SliceGrips grips;
 };
 
-slices::SliceFrame frameOf(const SlicePane& pane, const Bounds& box, const Vec3& focus,
-                           const SliceFraming& framing) {
-  const auto direction = slices::sliceDirections()[std::size_t(pane.direction)];
+medical_io::SliceFrame frameOf(const SlicePane& pane, const Bounds& box, const Vec3& focus,
+                               const SliceFraming& framing) {
+  const auto direction = medical_io::sliceDirections()[std::size_t(pane.direction)];
   const Vec3 extent = box.high - box.low;
   const double mmPerPixel = kRoom / framing.zoom *
                             std::max(direction.right.cwiseAbs().dot(extent) / std::max(1, pane.width),
                                      direction.up.cwiseAbs().dot(extent) / std::max(1, pane.height));
   Vec3 center = box.center() + framing.rightMm * direction.right + framing.upMm * direction.up;
   center[direction.axis] = focus[direction.axis];
-  return slices::frameAround(direction, center, mmPerPixel, std::max(1, pane.width),
-                             std::max(1, pane.height));
+  return medical_io::frameAround(direction, center, mmPerPixel, std::max(1, pane.width),
+                                 std::max(1, pane.height));
 }
 
-void addLines(const geometry::PlaneCut& cut, const slices::SliceFrame& frame, const Vec3& color, bool thin,
-              std::vector<scene::SliceLine>& lines) {
+void addLines(const geometry::PlaneCut& cut, const medical_io::SliceFrame& frame, const Vec3& color,
+              bool thin, std::vector<scene::SliceLine>& lines) {
   for (std::size_t i = 0; i < cut.lines(); ++i) {
     scene::SliceLine line{{}, cut.closed[i], color, thin};
     line.points.reserve(std::size_t(cut.first[i + 1] - cut.first[i]));
@@ -105,7 +105,7 @@ struct SlicePresenter::Parts {
   void sample(Slice& slice, const SliceScene& scene);
   void shade(Slice& slice, const SliceScene& scene);
   void outline(Slice& slice);
-  void label(Slice& slice, const slices::SliceDirection& direction, const SliceScene& scene,
+  void label(Slice& slice, const medical_io::SliceDirection& direction, const SliceScene& scene,
              const Vec3& focus) const;
 };
 
@@ -132,7 +132,7 @@ void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
   slice.window.width = 0; // Other values have other grey levels.
   if (!scene.state.scan)
     return slice.values.clear();
-  slices::SampleOptions options;
+  medical_io::SampleOptions options;
   options.nearest = !look.smooth;
   options.slabMm = look.slabMm;
   options.maximum = look.maximum;
@@ -166,7 +166,7 @@ void SlicePresenter::Parts::outline(Slice& slice) {
              slice.picture.lines);
 }
 
-void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& direction,
+void SlicePresenter::Parts::label(Slice& slice, const medical_io::SliceDirection& direction,
                                   const SliceScene& scene, const Vec3& focus) const {
   scene::SlicePicture& picture = slice.picture;
   const ScanLook& look = scene.view.scan;
@@ -224,7 +224,7 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       p.outline(slice);
     else
       slice.picture.lines.clear();
-    const slices::SliceDirection direction = slices::sliceDirections()[std::size_t(pane.direction)];
+    const medical_io::SliceDirection direction = medical_io::sliceDirections()[std::size_t(pane.direction)];
     p.label(slice, direction, scene, focus);
     slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.language, slice.picture);
   }
@@ -234,7 +234,7 @@ const scene::SlicePicture& SlicePresenter::picture(int direction) const {
   return parts_->slices[std::size_t(direction)].picture;
 }
 
-const slices::SliceFrame& SlicePresenter::frame(int direction) const {
+const medical_io::SliceFrame& SlicePresenter::frame(int direction) const {
   return parts_->slices[std::size_t(direction)].frame;
 }
 

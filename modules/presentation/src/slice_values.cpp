@@ -18,13 +18,13 @@ bool isFolded(deformation::RestState state) {
 
 } // namespace
 
-void SliceValues::take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
-                       const slices::SampleOptions& options, const Warping* warping) {
+void SliceValues::take(const medical_io::Scan& scan, const medical_io::SliceFrame& frame,
+                       const medical_io::SampleOptions& options, const Warping* warping) {
   rest_.states.clear();
   if (warping)
     warping->rest({frame.corner, frame.right, frame.up, frame.width, frame.height}, rest_);
   findHatched(static_cast<std::size_t>(frame.width));
-  slices::sampleSlice(scan, frame, options, values_, warping ? &rest_.points : nullptr);
+  medical_io::sampleSlice(scan, frame, options, values_, warping ? &rest_.points : nullptr);
 }
 
 void SliceValues::clear() {
@@ -61,7 +61,7 @@ void SliceValues::findHatched(std::size_t width) {
 void SliceValues::shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey,
                         Threads threads) const {
   constexpr std::uint8_t kWhite = 255;
-  slices::greyOf(values_, window, 0, grey, threads);
+  medical_io::greyOf(values_, window, 0, grey, threads);
   if (hatched_.empty())
     return;
   const auto width = static_cast<std::size_t>(values_.width);

@@ -9,8 +9,8 @@ class SliceValues {
 public:
   /// Samples the scan; with `warping`, which may be null, at the place where the tissue at each pixel was at
   /// rest.
-  void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
-            const slices::SampleOptions& options, const Warping* warping);
+  void take(const medical_io::Scan& scan, const medical_io::SliceFrame& frame,
+            const medical_io::SampleOptions& options, const Warping* warping);
   void clear();
   /// Places where the pose folds the tissue are hatched: what is between the lines is an estimate.
   void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
@@ -25,7 +25,7 @@ private:
   void findHatched(std::size_t width);
   std::optional<std::size_t> indexOf(long x, long y) const;
 
-  slices::ValueImage values_;
+  medical_io::ValueImage values_;
   deformation::RestPoints rest_;      ///< Without states when nothing is warped.
   std::vector<std::uint8_t> hatched_; ///< One a pixel; empty when none is.
 };

@@ -27,12 +27,13 @@ std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentStat
   return nullptr;
 }
 
-coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems) {
+coordinates::Traits traitsOf(const document::DocumentState& state, const coordinates::Registry& systems) {
   const std::string& id = state.system->id;
   return systems.contains(id) ? systems.find(id)->traits() : coordinates::Traits();
 }
 
-coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems) {
+coordinates::SpaceLayout layoutOf(const document::DocumentState& state,
+                                  const coordinates::Registry& systems) {
   if (!systems.contains(state.system->id) || state.rig->handles.empty())
     return {};
   try {
@@ -43,7 +44,8 @@ coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const pl
 }
 
 std::vector<scene::RegionHull> regionHulls(const document::DocumentState& state,
-                                           const scene::LayoutParts& shown, const plugin::Registry& systems) {
+                                           const scene::LayoutParts& shown,
+                                           const coordinates::Registry& systems) {
   std::vector<Vec3> colors;
   for (const document::Group& group : state.rig->groups)
     colors.push_back(group.color);

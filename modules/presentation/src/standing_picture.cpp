@@ -13,8 +13,8 @@ namespace {
 constexpr double kMostPixels = 512;
 
 /// A slice through the whole of the scan's box.
-slices::SliceFrame wholeSlice(const slices::SliceDirection& direction, const medical_io::Scan& scan,
-                              const Vec3& focus) {
+medical_io::SliceFrame wholeSlice(const medical_io::SliceDirection& direction, const medical_io::Scan& scan,
+                                  const Vec3& focus) {
   const Bounds box = scan.bounds();
   const Vec3 extent = box.high - box.low;
   const double across = direction.right.cwiseAbs().dot(extent), up = direction.up.cwiseAbs().dot(extent);
@@ -22,7 +22,7 @@ slices::SliceFrame wholeSlice(const slices::SliceDirection& direction, const med
   Vec3 center = box.center();
   center[direction.axis] = focus[direction.axis];
   const auto pixels = [mm](double length) { return std::max(1, static_cast<int>(std::ceil(length / mm))); };
-  return slices::frameAround(direction, center, mm, pixels(across), pixels(up));
+  return medical_io::frameAround(direction, center, mm, pixels(across), pixels(up));
 }
 
 } // namespace
@@ -47,14 +47,14 @@ void StandingPicture::update(const Scene& scene) {
   const medical_io::Scan& scan = *scene.state.scan->scan;
   const Vec3 focus = focusOf(scene.state, look);
   const medical_io::ValueWindow window = windowOf(scan, look);
-  slices::SampleOptions options;
+  medical_io::SampleOptions options;
   options.nearest = !look.smooth;
   options.slabMm = look.slabMm;
   options.maximum = look.maximum;
   options.threads = threads_;
   std::vector<scene::StandingSlices::Slice> shown;
-  for (const slices::SliceDirection& direction : slices::sliceDirections()) {
-    const slices::SliceFrame frame = wholeSlice(direction, scan, focus);
+  for (const medical_io::SliceDirection& direction : medical_io::sliceDirections()) {
+    const medical_io::SliceFrame frame = wholeSlice(direction, scan, focus);
     SliceValues values;
     values.take(scan, frame, options, warped ? scene.warping : nullptr);
     scene::StandingSlices::Slice slice;

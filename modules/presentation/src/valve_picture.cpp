@@ -5,16 +5,16 @@
 #include <numbers>
 #include <utility>
 
-#include "viscera/sequences/valve_leaflets.h"
+#include "viscera/heart/valve_leaflets.h"
 
 namespace viscera::presentation {
 namespace {
 
-using sequences::HeartValve;
-using sequences::ValveRing;
+using heart::HeartValve;
+using heart::ValveRing;
 
 /// The cavity that carries each ring, and the blood that flows through it.
-constexpr std::array<std::size_t, sequences::kHeartValves> kCarrier = {0, 0, 1, 1};
+constexpr std::array<std::size_t, heart::kHeartValves> kCarrier = {0, 0, 1, 1};
 constexpr std::array<const char*, 2> kCavities = {"lv", "rv"};
 constexpr std::array<const char*, 2> kAtria = {"la", "ra"};
 const std::array<Vec3, 2> kBlood = {Vec3(0.98, 0.25, 0.20), Vec3(0.33, 0.55, 0.98)};
@@ -34,8 +34,8 @@ constexpr double kLeastFlow = 8;
 /// The cavities' opacity is at most this while leaflets are in them.
 constexpr double kCavityOpacity = 0.3;
 
-Points lineOf(const sequences::Leaflets& leaflets, int leaflet, int across) {
-  using sequences::Leaflets;
+Points lineOf(const heart::Leaflets& leaflets, int leaflet, int across) {
+  using heart::Leaflets;
   Points line(Leaflets::kAlong + 1, 3);
   for (int i = 0; i <= Leaflets::kAlong; ++i)
     line.row(i) = leaflets.points.row(leaflet * Leaflets::kPointsEach + i * (Leaflets::kAcross + 1) + across);
@@ -43,18 +43,18 @@ Points lineOf(const sequences::Leaflets& leaflets, int leaflet, int across) {
 }
 
 scene::ValveGlyph glyphOf(HeartValve valve, const ValveRing& ring, double areaMm2) {
-  const sequences::ValveForm form = sequences::formOf(valve);
-  const sequences::Leaflets leaflets = sequences::leafletsOf(ring, form, areaMm2);
+  const heart::ValveForm form = heart::formOf(valve);
+  const heart::Leaflets leaflets = heart::leafletsOf(ring, form, areaMm2);
   scene::ValveGlyph glyph{leaflets.points, leaflets.triangles, {}, {}};
   for (int leaflet = 0; leaflet < form.leaflets; ++leaflet) {
     glyph.rims.push_back(lineOf(leaflets, leaflet, 0));
-    glyph.edges.push_back(lineOf(leaflets, leaflet, sequences::Leaflets::kAcross));
+    glyph.edges.push_back(lineOf(leaflets, leaflet, heart::Leaflets::kAcross));
   }
   return glyph;
 }
 
 /// As thick as the opening allows, as long as the blood is fast, and backwards where it flows back.
-std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const sequences::ValveInstant& valve,
+std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const heart::ValveInstant& valve,
                                         const Vec3& color) {
   if (std::abs(valve.flowMlPerS) < kLeastFlow || !(valve.areaMm2 > 0))
     return std::nullopt;
@@ -103,7 +103,7 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
     if (carrier.mesh == cavity.mesh)
       continue;
     carrier = {cavity.mesh, {}};
-    const sequences::ValveRings rings = sequences::sampleHeartRings();
+    const heart::ValveRings rings = heart::sampleHeartRings();
     for (std::size_t valve = 0; valve < rings.size(); ++valve)
       if (kCarrier[valve] == side)
         carrier.rings.emplace_back(rings[valve], cavity.mesh->points);
@@ -114,7 +114,7 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
   drawn_ = std::move(moment);
 }
 
-void ValvePicture::draw(const sequences::ValveInstants& valves, const Moment& moment) {
+void ValvePicture::draw(const heart::ValveInstants& valves, const Moment& moment) {
   std::vector<scene::ValveGlyph> glyphs;
   std::vector<scene::FlowArrow> arrows;
   std::array<std::size_t, 2> next{};

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "organ_picture.h"
+#include "viscera/heart/heart_valves.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/scene/valve_glyphs.h"
-#include "viscera/sequences/heart_valves.h"
 
 namespace viscera::presentation {
 
@@ -28,11 +28,11 @@ private:
   /// A cavity with the rings of its two valves.
   struct Carrier {
     std::shared_ptr<const geometry::TriangleMesh> mesh;
-    std::vector<sequences::CarriedRing> rings;
+    std::vector<heart::CarriedRing> rings;
   };
   /// The state in which the valves were drawn last.
   struct Moment {
-    sequences::ValveInstants valves;
+    heart::ValveInstants valves;
     std::array<std::pair<std::shared_ptr<const Points>, std::uint64_t>, 2> surfaces;
     std::optional<scene::CutPlane> cut;
     bool operator==(const Moment&) const = default;
@@ -44,7 +44,7 @@ private:
   };
 
   std::optional<Heart> heartOf(const Scene& scene) const;
-  void draw(const sequences::ValveInstants& valves, const Moment& moment);
+  void draw(const heart::ValveInstants& valves, const Moment& moment);
 
   scene::ValveGlyphs glyphs_;
   std::array<Carrier, 2> carriers_;

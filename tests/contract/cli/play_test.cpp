@@ -16,10 +16,10 @@
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/circulating_heart.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/circulating_heart.h"
-#include "viscera/motion/motion_copy.h"
-#include "viscera/motion/motion_recipe.h"
+#include "viscera/live/motion_copy.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -294,15 +294,15 @@ protected:
   void expectTheCycleOfTheWindow(const document::DocumentState& state,
                                  const std::shared_ptr<const sequences::Sequence>& sequence,
                                  const std::vector<std::vector<double>>& rows) {
-    const plugin::Registry registry = plugin::builtInRegistry();
+    const coordinates::Registry registry = coordinates::builtInRegistry();
     document::Document document;
     document::UndoStack undo(document);
     JobQueue jobs([](const std::function<void()>& work) { work(); });
     live::LiveBinding live(document, registry, jobs, {std::numeric_limits<double>::infinity(), {}});
     undo.reset(state);
-    motion::MotionRunner runner(document.state(), live);
+    live::MotionRunner runner(document.state(), live);
     runner.setSequence(sequence);
-    const live::PosedCycle cycle = motion::posedCycle(runner, live.copy());
+    const live::PosedCycle cycle = live::posedCycle(runner, live.copy());
     ASSERT_GT(rows.size(), 3u);
     for (const std::vector<double>& row : rows) {
       live.showPose(cycle.poseAt(row[0] / cycle.periodSeconds));
@@ -355,8 +355,8 @@ TEST_F(CliPlaySession, KeepsItsLockedVolumesAsTheWindowDoes) {
 /// Puts the sample heart of low resolution with its handles and coordinates into an empty document.
 void takeHeart(document::UndoStack& undo) {
   Progress progress;
-  const motion::SequenceSetup setup = motion::setUpSequence(sample_organs::standardLibrary(), "heartbeat",
-                                                            sample_organs::Resolution::low, progress);
+  const live::SequenceSetup setup = live::setUpSequence(sample_organs::standardLibrary(), "heartbeat",
+                                                        sample_organs::Resolution::low, progress);
   std::vector<document::NewOrgan> organs;
   for (const sample_organs::SampleSurface& surface : setup.organ.surfaces)
     organs.push_back({document::makeOrgan(surface.name, surface.mesh), -1});
@@ -369,7 +369,7 @@ void takeHeart(document::UndoStack& undo) {
 presentation::ViewState playingHeart(const document::Document& document) {
   presentation::ViewState view;
   view.motions = {
-      {document.organs().front()->id, motion::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
+      {document.organs().front()->id, live::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
   view.playing = presentation::Playing{0, 0, 0, 1, true, true};
   return view;
 }
@@ -384,9 +384,9 @@ TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
   undo.perform(document::setCirculationParameter("lvEes", 1.5));
   write("weak.viscera", document.state(), playingHeart(document));
   const json played = runJson({"play", path("weak.viscera"), "--csv", path("weak.csv")});
-  const auto heart = motion::circulatingHeart(sample_organs::standardLibrary(),
-                                              document::nameOf(*document.state().circulation),
-                                              document.state().circulation->parameters, low, progress);
+  const auto heart = live::circulatingHeart(sample_organs::standardLibrary(),
+                                            document::nameOf(*document.state().circulation),
+                                            document.state().circulation->parameters, low, progress);
   std::string heading;
   expectTheCycleOfTheWindow(document.state(), heart.sequence, rowsOf(contents(path("weak.csv")), heading));
   const json rest = runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--scenario", "rest"});

@@ -66,7 +66,7 @@ protected:
   /// Where the organs of the session are: bound and posed here.
   std::map<std::string, Points> expected(const document::SessionContents& contents) {
     const presentation::ViewState view = presentation::viewFromJson(contents.view);
-    const plugin::Registry registry = plugin::builtInRegistry();
+    const coordinates::Registry registry = coordinates::builtInRegistry();
     document::Document document;
     document::UndoStack undo(document);
     JobQueue jobs([](const std::function<void()>& work) { work(); });

@@ -242,7 +242,7 @@ TEST(Namespaces, OfAnotherFolderAreSeen) {
                                  "folder motion/heart\nmodule live_plugin\nfolder live/plugin\n");
   EXPECT_TRUE(opensAnother("namespace viscera::document {", "modules/live/src/a.cpp", list));
   EXPECT_TRUE(opensAnother("namespace viscera {", "modules/live/src/a.cpp", list));
-  EXPECT_TRUE(opensAnother("namespace viscera::motion {", "modules/motion/heart/src/a.h", list));
+  EXPECT_TRUE(opensAnother("namespace viscera::live {", "modules/motion/heart/src/a.h", list));
   EXPECT_TRUE(opensAnother("namespace viscera::app {", "app/cli/a.h", list));
   EXPECT_TRUE(opensAnother("namespace viscera::app::cli {", "modules/live/src/a.h", list));
   EXPECT_FALSE(opensAnother("namespace viscera::live::edit {", "modules/live/src/a.cpp", list));

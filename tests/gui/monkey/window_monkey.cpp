@@ -215,7 +215,8 @@ WindowMonkey::WindowMonkey() {
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
   for (const char* kind : {"files/pictures", "record/folder"})
     settings_->setValue(kind, folder_.path());
-  window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), [this] { return now_; });
+  window_ =
+      std::make_unique<app::MainWindow>(*settings_, coordinates::builtInRegistry(), [this] { return now_; });
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->setUnwrittenQuestion([](const QStringList&) { return true; }); // It closes without these files.
   window_->resize(960, 640);
@@ -503,7 +504,7 @@ Violation WindowMonkey::violation() {
   if (!window_->imports().isOpen()) // It shows organs that are not in the document yet.
     wrong.add(Invariant::shown, disagreement(*window_));
   // Elsewhere the timeline keeps its place until the sequence is wanted again.
-  if (window_->playback().wantedPose() == motion::WantedPose::sequence)
+  if (window_->playback().wantedPose() == live::WantedPose::sequence)
     wrong.add(Invariant::timeline, offTheTimeline(window_->workspace(), window_->playback()));
   wrong.add(Invariant::volume, wrongVolumes());
   return wrong;

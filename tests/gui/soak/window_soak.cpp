@@ -9,7 +9,7 @@
 
 #include <vtkInteractorObserver.h>
 
-#include "viscera/motion/player.h"
+#include "viscera/live/player.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/comparison.h"
 #include "window/modes/play_mode.h"
@@ -39,8 +39,8 @@ WindowSoak::WindowSoak() {
   settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
   for (const char* kind : {"files/pictures", "record/folder"})
     settings_->setValue(kind, folder_.path());
-  window_ =
-      std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), motion::Player::steadyClock());
+  window_ = std::make_unique<app::MainWindow>(*settings_, coordinates::builtInRegistry(),
+                                              live::Player::steadyClock());
   window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->sessions().startAutosave(folder_.filePath(QStringLiteral("recovery")).toStdString());
   window_->resize(1280, 800);

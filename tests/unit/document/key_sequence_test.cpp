@@ -6,7 +6,7 @@
 
 #include "session_fixture.h"
 #include "viscera/core/error.h"
-#include "viscera/motion/sequence_file.h"
+#include "viscera/live/sequence_file.h"
 
 namespace viscera::document {
 namespace {
@@ -132,7 +132,7 @@ TEST(KeySequence, refusesTimesAndKeysThatCannotBe) {
   refused(editKeySequence({.periodSeconds = 1e-4, .stretch = true}));
   refused(editKeySequence({.name = ""}));
   tests::Session empty;
-  EXPECT_THROW(motion::sequenceFile(empty.document.state()), UsageError);
+  EXPECT_THROW(live::sequenceFile(empty.document.state()), UsageError);
   EXPECT_EQ(sequenceOf(empty.document.keySequence(), empty.document.rig()), nullptr);
 }
 
@@ -144,15 +144,15 @@ TEST(KeySequence, StepsSayKeySequence) {
 TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   Recorded session;
   session.undo.perform(editKeySequence({.name = "Hop", .periodSeconds = 3}));
-  const motion::SequenceFile file = motion::sequenceFile(session.document.state());
+  const live::SequenceFile file = live::sequenceFile(session.document.state());
   const auto wanted = sequenceOf(session.keySequence(), session.document.rig());
   session.undo.perform(replaceKeySequence(KeySequence()));
   const auto rig = session.document.state().rig;
-  session.undo.perform(motion::openSequence(file));
+  session.undo.perform(live::openSequence(file));
   EXPECT_EQ(session.document.state().rig, rig) << "the handles are there already";
   Document other;
   UndoStack undo(other);
-  undo.perform(motion::openSequence(file));
+  undo.perform(live::openSequence(file));
   EXPECT_EQ(other.rig().restPositions(), session.document.rig().restPositions());
   for (const Document* document : {&session.document, &other}) {
     const auto sequence = sequenceOf(document->keySequence(), document->rig());

@@ -407,8 +407,8 @@ TEST(MeasuredRegion, HasTheScansValuesAreaOrVolumeAndANameOfItsKind) {
   EXPECT_EQ(flat.now, 100);
   EXPECT_EQ(flat.region->deviation, 0);
   EXPECT_EQ(round.now, 100) << "a radius of 15 mm lies within the ball";
-  EXPECT_NEAR(std::get<slices::SphereRegion>(*regionOf(sphere)).volumeMl(), 4.0 / 3 * M_PI * 3.375, 1e-9);
-  EXPECT_EQ(std::get<slices::RectangleRegion>(*regionOf(rectangle)).areaMm2(), 16 * 12);
+  EXPECT_NEAR(std::get<medical_io::SphereRegion>(*regionOf(sphere)).volumeMl(), 4.0 / 3 * M_PI * 3.375, 1e-9);
+  EXPECT_EQ(std::get<medical_io::RectangleRegion>(*regionOf(rectangle)).areaMm2(), 16 * 12);
   EXPECT_EQ(unitOf(sphere, s.document.state()), "HU");
   EXPECT_EQ(unitOf(s.document.measurements()[0], DocumentState()), "");
 }

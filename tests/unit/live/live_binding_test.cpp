@@ -52,7 +52,7 @@ constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 
 /// A document with a ball, and everything that keeps it bound.
 struct Live : tests::Session {
-  plugin::Registry registry = plugin::builtInRegistry();
+  coordinates::Registry registry = coordinates::builtInRegistry();
   std::shared_ptr<PatientSystem> patient = std::make_shared<PatientSystem>(registry.find("s-celestial"));
   ManualEventLoop box;
   JobQueue jobs{box.post()};
@@ -159,7 +159,7 @@ TEST(LiveBinding, SaysOfOrgansThatMoveTogetherWhichNewsIsTheLast) {
 
 TEST(LiveBinding, TellsWhenEveryObserverOfTheDocumentMayKnowOfTheChangeAndIsItselfUpToDateThen) {
   tests::Session s;
-  plugin::Registry registry = plugin::builtInRegistry();
+  coordinates::Registry registry = coordinates::builtInRegistry();
   JobQueue jobs{[](std::function<void()> work) { work(); }};
   std::unique_ptr<LiveBinding> live;
   std::vector<std::string> heard;
@@ -500,7 +500,7 @@ TEST(LiveBinding, PosesAndMeasuresAllOrgansAsEachByItselfWithAnyNumberOfThreads)
     tests::Session s;
     s.undo.perform(
         document::addOrgans({tests::ball("Second", 9, 4, {12, 0, 0}), tests::ball("Third", 7, 2)}));
-    plugin::Registry registry = plugin::builtInRegistry();
+    coordinates::Registry registry = coordinates::builtInRegistry();
     ManualEventLoop box;
     JobQueue jobs{box.post()};
     LiveBinding live(s.document, registry, jobs, {kAtOnce, {threads}});

@@ -24,7 +24,7 @@ constexpr double kAllowedVolumeError = 1e-9;
 
 /// A document with a ball, kept bound at once, and a keeper of its locked volumes.
 struct Keeping : tests::Session {
-  plugin::Registry registry = plugin::builtInRegistry();
+  coordinates::Registry registry = coordinates::builtInRegistry();
   JobQueue jobs{[](std::function<void()> work) { work(); }};
   LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {2}}};
   VolumeKeeper keeper{document.state(), live};
@@ -200,7 +200,7 @@ struct Preparing : tests::Session {
   std::shared_ptr<viscera::tests::BindingCounts> counts = std::make_shared<viscera::tests::BindingCounts>();
   std::atomic<int> madeHere{0}; ///< Columns that the test's thread has asked for.
   std::promise<void> gate;
-  plugin::Registry registry = plugin::builtInRegistry();
+  coordinates::Registry registry = coordinates::builtInRegistry();
   ManualEventLoop box;
   JobQueue jobs{box.post()};
   LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {2}}};

@@ -71,7 +71,7 @@ protected:
   }
 
   fs::path folder_;
-  Registry registry_ = builtInRegistry();
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
 };
 
 TEST_F(PluginLoaderTest, BringsTheLocalisedCoordinatesWithTheirFileAsTheSource) {
@@ -113,7 +113,7 @@ TEST_F(PluginLoaderTest, SurvivesADamagedManifest) {
     damaged[at] = static_cast<char>(~damaged[at]);
     const fs::path file = folder_ / (std::to_string(at) + ".so");
     std::ofstream(file, std::ios::binary) << damaged;
-    Registry registry = builtInRegistry();
+    coordinates::Registry registry = coordinates::builtInRegistry();
     const PluginReport report = loadPlugins({file}, registry).at(0);
     EXPECT_NE(report.problem.empty(), report.systems.empty()) << "byte " << at - begin;
     turnedDown += report.problem.empty() ? 0 : 1;

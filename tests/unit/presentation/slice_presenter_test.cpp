@@ -47,7 +47,7 @@ TEST(SlicePresenter, ShowsScanContourAndCrosshairInOnePlace) {
     ASSERT_EQ(picture.lines.size(), 1u);
     EXPECT_TRUE(picture.lines.front().closed && !picture.lines.front().thin);
     // The contour is where grey turns: in it is bright, around it dark.
-    const slices::SliceFrame& frame = ball.slices.frame(direction);
+    const medical_io::SliceFrame& frame = ball.slices.frame(direction);
     const Vec3 middle = direction == 0 ? Vec3(0, 0, 5) : Vec3::Zero();
     for (const Eigen::Vector2d& point : picture.lines.front().points) {
       const Vec3 place = frame.at(point.x(), point.y());

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/contour.h"
 
 namespace viscera::sample_organs {
 namespace {
@@ -183,7 +183,7 @@ TriangleMesh largestPart(const TriangleMesh& mesh) {
 
 TriangleMesh polygonise(const ImplicitNode& node, double spacing, Threads threads, Progress& progress) {
   const SampleGrid grid = sampleGrid(node, spacing, threads, progress);
-  const TriangleMesh all = contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing);
+  const TriangleMesh all = medical_io::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing);
   if (all.triangles.rows() == 0)
     throw DataError("the implicit surface is empty", {},
                     "check that its parts meet and that \"spacing\" is fine enough");

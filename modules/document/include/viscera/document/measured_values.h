@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "viscera/document/measurement.h"
-#include "viscera/slices/region_statistics.h"
+#include "viscera/medical_io/region_statistics.h"
 
 namespace viscera::document {
 
@@ -21,7 +21,7 @@ struct MeasuredValues {
   std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
   /// For a region, if there is a scan: the statistics of its recorded values, without deformation by the
   /// pose.
-  std::optional<slices::RegionStatistics> region;
+  std::optional<medical_io::RegionStatistics> region;
 };
 
 /// Returns an organ's present points, `n x 3` mm; called for organs of the document only.
@@ -35,13 +35,13 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
 class RegionMemory {
 public:
   /// The statistics of a region; none without a scan. O(voxels of the region) if it is not in the cache.
-  std::optional<slices::RegionStatistics> of(const Measurement& measurement, const DocumentState& state);
+  std::optional<medical_io::RegionStatistics> of(const Measurement& measurement, const DocumentState& state);
 
 private:
   struct Kept {
     Measurement measurement;
     std::shared_ptr<const medical_io::Scan> scan;
-    slices::RegionStatistics statistics;
+    medical_io::RegionStatistics statistics;
   };
   std::map<MeasurementId, Kept> kept_;
 };
@@ -56,7 +56,7 @@ MeasuredValues measure(const Measurement& measurement, const DocumentState& stat
                        RegionMemory* memory = nullptr);
 
 /// The region of a rectangle or a sphere; none for the other kinds.
-std::optional<slices::Region> regionOf(const Measurement& measurement);
+std::optional<medical_io::Region> regionOf(const Measurement& measurement);
 
 /// "mm", "deg", or of a region the scan's unit; empty where that has none.
 std::string unitOf(const Measurement& measurement, const DocumentState& state);

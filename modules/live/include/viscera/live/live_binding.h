@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/document.h"
 #include "viscera/live/posed_organs.h"
-#include "viscera/plugin/registry.h"
 
 namespace viscera::live {
 
@@ -69,9 +69,9 @@ public:
   };
 
   /// All three must live longer.
-  LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
+  LiveBinding(document::Document& document, const coordinates::Registry& registry, JobQueue& jobs,
               Options options);
-  LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs);
+  LiveBinding(document::Document& document, const coordinates::Registry& registry, JobQueue& jobs);
   ~LiveBinding() override;
   LiveBinding(const LiveBinding&) = delete;
   LiveBinding& operator=(const LiveBinding&) = delete;

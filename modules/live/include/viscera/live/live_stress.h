@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/rotational_stress.h"
@@ -13,7 +14,6 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/witness_sampling.h"
-#include "viscera/plugin/registry.h"
 
 namespace viscera::live {
 
@@ -60,9 +60,9 @@ public:
   };
 
   /// All four must live longer.
-  LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+  LiveStress(document::Document& document, const coordinates::Registry& registry, LiveBinding& live,
              JobQueue& jobs, Options options);
-  LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+  LiveStress(document::Document& document, const coordinates::Registry& registry, LiveBinding& live,
              JobQueue& jobs);
   ~LiveStress();
   LiveStress(const LiveStress&) = delete;

@@ -4,12 +4,12 @@
 #include <functional>
 #include <memory>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/signal.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/plugin/registry.h"
 
 /// Inverts the present deformation of space, so that a scan can be warped with the organs.
 namespace viscera::live {
@@ -30,9 +30,9 @@ public:
   };
 
   /// All must live longer.
-  LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+  LiveWarp(const document::Document& document, LiveBinding& live, const coordinates::Registry& registry,
            JobQueue& jobs, Options options);
-  LiveWarp(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+  LiveWarp(const document::Document& document, LiveBinding& live, const coordinates::Registry& registry,
            JobQueue& jobs)
       : LiveWarp(document, live, registry, jobs, Options()) {}
   ~LiveWarp();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viscera/plugin/registry.h"
+#include "viscera/coordinates/registry.h"
 
 namespace viscera::plugin {
 
@@ -39,6 +39,6 @@ std::vector<std::filesystem::path> pluginSearchPath(const std::vector<std::files
 ///     const auto reports = loadPlugins(pluginSearchPath({"plugins"}, {}), registry);
 ///     const auto system = registry.find("s-celestial");
 std::vector<PluginReport> loadPlugins(const std::vector<std::filesystem::path>& searchPath,
-                                      Registry& registry);
+                                      coordinates::Registry& registry);
 
 } // namespace viscera::plugin

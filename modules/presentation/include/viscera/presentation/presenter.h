@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
 #include "viscera/document/measured_values.h"
+#include "viscera/heart/heart_valves.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_marks_reader.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/stress_values.h"
 #include "viscera/presentation/view_state.h"
@@ -24,7 +25,6 @@
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
-#include "viscera/sequences/heart_valves.h"
 
 class vtkVisceraCutPlaneRepresentation;
 
@@ -63,7 +63,7 @@ struct Scene {
   const document::DocumentState& state;
   live::PosedOrgans& organs;
   const ViewState& view;
-  const plugin::Registry& systems;
+  const coordinates::Registry& systems;
   const live::StressFrame* stress = nullptr; ///< Null: there is no stress map.
   const SurfaceMap* map = nullptr;           ///< Null: only maps chosen in `view`.
   const PendingMeasurement* measuring = nullptr;
@@ -72,7 +72,7 @@ struct Scene {
   const std::vector<Part>* parts = nullptr;
   const Warping* warping = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
   /// The valves of the beating heart at this instant; empty: none are known.
-  std::optional<sequences::ValveInstants> valves = std::nullopt;
+  std::optional<heart::ValveInstants> valves = std::nullopt;
   /// Range of the stress map's colours, shared with another picture; empty: a range of its own.
   std::optional<scene::ValueRange> stressRange = std::nullopt;
   bool stressLegend = true;            ///< False: the other picture shows the legend for both.

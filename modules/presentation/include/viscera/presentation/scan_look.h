@@ -20,7 +20,7 @@ struct SliceFraming {
 /// How the scan is shown: window and level, places of the slices, thickness and others.
 struct ScanLook {
   /// The layout of the window's middle: "3d" alone, "four" views at once, or one slice alone by the id of its
-  /// direction (`slices::sliceDirections`).
+  /// direction (`medical_io::sliceDirections`).
   std::string layout = "3d";
   std::optional<Vec3> focus; ///< Where the three slices meet, mm LPS; none: in the middle of the scan.
   double level = 0;          ///< The value that is middle grey; only with `width`.

@@ -14,10 +14,10 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/live/live_warp.h"
 #include "viscera/live/posed_organs.h"
+#include "viscera/medical_io/sample_slice.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/slice_view.h"
-#include "viscera/slices/sample_slice.h"
 
 namespace viscera::presentation {
 
@@ -35,7 +35,7 @@ struct PendingMeasurement;
 
 /// The direction and the size in pixels of a slice to be drawn.
 struct SlicePane {
-  int direction = 0; ///< Of `slices::sliceDirections`.
+  int direction = 0; ///< Of `medical_io::sliceDirections`.
   int width = 0;     ///< Device pixels, at least 1.
   int height = 0;    ///< Device pixels, at least 1.
 };
@@ -91,7 +91,7 @@ public:
 
   /// The functions below require a direction that was among the panes.
   const scene::SlicePicture& picture(int direction) const;
-  const slices::SliceFrame& frame(int direction) const;
+  const medical_io::SliceFrame& frame(int direction) const;
   /// The scan's value and the organ at a pixel (whole numbers are centres, from the lower left).
   SliceReading read(int direction, const Eigen::Vector2d& pixel) const;
   /// The row of the nearest handle within `reach` pixels; or -1.

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/deformation/selection_motion.h"
 #include "viscera/document/document.h"
-#include "viscera/plugin/registry.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/region_hulls.h"
 
@@ -20,16 +20,17 @@ std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentStat
                                                     document::OrganId selected);
 
 /// The traits of the chosen coordinate system; the default traits when it is not available.
-coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems);
+coordinates::Traits traitsOf(const document::DocumentState& state, const coordinates::Registry& systems);
 
 /// How the coordinates of a document divide the space around its handles at rest; empty when they treat all
 /// space alike, are not available, or cannot use these handles or groups. About a millisecond.
-coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems);
+coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const coordinates::Registry& systems);
 
 /// The hulls that are drawn for a layout over handles at rest, in the colours of the groups; with the regions
 /// also the cage, for coordinates that need one.
 std::vector<scene::RegionHull> regionHulls(const document::DocumentState& state,
-                                           const scene::LayoutParts& shown, const plugin::Registry& systems);
+                                           const scene::LayoutParts& shown,
+                                           const coordinates::Registry& systems);
 
 /// The plane that drags are mirrored at, through the middle of the current organ at rest; none without an
 /// organ or a mirror.

@@ -1,0 +1,194 @@
+#include "viscera/live/patient_motion.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_memory.h"
+#include "file_motion.h"
+#include "long_jobs.h"
+#include "parts.h"
+#include "viscera/sequences/keyframes.h"
+
+namespace viscera::python {
+namespace {
+
+namespace py = pybind11;
+using live::PatientMotion;
+using live::TrackedPhase;
+
+const char* nameOf(tracking::FitLight light) {
+  return light == tracking::FitLight::good ? "good" : light == tracking::FitLight::amber ? "amber" : "red";
+}
+
+/// Positions of the user's in the place of handles that are made.
+std::optional<medical_io::HandleFile> rigFrom(const py::object& rig) {
+  if (rig.is_none())
+    return std::nullopt;
+  const auto positions = pointsFrom(rig, "rig");
+  medical_io::HandleGroupRecord group;
+  group.name = "Handles";
+  for (Eigen::Index i = 0; i < positions->rows(); ++i)
+    group.handles.push_back({"H-" + std::to_string(i + 1), positions->row(i).transpose(), {}, false, true});
+  return medical_io::HandleFile{{std::move(group)}, {}};
+}
+
+/// Everything that `viscera.track` takes besides the files.
+struct TrackArguments {
+  std::vector<std::pair<std::string, std::vector<std::string>>> surfaces;
+  int handles = 0;
+  std::optional<double> period;
+  std::vector<double> times;
+  std::vector<std::size_t> leaveOut;
+  bool loop = true;
+  bool keepVolumes = true;
+  std::optional<double> smoothing;
+  double robust = 0;
+};
+
+std::shared_ptr<PatientMotion> track(const std::vector<std::filesystem::path>& phases,
+                                     const TrackArguments& arguments, const py::object& rig, int threads,
+                                     const py::object& listener) {
+  live::SeriesRequest request;
+  request.inputs = phases;
+  for (const auto& [name, labels] : arguments.surfaces)
+    request.surfaces.push_back({name, labels});
+  request.periodSeconds = arguments.period;
+  request.seconds = arguments.times;
+  request.leftOut = arguments.leaveOut;
+  request.loop = arguments.loop;
+  live::TrackOptions options;
+  options.rig.handles = arguments.handles;
+  options.handles = rigFrom(rig);
+  options.keepVolumes = arguments.keepVolumes;
+  options.smoothing = arguments.smoothing;
+  options.robustMm = arguments.robust;
+  return resultOfLong(listener, [&](Progress& progress) {
+    live::MotionSeries series;
+    runPart(progress, 0, 0.1, [&](Progress& part) { series = live::readMotionSeries(request, part); });
+    auto found = std::make_shared<PatientMotion>();
+    runPart(progress, 0.1, 1,
+            [&](Progress& part) { *found = live::trackMotion(series, options, part, Threads{threads}); });
+    return found;
+  });
+}
+
+py::dict surfaceDict(const tracking::SurfaceQuality& surface) {
+  py::dict all;
+  all["volume_ml"] = surface.measuredMl;
+  all["fitted_ml"] = surface.fittedMl;
+  all["free_ml"] = surface.freeMl;
+  all["mean_mm"] = surface.meanMm;
+  all["p95_mm"] = surface.p95Mm;
+  all["max_mm"] = surface.maxMm;
+  all["dice"] = surface.dice;
+  all["flipped"] = surface.flipped;
+  return all;
+}
+
+py::list phases(const PatientMotion& found) {
+  py::list all;
+  for (const TrackedPhase& phase : found.phases) {
+    py::dict surfaces, row;
+    for (std::size_t i = 0; i < found.sequence.organs.size(); ++i)
+      surfaces[py::str(found.sequence.organs[i].name)] = surfaceDict(phase.quality.surfaces[i]);
+    row["seconds"] = phase.seconds;
+    row["mean_mm"] = phase.quality.meanMm;
+    row["p95_mm"] = phase.quality.p95Mm;
+    row["max_mm"] = phase.quality.maxMm;
+    row["dice"] = phase.quality.dice;
+    row["folded"] = phase.quality.folded;
+    row["fit"] = nameOf(phase.verdict.light);
+    row["reasons"] = phase.verdict.reasons;
+    row["surfaces"] = surfaces;
+    all.append(row);
+  }
+  return all;
+}
+
+py::dict indices(const PatientMotion& found) {
+  py::dict all;
+  for (const auto& [name, each] : found.indices) {
+    py::dict row;
+    row["edv_ml"] = each.endDiastolicMl;
+    row["esv_ml"] = each.endSystolicMl;
+    row["sv_ml"] = each.strokeVolumeMl;
+    row["ef"] = each.ejectionFraction;
+    row["cardiac_output_l_min"] = each.cardiacOutputLPerMinute;
+    all[py::str(name)] = row;
+  }
+  return all;
+}
+
+} // namespace
+
+MotionSource sourceOf(const live::SequenceFile& file) {
+  MotionSource source;
+  source.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
+  source.labels = file.labels;
+  if (file.system) {
+    source.system = file.system->id;
+    source.parameters = file.system->parameters;
+  }
+  for (const auto& organ : file.organs)
+    source.surfaces.emplace_back(organ.name, organ.mesh);
+  return source;
+}
+
+void addPatientMotion(py::module_& module) {
+  py::class_<PatientMotion, std::shared_ptr<PatientMotion>>(
+      module, "PatientMotion",
+      "A patient's own motion: one rig of handles, a pose of it for every phase of a series, and how well it "
+      "fits. Made by `track`.")
+      .def_property_readonly(
+          "sequence",
+          [](const PatientMotion& m) { return std::make_shared<MotionSource>(sourceOf(m.sequence)); },
+          "It as a `Sequence`: poses at any time, handles, coordinates, and the surfaces at rest.")
+      .def_property_readonly("phases", &phases,
+                             "A dict for each phase: seconds; mean_mm, p95_mm, max_mm (distances of the "
+                             "surfaces); dice (None for surfaces); folded (places in the tissue); fit "
+                             "(\"good\", \"amber\", \"red\") and reasons; surfaces (name, and volume_ml, "
+                             "fitted_ml, free_ml, distances, dice, flipped triangles).")
+      .def_property_readonly(
+          "indices", &indices,
+          "Of each cavity, or of the only surface: edv_ml, esv_ml, sv_ml, ef, cardiac_output_l_min.")
+      .def_readonly("tissue_ml", &PatientMotion::tissueMl,
+                    "The outer surface less its cavities, a number a phase; empty for one surface.")
+      .def_property_readonly(
+          "fit", [](const PatientMotion& m) { return nameOf(m.worst()); }, "Of the worst phase.")
+      .def_readonly("corresponding", &PatientMotion::corresponding,
+                    "Whether points were known from phase to phase.")
+      .def_readonly("warnings", &PatientMotion::warnings, "What was mended or assumed.")
+      .def(
+          "write",
+          [](const PatientMotion& m, const std::filesystem::path& file) {
+            unlocked([&] { live::writeSequence(file, m.sequence); });
+          },
+          py::arg("path"), "Writes a .sequence.json, which the program and `sequence` play.")
+      .def("__repr__", [](const PatientMotion& m) {
+        return "<PatientMotion of " + std::to_string(m.phases.size()) + " phases, " + nameOf(m.worst()) + ">";
+      });
+  module.def(
+      "track",
+      [](const std::vector<std::filesystem::path>& inputs,
+         const std::vector<std::pair<std::string, std::vector<std::string>>>& surfaces, int handles,
+         const py::object& rig, std::optional<double> period, const std::vector<double>& times,
+         const std::vector<std::size_t>& leaveOut, bool loop, bool keepVolumes,
+         std::optional<double> smoothing, double robust, int threads, const py::object& listener) {
+        return track(inputs,
+                     {surfaces, handles, period, times, leaveOut, loop, keepVolumes, smoothing, robust}, rig,
+                     threads, listener);
+      },
+      py::arg("phases"), py::arg("surfaces"), py::arg("handles"), py::arg("rig"), py::arg("period"),
+      py::arg("times"), py::arg("leave_out"), py::arg("loop"), py::arg("keep_volumes"), py::arg("smoothing"),
+      py::arg("robust"), py::arg("threads"), py::arg("progress"), "What `viscera.track` calls.");
+}
+
+} // namespace viscera::python

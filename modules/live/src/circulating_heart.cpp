@@ -1,0 +1,206 @@
+#include "viscera/live/circulating_heart.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "measured_cavities.h"
+#include "sample_heart.h"
+#include "sequence_binding.h"
+#include "viscera/circulation/periodic_state.h"
+#include "viscera/circulation/scenario.h"
+#include "viscera/core/error.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/live/motion_recipe.h"
+
+namespace viscera::live {
+namespace {
+
+using circulation::Compartment;
+using heart::CardiacCycle;
+
+/// The ejection fractions at which the sample heart's base descends by the value in `HeartExcursions`.
+constexpr double kStandardEjection = 0.58;
+constexpr double kStandardRightEjection = 0.547;
+/// What the sample heart's atria hold in the rest shape, ml.
+constexpr heart::CavityVolumes kRestAtria{59.9, 56.6};
+/// The limits of an atrium's volume that can be drawn, ml: with less its wall would cross itself, with more
+/// it would reach its neighbours. No scenario reaches these limits (24.5 to 122.1); a circulation of a user
+/// may.
+constexpr double kLeastAtriumMl = 24;
+constexpr double kMostAtriumMl = 140;
+
+double drawnAtrium(double modelMl) {
+  return std::clamp(modelMl, kLeastAtriumMl, kMostAtriumMl);
+}
+
+/// The parts of the beat, from the valves' times. Empty parts are left out.
+std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters,
+                                       const circulation::Beat& beat, const circulation::Indices& indices) {
+  const auto& mitral = indices.valves[static_cast<std::size_t>(circulation::Valve::mitral)];
+  const auto& aortic = indices.valves[static_cast<std::size_t>(circulation::Valve::aortic)];
+  if (!mitral || !aortic)
+    return {{"heartbeat", 0, 1}};
+  const double atrial = std::max(mitral->opens, beat.period - parameters.conduction);
+  std::vector<sequences::Phase> phases;
+  double begin = 0;
+  const auto until = [&](const char* name, double seconds, const char* group = "diastole") {
+    const double end = std::clamp(seconds / beat.period, begin, 1.0);
+    if (end > begin)
+      phases.push_back({name, begin, end, group});
+    begin = end;
+  };
+  until("isovolumic contraction", aortic->opens, "systole");
+  until("ejection", aortic->shuts, "systole");
+  until("isovolumic relaxation", mitral->opens);
+  until("filling", atrial);
+  until("atrial systole", beat.period);
+  return phases;
+}
+
+/// Converts the openings of valves in the circulation to the area between their leaflets.
+std::vector<heart::ValveInstants> valvesOf(const circulation::Parameters& parameters,
+                                           const circulation::Beat& beat) {
+  constexpr double kMm2PerCm2 = 100;
+  using circulation::Valve;
+  using heart::HeartValve;
+  struct Pair {
+    HeartValve drawn;
+    Valve solved;
+    const circulation::ValveAreas& areas;
+  };
+  const std::array<Pair, heart::kHeartValves> pairs = {
+      Pair{HeartValve::mitral, Valve::mitral, parameters.mitral},
+      Pair{HeartValve::aortic, Valve::aortic, parameters.aortic},
+      Pair{HeartValve::tricuspid, Valve::tricuspid, parameters.tricuspid},
+      Pair{HeartValve::pulmonary, Valve::pulmonic, parameters.pulmonic}};
+  std::vector<heart::ValveInstants> instants(beat.time.size() - 1);
+  for (const Pair& pair : pairs)
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      const double z = beat.openOf(pair.solved)[i];
+      instants[i][static_cast<std::size_t>(pair.drawn)] = {
+          kMm2PerCm2 * (pair.areas.leak + (pair.areas.open - pair.areas.leak) * z),
+          beat.flowOf(pair.solved)[i]};
+    }
+  return instants;
+}
+
+} // namespace
+
+heart::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
+                               const circulation::Beat& beat, const circulation::Indices& indices,
+                               double leftMuscle) {
+  heart::HeartCourse course{name, beat.period, {}, phasesOf(parameters, beat, indices)};
+  const auto& left = beat.volumeOf(Compartment::lv);
+  const auto& right = beat.volumeOf(Compartment::rv);
+  const auto& leftAtrium = beat.volumeOf(Compartment::la);
+  const auto& rightAtrium = beat.volumeOf(Compartment::ra);
+  const double full = indices.of(Compartment::lv).edvMl;
+  const double rightFull = indices.of(Compartment::rv).edvMl;
+  const double strength = std::min(1.0, indices.of(Compartment::lv).ef / kStandardEjection);
+  for (std::size_t i = 0; i + 1 < left.size(); ++i) { // The last sample is the first of the next beat.
+    heart::HeartInstant instant;
+    instant.volumes = {left[i], right[i]};
+    instant.state.emptying = (1 - left[i] / full) / kStandardEjection;
+    instant.state.rightEmptying = (1 - right[i] / rightFull) / kStandardRightEjection;
+    instant.state.leftPart = left[i] / CardiacCycle::kEndDiastole.leftMl;
+    instant.state.rightPart = right[i] / CardiacCycle::kEndDiastole.rightMl;
+    instant.state.twist = strength * beat.activation[static_cast<std::size_t>(Compartment::lv)][i];
+    instant.state.muscle = leftMuscle;
+    instant.state.atrialContraction = beat.activation[static_cast<std::size_t>(Compartment::la)][i];
+    const heart::CavityVolumes atria{drawnAtrium(leftAtrium[i]), drawnAtrium(rightAtrium[i])};
+    instant.atria = atria;
+    instant.state.atria =
+        heart::AtrialState{atria.leftMl / kRestAtria.leftMl, atria.rightMl / kRestAtria.rightMl};
+    course.instants.push_back(instant);
+  }
+  course.valves = valvesOf(parameters, beat);
+  return course;
+}
+
+std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
+                                                const document::CirculationChoice& choice, double fraction,
+                                                double ratePerMinute, Progress& progress) {
+  if (!sampleHeartOf(recipe))
+    return std::nullopt;
+  if (!choice.drives)
+    return ratePerMinute > 0 ? std::optional(heart::textbookValves(CardiacCycle().beat(ratePerMinute),
+                                                                   fraction * 60 / ratePerMinute))
+                             : std::nullopt;
+  const circulation::PeriodicState found = circulation::findPeriodicState(choice.parameters, progress);
+  if (!found.converged)
+    return std::nullopt;
+  const circulation::Indices indices = circulation::indicesOf(choice.parameters, found.beat);
+  return heartCourse({}, choice.parameters, found.beat, indices).valvesAt(fraction);
+}
+
+struct CirculatingHeart::Parts {
+  sample_organs::SampleOrgan organ;
+  SampleHeart heart;
+  std::shared_ptr<const MeasuredCavities> cavities;
+};
+
+namespace {
+
+/// Of the time that the heart takes, what the organ takes when nothing is cached.
+constexpr double kOrganPart = 0.8;
+
+} // namespace
+
+CirculatingHeart::CirculatingHeart(const sample_organs::SampleLibrary& library,
+                                   sample_organs::Resolution resolution, Progress& progress,
+                                   Threads threads) {
+  sample_organs::SampleOrgan organ;
+  runPart(progress, 0, kOrganPart, [&](Progress& part) {
+    organ = sample_organs::sampleOrgan(library, "heart", resolution, part, threads);
+  });
+  SampleHeart heart = sampleHeart(library, threads);
+  progress.throwIfCancelled();
+  auto cavities = std::make_shared<const MeasuredCavities>(organ, heart, threads);
+  parts_ = std::make_unique<const Parts>(Parts{std::move(organ), std::move(heart), std::move(cavities)});
+  progress.report(1);
+}
+
+CirculatingHeart::~CirculatingHeart() = default;
+
+const sample_organs::SampleOrgan& CirculatingHeart::organ() const {
+  return parts_->organ;
+}
+
+std::shared_ptr<const heart::CourseHeartbeat> CirculatingHeart::follow(heart::HeartCourse course,
+                                                                       Progress& progress) const {
+  const SampleHeart& heart = parts_->heart;
+  const auto measured = [cavities = parts_->cavities](const Points& pose) { return cavities->at(pose); };
+  const auto measuredAtria = [cavities = parts_->cavities](const Points& pose) {
+    return cavities->atriaAt(pose);
+  };
+  return std::make_shared<heart::CourseHeartbeat>(
+      heart::CavityFit(heart.motion, heart.compensation, measured, measuredAtria), std::move(course),
+      progress);
+}
+
+SequenceSetup CirculatingHeart::setup(heart::HeartCourse course, Progress& progress) const {
+  SequenceSetup setup;
+  setup.organ = parts_->organ;
+  setup.system = parts_->heart.system;
+  setup.sequence = follow(std::move(course), progress);
+  setup.rig = document::rigOf(*setup.sequence);
+  return setup;
+}
+
+SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
+                               const circulation::Parameters& parameters,
+                               sample_organs::Resolution resolution, Progress& progress, Threads threads) {
+  Progress quiet;
+  progress.throwIfCancelled();
+  const circulation::PeriodicState found = circulation::findPeriodicState(parameters, quiet);
+  if (!found.converged)
+    throw DataError(found.failureReason, name);
+  const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
+  const CirculatingHeart heart(library, resolution, progress, threads);
+  return heart.setup(
+      heartCourse("Heartbeat: " + name, parameters, found.beat, indices, circulation::leftMuscleOf(name)),
+      progress);
+}
+
+} // namespace viscera::live

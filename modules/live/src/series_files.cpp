@@ -1,0 +1,173 @@
+#include "series_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
+#include "viscera/medical_io/heart_labels.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::live {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestNumber = 18; ///< Digits that fit into 64 bits.
+
+/// The name without its ending; ".nii.gz", ".seq.nrrd" and ".seg.nrrd" count as one.
+std::string stemOf(const fs::path& file) {
+  std::string stem = file.stem().string();
+  for (const char* ending : {".nii", ".seq", ".seg", ".hdr", ".img"})
+    if (stem.ends_with(ending))
+      stem.resize(stem.size() - 4);
+  return stem;
+}
+
+bool isDigit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+bool isSurface(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto& all = medical_io::surfaceExtensions();
+  return std::find(all.begin(), all.end(), extension) != all.end();
+}
+
+/// The files of a folder that are surfaces or label maps.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (std::error_code ignored; entry->is_regular_file(ignored) &&
+                                 (isSurface(entry->path()) || medical_io::isLabelMap(entry->path())))
+      files.push_back(entry->path());
+  if (error)
+    throw NoInputError(phrase("It cannot be opened: %1", error.message()), folder.string(),
+                       "check that you may read it");
+  if (files.empty())
+    throw DataError("It holds neither surfaces nor label maps", folder.string(),
+                    "name a folder with one file for each phase");
+  return files;
+}
+
+/// By the last number in the name, then by the name: `_2` before `_10`.
+bool earlier(const fs::path& a, const fs::path& b) {
+  const auto one = seriesName(a.filename()), other = seriesName(b.filename());
+  return std::pair(one.second.value_or(0), a.filename()) < std::pair(other.second.value_or(0), b.filename());
+}
+
+std::vector<fs::path> inputFiles(const SeriesRequest& request) {
+  if (request.inputs.empty())
+    throw UsageError("There is no series", {}, "name its files, a folder, or a file with several phases");
+  std::vector<fs::path> files;
+  for (const fs::path& input : request.inputs) {
+    std::error_code error;
+    if (!fs::exists(input, error))
+      throw NoInputError("there is no such file or folder", input.string(), "check the path");
+    if (fs::is_directory(input, error)) {
+      const std::vector<fs::path> inside = filesIn(input);
+      files.insert(files.end(), inside.begin(), inside.end());
+    } else {
+      files.push_back(input);
+    }
+  }
+  const bool numbered = std::all_of(files.begin(), files.end(), [](const fs::path& file) {
+    return seriesName(file.filename()).second.has_value();
+  });
+  if (numbered)
+    std::stable_sort(files.begin(), files.end(), earlier);
+  return files;
+}
+
+/// Every surface has a file in every phase.
+void requireComplete(const SeriesFiles& series) {
+  std::set<std::uint64_t> numbers;
+  for (const auto& [name, files] : series.files)
+    for (const fs::path& file : files)
+      numbers.insert(seriesName(file.filename()).second.value_or(0));
+  for (const auto& [name, files] : series.files) {
+    std::set<std::uint64_t> own;
+    for (const fs::path& file : files)
+      if (!own.insert(seriesName(file.filename()).second.value_or(0)).second && series.files.size() > 1)
+        throw DataError(phrase("the surface \"%1\" has two files of one phase", name), file.string(),
+                        "remove one of them");
+    if (series.files.size() == 1)
+      return;
+    for (const std::uint64_t number : numbers)
+      if (own.count(number) == 0)
+        throw DataError(phrase("the surface \"%1\" is missing in phase number %2", name, number),
+                        files.front().parent_path().string(),
+                        "add its file, or remove those of the other surfaces in that phase");
+  }
+}
+
+} // namespace
+
+std::pair<std::string, std::optional<std::uint64_t>> seriesName(const fs::path& file) {
+  const std::string stem = toUtf8(stemOf(file));
+  const auto last = std::find_if(stem.rbegin(), stem.rend(), isDigit).base();
+  const auto first = std::find_if_not(std::make_reverse_iterator(last), stem.rend(), isDigit).base();
+  if (first == last)
+    return {stem, std::nullopt};
+  std::string name(stem.begin(), first);
+  while (!name.empty() &&
+         (name.back() == '_' || name.back() == '-' || name.back() == '.' || name.back() == ' '))
+    name.pop_back();
+  const std::string digits(last - std::min<std::ptrdiff_t>(last - first, kLongestNumber), last);
+  return {name + std::string(last, stem.end()), std::stoull(digits)};
+}
+
+bool isHeartFolder(const std::vector<fs::path>& inputs) {
+  std::error_code error;
+  if (inputs.size() != 1 || !fs::is_directory(inputs.front(), error))
+    return false;
+  std::vector<std::string> names;
+  for (const fs::path& file : filesIn(inputs.front())) {
+    if (isSurface(file))
+      return false;
+    names.push_back(stemOf(file));
+  }
+  return medical_io::heartAmong(names).has_value();
+}
+
+SeriesFiles seriesFiles(const SeriesRequest& request) {
+  const std::vector<fs::path> files = inputFiles(request);
+  SeriesFiles series;
+  const auto surfaces = static_cast<std::size_t>(std::count_if(files.begin(), files.end(), isSurface));
+  if (surfaces != 0 && surfaces != files.size())
+    throw DataError("It mixes surfaces and label maps", files.front().parent_path().string(),
+                    "put those of one kind into a folder of their own");
+  if (surfaces == 0) {
+    series.kind = files.size() == 1 ? SeriesFiles::Kind::volumes : SeriesFiles::Kind::labelMaps;
+    series.files[""] = files;
+    series.phases = files.size() == 1 ? 0 : files.size();
+    return series;
+  }
+  for (const fs::path& file : files)
+    series.files[seriesName(file.filename()).first].push_back(file);
+  requireComplete(series);
+  series.phases = series.files.begin()->second.size();
+  return series;
+}
+
+medical_io::SeriesTimes dicomTimes(const std::vector<fs::path>& files) {
+  std::vector<medical_io::DicomPhase> phases;
+  for (const fs::path& file : files) {
+    const std::string extension = file.extension().string();
+    if (extension == ".nii" || extension == ".gz" || extension.ends_with("nrrd") ||
+        extension.starts_with(".mh"))
+      return {};
+    phases.push_back(medical_io::dicomPhase(file));
+  }
+  return medical_io::timesOf(phases);
+}
+
+} // namespace viscera::live

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "pictures.h"
+#include "sections.h"
+#include "viscera/core/error.h"
+#include "viscera/core/text.h"
+#include "viscera/heart/clinical_numbers.h"
+#include "viscera/live/cycle_curves.h"
+#include "viscera/live/motion_runner.h"
+#include "words.h"
+
+namespace viscera::report {
+namespace {
+
+constexpr std::size_t kMostCurves = 8; ///< More on one pair of axes are unreadable.
+
+std::string capital(std::string text) {
+  if (!text.empty())
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// One organ whose volume is reported.
+struct Line {
+  std::shared_ptr<const document::Organ> organ;
+  std::vector<double> milliliters;
+  std::vector<heart::NormalRange> ranges;
+
+  bool ejects() const {
+    return std::any_of(ranges.begin(), ranges.end(), [](const heart::NormalRange& range) {
+      return range.quantity == heart::NormalRange::Quantity::endDiastolicMl;
+    });
+  }
+};
+
+std::vector<Line> linesOf(const document::DocumentState& state, const live::CycleCurves& curves,
+                          const anatomy::Person& person) {
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < state.organs->size(); ++i) {
+    const auto& organ = (*state.organs)[i];
+    if (organ->closed() && organ->look.tracked)
+      lines.push_back({organ, curves.milliliters[i], heart::normalRanges(organ->name, person)});
+  }
+  return lines;
+}
+
+PictureGrid volumeChart(std::vector<Line> lines, const live::CycleCurves& curves, double period) {
+  // Beside what is in them, walls would press the curves of ventricles flat.
+  if (std::any_of(lines.begin(), lines.end(), [](const Line& line) { return line.ejects(); }))
+    std::erase_if(lines, [](const Line& line) { return !line.ejects(); });
+  const std::size_t all = lines.size();
+  lines.resize(std::min(all, kMostCurves));
+  scene::CurvePanel panel;
+  panel.xTitle = said("Time (s)");
+  panel.yTitle = said("Volume (ml)");
+  panel.xRange = scene::ValueRange{0, period};
+  panel.legend = true;
+  std::vector<double> seconds;
+  for (const double fraction : curves.fractions)
+    seconds.push_back(fraction * period);
+  for (const Line& line : lines)
+    panel.curves.push_back(
+        {titleOf(*line.organ), curveColor(panel.curves.size()), seconds, line.milliliters, 2.2F});
+  std::string caption = said("Volumes over one cycle, each instant computed");
+  if (all > lines.size())
+    caption += "; " + said("the first %1 of %2 organs", std::to_string(lines.size()), std::to_string(all));
+  return chart(panel, caption);
+}
+
+Table volumeTable(const std::vector<Line>& lines) {
+  Table table;
+  table.head = {said("Organ"), said("Rest shape (ml)"), said("Smallest (ml)"), said("Largest (ml)"),
+                said("Change (%)")};
+  table.numbers = {false, true, true, true, true};
+  for (const Line& line : lines) {
+    const auto [low, high] = std::minmax_element(line.milliliters.begin(), line.milliliters.end());
+    table.rows.push_back({titleOf(*line.organ), fixed(line.organ->restVolumeMm3 / kMm3PerMl, 1),
+                          fixed(*low, 1), fixed(*high, 1), fixed(100 * (*high - *low) / *high, 1)});
+  }
+  return table;
+}
+
+std::string ejectionRange(const Line& line) {
+  for (const heart::NormalRange& range : line.ranges)
+    if (range.quantity == heart::NormalRange::Quantity::ejectionPercent)
+      return fixed(range.low, 0) + "-" + fixed(range.high, 0) + " %";
+  return "-";
+}
+
+/// Of ventricles; without rows when there is none.
+Table indicesTable(const std::vector<Line>& lines, double rate) {
+  Table table;
+  table.head = {said("Ventricle"),          said("EDV (ml)"), said("ESV (ml)"),
+                said("Stroke volume (ml)"), said("EF (%)"),   said("EF of healthy people"),
+                said("Output (l/min)")};
+  table.numbers = {false, true, true, true, true, true, true};
+  for (const Line& line : lines) {
+    const bool positive = *std::min_element(line.milliliters.begin(), line.milliliters.end()) > 0;
+    if (!line.ejects() || !positive)
+      continue;
+    const heart::CardiacIndices indices = heart::cardiacIndices(line.milliliters, rate);
+    table.rows.push_back({titleOf(*line.organ), fixed(indices.endDiastolicMl, 1),
+                          fixed(indices.endSystolicMl, 1), fixed(indices.strokeVolumeMl, 1),
+                          fixed(100 * indices.ejectionFraction, 1), ejectionRange(line),
+                          fixed(indices.cardiacOutputLPerMinute, 2)});
+  }
+  return table;
+}
+
+std::string phasesOf(const sequences::Sequence& sequence, double rate) {
+  std::string text;
+  for (const sequences::Phase& phase : sequence.phases(rate))
+    text += (text.empty() ? "" : ", ") + messageInWords(phase.name) + ' ' +
+            fixed(60 / rate * phase.begin, 3) + "-" + fixed(60 / rate * phase.end, 3) + " s";
+  return text.empty() ? "-" : text;
+}
+
+/// Puts organs back into the pose that they were in, whatever happens meanwhile.
+class PoseKept {
+public:
+  explicit PoseKept(live::PosedOrgans& organs) : organs_(organs), pose_(organs.shownPose()) {}
+  PoseKept(const PoseKept&) = delete;
+  PoseKept& operator=(const PoseKept&) = delete;
+  ~PoseKept() { organs_.showPose(pose_); }
+
+private:
+  live::PosedOrgans& organs_;
+  Points pose_;
+};
+
+} // namespace
+
+Section motionSection(const ReportSource& source, Threads threads, Progress& progress) {
+  Section section{said("Motion"), {}};
+  live::MotionRunner runner(source.state, *source.organs, threads);
+  runner.setSequence(source.sequence);
+  if (!runner.movable())
+    return section;
+  if (source.ratePerMinute > 0)
+    runner.setRatePerMinute(source.ratePerMinute);
+  runner.prescribe(source.prescribed);
+  const PoseKept kept(*source.organs);
+  const live::CycleCurves curves = live::measureCycle(runner, progress);
+  const double rate = runner.ratePerMinute();
+  Table facts;
+  facts.numbers = {false, false};
+  facts.rows = {{said("Sequence"), named(source.sequence->name())},
+                {said("Rate"), said("%1 a minute, one cycle takes %2 s", significant(rate, 4),
+                                    fixed(runner.periodSeconds(), 3))},
+                {said("Phases"), phasesOf(*source.sequence, rate)}};
+  if (source.prescribed)
+    if (const auto organ = source.state.organ(source.prescribed->organ))
+      facts.rows.push_back({said("Prescribed"), said("the volume of %1", titleOf(*organ))});
+  section.blocks.push_back(std::move(facts));
+  if (!curves.obstacle.empty())
+    section.blocks.push_back(
+        Paragraph{said("A volume could not be kept: %1", messageInWords(curves.obstacle))});
+  const std::vector<Line> lines = linesOf(source.state, curves, source.view.person);
+  if (lines.empty())
+    return section;
+  section.blocks.push_back(volumeChart(lines, curves, runner.periodSeconds()));
+  section.blocks.push_back(volumeTable(lines));
+  Table indices = indicesTable(lines, rate);
+  if (indices.rows.empty())
+    return section;
+  section.blocks.push_back(std::move(indices));
+  for (const Line& line : lines)
+    for (const heart::NormalRange& range : line.ranges)
+      if (range.quantity == heart::NormalRange::Quantity::ejectionPercent)
+        section.blocks.push_back(Paragraph{capital(named(range.name)) + ": " + messageInWords(range.meaning) +
+                                           "; " + messageInWords(range.people) + "; " +
+                                           messageInWords(range.source) + "."});
+  return section;
+}
+
+} // namespace viscera::report

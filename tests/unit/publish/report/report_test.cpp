@@ -1,0 +1,145 @@
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report_scene.h"
+#include "viscera/core/error.h"
+#include "viscera/core/text.h"
+#include "viscera/document/stress_mark_commands.h"
+#include "viscera/live/cycle_curves.h"
+#include "words.h"
+
+namespace viscera::tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(Report, TellsVolumesAtRestNowChangeAndLockAndWhatIsMeasured) {
+  ReportedSession session;
+  document::MeasuredPoint from, to;
+  to.rest = {30, 40, 0};
+  session.undo.perform(document::addMeasurement({from, to}, "Long axis"));
+  session.undo.perform(document::setVolumeLocked(session.organ(), true));
+  session.pose();
+  const live::OrganVolume volume = session.live.volume(session.organ());
+  ASSERT_GT(volume.changeMl(), 1);
+  const report::Report report = session.report(session.source());
+  const report::Section* section = sectionOf(report, "Volumes");
+  ASSERT_NE(section, nullptr);
+  const std::vector<std::string> row = tablesOf(*section).at(0).rows.at(0);
+  EXPECT_EQ(row[0], "Ball");
+  EXPECT_EQ(row[1], fixed(volume.restMl, 1));
+  EXPECT_EQ(row[2], fixed(volume.nowMl, 1));
+  EXPECT_EQ(row[3][0], '+');
+  EXPECT_EQ(row[4], "+" + fixed(100 * volume.relativeChange(), 1));
+  EXPECT_EQ(row[5], "locked");
+  const report::Section* measured = sectionOf(report, "Measurements");
+  ASSERT_NE(measured, nullptr);
+  EXPECT_THAT(tablesOf(*measured).at(0).rows.at(0),
+              ElementsAre("Long axis", "distance", "-", "50.0 mm", "50.0 mm", "0.0"));
+}
+
+TEST(Report, DrawsSixSidesAndTheViewAndLeavesOutWhatThereIsNot) {
+  ReportedSession session({"Ball", "Left ball"});
+  const report::Report report = session.report(session.source());
+  EXPECT_EQ(report.pictures(), 7);
+  EXPECT_EQ(report.title, "Ball");
+  EXPECT_THAT(report.made, HasSubstr("1 March 2026"));
+  for (const char* title : {"Measurements", "Tissue distortion (rotational stress)", "Motion"})
+    EXPECT_EQ(sectionOf(report, title), nullptr) << title;
+  const auto& sides = std::get<report::PictureGrid>(report.sections.front().blocks.at(2));
+  EXPECT_EQ(sides.pictures.at(0).caption, "From the front");
+  EXPECT_NE(sides.pictures.at(0).png, sides.pictures.at(3).png) << "the letters of the cube differ";
+}
+
+TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
+  ReportedSession session({"Ball", "LV"});
+  session.record();
+  report::ReportSource source = session.source();
+  source.sequence = document::sequenceOf(session.document.keySequence(), session.document.rig());
+  source.ratePerMinute = 30;
+  const Points before = session.live.shownPose();
+  const report::Report report = session.report(source);
+  EXPECT_EQ(session.live.shownPose(), before);
+  const report::Section* section = sectionOf(report, "Motion");
+  ASSERT_NE(section, nullptr);
+  const std::vector<report::Table> tables = tablesOf(*section);
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_EQ(tables[0].rows.size(), 2u);
+  ASSERT_EQ(tables[1].rows.size(), 1u);
+  EXPECT_EQ(tables[1].rows[0][0], "LV cavity");
+  live::MotionRunner runner(session.document.state(), session.live);
+  runner.setSequence(source.sequence);
+  Progress progress;
+  const auto curve = live::measureCycle(runner, progress).milliliters.at(1);
+  EXPECT_EQ(tables[1].rows[0][1], fixed(*std::max_element(curve.begin(), curve.end()), 1));
+  ReportedSession still({"Ball"});
+  still.record();
+  source = still.source();
+  source.sequence = document::sequenceOf(still.document.keySequence(), still.document.rig());
+  EXPECT_EQ(tablesOf(*sectionOf(still.report(source), "Motion")).size(), 1u)
+      << "a ball has no ejection fraction";
+}
+
+TEST(Report, TellsStressWithItsMethodPercentilesAndPictures) {
+  ReportedSession session;
+  live::LiveStress::Options options;
+  options.frameSeconds = std::numeric_limits<double>::infinity();
+  live::LiveStress stress(session.document, session.registry, session.live, session.jobs, options);
+  stress.setWanted(400);
+  stress.follow(session.organ());
+  session.box.runUntil([&] { return session.jobs.idle(); });
+  session.pose();
+  live::StressCopy copy = stress.copy();
+  report::ReportSource source = session.source();
+  source.stress = &copy;
+  source.stressStatus = stress.status();
+  const report::Report report = session.report(source);
+  const report::Section* section = sectionOf(report, "Tissue distortion (rotational stress)");
+  ASSERT_NE(section, nullptr);
+  const report::Table numbers = tablesOf(*section).at(0);
+  EXPECT_EQ(numbers.rows.size(), 4u);
+  EXPECT_EQ(numbers.rows[0][0], "Rotational stress (deg)");
+  EXPECT_EQ(numbers.rows[0][5], fixed(180 / std::numbers::pi * stress.statistics().max, 1));
+  EXPECT_EQ(report.pictures(), 9) << "the map and its histogram";
+  // What was pinned stands in a table of its own, and the profile in a chart.
+  const Vec3 first = stress.mesh()->points.row(0).transpose(),
+             last = stress.mesh()->points.row(9).transpose();
+  session.undo.perform(document::addStressProbe(session.organ(), first));
+  session.undo.perform(document::addStressProbe(session.organ(), last));
+  const auto& pinned = session.document.stressMarks().probes;
+  session.undo.perform(document::addStressLine(pinned[0].id, pinned[1].id));
+  report::ReportSource marked = session.source();
+  marked.stress = &copy;
+  marked.stressStatus = stress.status();
+  const report::Report with = session.report(marked);
+  const report::Table probes = tablesOf(*sectionOf(with, "Tissue distortion (rotational stress)")).at(1);
+  ASSERT_EQ(probes.rows.size(), 2u);
+  EXPECT_EQ(probes.rows[1][0], "2");
+  EXPECT_EQ(probes.rows[1][2], fixed(180 / std::numbers::pi * stress.map().rotationalStress[9], 1));
+  EXPECT_EQ(with.pictures(), 10);
+}
+
+TEST(Report, OfNothingIsRefused) {
+  BoundSession session;
+  session.undo.perform(document::removeOrgans({session.organ()}));
+  report::ReportSource source;
+  source.state = session.document.state();
+  source.organs = &session.live;
+  source.systems = &session.registry;
+  Progress progress;
+  EXPECT_THROW(report::makeReport(source, {}, progress), UsageError);
+}
+
+TEST(WithoutFolders, LeavesTheNamesOfFiles) {
+  EXPECT_EQ(report::withoutFolders("/home/ann/liver.stl: it has holes"), "liver.stl: it has holes");
+  EXPECT_EQ(report::withoutFolders("read \"/data/Ann Smith/1956/liver.stl\""), "read \"liver.stl\"");
+  EXPECT_EQ(report::withoutFolders("C:\\Patients\\Smith\\liver.stl"), "liver.stl");
+  EXPECT_EQ(report::withoutFolders("../smith/liver.stl"), "liver.stl");
+  EXPECT_EQ(report::withoutFolders("its unit is mm / ml and/or cm"), "its unit is mm / ml and/or cm");
+}
+
+} // namespace
+} // namespace viscera::tests
